@@ -1,0 +1,60 @@
+#pragma once
+
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace vo {
+
+/// Why an operation could not be carried out. The program's exit code follows from it.
+enum class ErrorKind {
+  usage,          ///< the caller asked for something that does not exist
+  input,          ///< a file, folder, scene or option value that cannot be used
+  output_exists,  ///< the result would replace something else
+  temporary,      ///< the same call may succeed later (disk full, terminated)
+  interrupted,    ///< the user stopped it
+};
+
+/// The only exception this project throws. Losing track is a value (`TrackingStatus`), a broken
+/// invariant is an `assert`. The message is one sentence: where, what is wrong, what was expected.
+class Error : public std::runtime_error {
+ public:
+  explicit Error(const std::string& message, ErrorKind kind = ErrorKind::input)
+      : std::runtime_error(message), kind_(kind) {}
+
+  ErrorKind kind() const { return kind_; }
+
+ private:
+  ErrorKind kind_;
+};
+
+/// The parts, streamed into one string.
+template <typename... Parts>
+std::string concat(const Parts&... parts) {
+  std::ostringstream text;
+  (text << ... << parts);
+  return text.str();
+}
+
+/// Throws an Error of kind `input` whose message is the parts, streamed:
+/// `fail(path, ": no depth folder")`.
+template <typename... Parts>
+[[noreturn]] void fail(const Parts&... parts) {
+  throw Error(concat(parts...));
+}
+
+/// As `fail`, of another kind.
+template <typename... Parts>
+[[noreturn]] void fail_as(ErrorKind kind, const Parts&... parts) {
+  throw Error(concat(parts...), kind);
+}
+
+/// Throws an Error of kind `input` with the message unless the condition holds.
+template <typename... Parts>
+void require(bool condition, const Parts&... parts) {
+  if (!condition) {
+    fail(parts...);
+  }
+}
+
+}  // namespace vo

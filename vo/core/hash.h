@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace vo {
+
+/// FNV-1a, 64 bit: tells whether two contents are the same, on any machine. Not for security.
+class ContentHash {
+ public:
+  void add(std::string_view bytes) {
+    for (const char byte : bytes) {
+      value_ = (value_ ^ static_cast<unsigned char>(byte)) * 0x100000001b3ULL;
+    }
+  }
+
+  /// The bytes of plain values without padding.
+  template <typename T>
+  void add_values(std::span<const T> values) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    add(std::string_view(reinterpret_cast<const char*>(values.data()), values.size_bytes()));
+  }
+
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325ULL;
+};
+
+/// Sixteen hexadecimal digits.
+inline std::string to_hex(std::uint64_t value) {
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string text(16, '0');
+  for (std::size_t i = text.size(); i-- > 0; value >>= 4) {
+    text[i] = kDigits[value & 0xf];
+  }
+  return text;
+}
+
+}  // namespace vo

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace vo {
+
+using ColorImage = cv::Mat_<cv::Vec3b>;     ///< sRGB, BGR order as OpenCV stores it
+using ByteImage = cv::Mat_<uchar>;          ///< sRGB-encoded grey, 0..255
+using GrayImage = cv::Mat_<float>;          ///< sRGB-encoded grey, 0..1
+using DepthImage = cv::Mat_<float>;         ///< metres along the optical axis; 0 = no measurement
+using GradientImage = cv::Mat_<cv::Vec2f>;  ///< (dI/du, dI/dv), intensity per px
+using EdgeMask = cv::Mat_<uchar>;           ///< 0 or 255
+
+inline bool has_depth(float depth) {
+  return depth > 0;
+}
+
+/// One RGB-D measurement. Images share storage like any cv::Mat and are never written again.
+struct RgbdFrame {
+  double timestamp = 0;  ///< s, of the colour image
+  cv::Mat image;         ///< ColorImage or ByteImage
+  DepthImage depth;      ///< registered to the image
+};
+
+/// Luma of ITU-R BT.601 of a ColorImage, or the ByteImage itself, scaled to 0..1.
+GrayImage to_gray(const cv::Mat& image);
+
+}  // namespace vo
