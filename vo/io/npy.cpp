@@ -1,0 +1,61 @@
+#include "vo/io/npy.h"
+
+#include <cstdio>
+#include <cstring>
+
+#include "vo/core/error.h"
+#include "vo/io/output.h"
+
+namespace vo {
+namespace {
+
+constexpr std::string_view kMagic("\x93NUMPY\x01\x00", 8);
+constexpr std::size_t kAlignment = 64;  // bytes, of the data's start
+
+}  // namespace
+
+std::string encode_npy(const cv::Mat_<float>& image) {
+  std::string header = concat("{'descr': '<f4', 'fortran_order': False, 'shape': (", image.rows,
+                              ", ", image.cols, "), }");
+  const std::size_t used = kMagic.size() + 2 + header.size() + 1;
+  header.append((kAlignment - used % kAlignment) % kAlignment, ' ');
+  header.push_back('\n');
+
+  std::string bytes(kMagic);
+  bytes.push_back(static_cast<char>(header.size() & 0xff));
+  bytes.push_back(static_cast<char>(header.size() >> 8));
+  bytes += header;
+  for (int v = 0; v < image.rows; ++v) {
+    bytes.append(image.ptr<char>(v), static_cast<std::size_t>(image.cols) * sizeof(float));
+  }
+  return bytes;
+}
+
+cv::Mat_<float> read_npy(const std::filesystem::path& path) {
+  const std::string bytes = read_file(path);
+  const std::string expected = concat(path.string(), ": expected a version 1.0 .npy file of '<f4'");
+  require(bytes.size() > kMagic.size() + 2 && bytes.starts_with(kMagic), expected);
+  const std::size_t header_size =
+      static_cast<unsigned char>(bytes[8]) +
+      256 * static_cast<std::size_t>(static_cast<unsigned char>(bytes[9]));
+  const std::string header = bytes.substr(kMagic.size() + 2, header_size);
+  const std::size_t shape = header.find("'shape': (");
+  int rows = 0;
+  int cols = 0;
+  require(header.find("'<f4'") != std::string::npos &&
+              header.find("'fortran_order': False") != std::string::npos &&
+              shape != std::string::npos &&
+              std::sscanf(header.c_str() + shape, "'shape': (%5d, %5d)", &rows, &cols) == 2 &&
+              rows > 0 && cols > 0,
+          expected, " with two dimensions");
+  const std::size_t size =
+      sizeof(float) * static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols);
+  const std::size_t start = kMagic.size() + 2 + header_size;
+  require(bytes.size() == start + size, path.string(), ": expected ", start + size, " bytes, got ",
+          bytes.size());
+  cv::Mat_<float> image(rows, cols);
+  std::memcpy(image.data, bytes.data() + start, size);
+  return image;
+}
+
+}  // namespace vo

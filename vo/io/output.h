@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace vo {
+
+/// What to do when the output is there already and is not the same.
+enum class ExistingOutput {
+  keep,     ///< Error of kind output_exists
+  replace,  ///< what was there is gone once the new output is complete
+};
+
+/// A device or pipe: it has no "final name" to protect and is written directly.
+bool is_stream(const std::filesystem::path& path);
+
+/// Writes a file that appears under its name only when it is complete (until then it is
+/// `.<name>.partial-<process>` beside it). An existing file with the same bytes is left alone; of a
+/// symbolic link, the target is written. Throws Error: `temporary` when the disk is full, `input`
+/// when the place cannot be written.
+void write_file(const std::filesystem::path& path, std::string_view bytes,
+                ExistingOutput existing = ExistingOutput::keep);
+
+/// The whole file as bytes; throws Error naming the path.
+std::string read_file(const std::filesystem::path& path);
+
+/// Throws Error unless a file could be made at `path`, so that a mistyped output is reported before
+/// the work and not after it. Makes nothing.
+void require_writable(const std::filesystem::path& path);
+
+/// Throws Error unless a folder of results may be put at `path`: nothing is there, or an empty
+/// folder, or (with `replace`) one that holds `marker`, a file that every folder of its kind has. A
+/// folder that somebody else made is never replaced.
+void require_replaceable(const std::filesystem::path& path, const std::string& marker,
+                         ExistingOutput existing);
+
+/// A folder that appears under its name only when it is complete: it is filled as
+/// `.<name>.partial-<process>` beside it and renamed by `commit`; without it, the destructor
+/// removes it again.
+class OutputFolder {
+ public:
+  /// `marker` as in `require_replaceable`.
+  OutputFolder(const std::filesystem::path& path, std::string marker, ExistingOutput existing);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+  OutputFolder(OutputFolder&&) = delete;
+  OutputFolder& operator=(OutputFolder&&) = delete;
+
+  const std::filesystem::path& partial() const { return partial_; }  ///< write here
+
+  /// An existing folder with the same files is left alone; otherwise as `require_replaceable`.
+  void commit();
+
+ private:
+  std::filesystem::path path_;
+  std::filesystem::path partial_;
+  std::string marker_;
+  ExistingOutput existing_;
+};
+
+}  // namespace vo

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <future>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "vo/core/camera.h"
+#include "vo/core/image.h"
+#include "vo/core/trajectory.h"
+
+namespace vo {
+
+/// An RGB-D sequence on disk, in the layout of the TUM RGB-D benchmark:
+///     rgb/*.png (8 bit)  depth/*.png (16 bit)  rgb.txt  depth.txt  groundtruth.txt  camera.toml
+/// The lists hold `timestamp path` a line, seconds, in increasing time. groundtruth.txt and
+/// camera.toml may be absent.
+class SequenceReader {
+ public:
+  /// `camera` takes precedence over the folder's camera.toml; one of them must be there. Colour and
+  /// depth are paired by nearest stamp, greedily by smallest difference, each image once.
+  explicit SequenceReader(const std::filesystem::path& folder,
+                          std::optional<RgbdCamera> camera = std::nullopt,
+                          double max_time_difference = 0.02);
+
+  const RgbdCamera& camera() const { return camera_; }
+  const Trajectory& ground_truth() const { return ground_truth_; }  ///< empty when there is none
+  std::size_t size() const { return entries_.size(); }
+  double timestamp(std::size_t index) const { return entries_[index].timestamp; }
+
+  /// Throws Error naming the image that cannot be read or has another size than the camera.
+  RgbdFrame read(std::size_t index) const;
+
+ private:
+  struct Entry {
+    double timestamp;
+    std::filesystem::path image;
+    std::filesystem::path depth;
+  };
+
+  RgbdCamera camera_;
+  Trajectory ground_truth_;
+  std::vector<Entry> entries_;
+};
+
+/// The frames of a sequence in order, each decoded in a second thread while the one before it is
+/// being worked on.
+class FrameStream {
+ public:
+  explicit FrameStream(const SequenceReader& reader);
+
+  std::optional<RgbdFrame> next();  ///< nothing after the last frame
+
+ private:
+  void read_ahead();
+
+  const SequenceReader& reader_;
+  std::size_t next_index_ = 0;
+  std::future<RgbdFrame> ahead_;
+};
+
+/// How depth is written beside the 16-bit PNG, which rounds to 1 / depth_units_per_m and cannot
+/// hold more than 65534 units.
+enum class FloatDepth { none, npy };
+
+/// Writes the same layout: rgb/000000.png, depth/000000.png, on request depth_float/000000.npy
+/// (metres, float32). Frames may be written in any order and from several threads.
+class SequenceWriter {
+ public:
+  /// Makes the sub-folders of `folder`, which must exist.
+  SequenceWriter(std::filesystem::path folder, const RgbdCamera& camera,
+                 FloatDepth float_depth = FloatDepth::none);
+
+  void write_frame(std::size_t index, const RgbdFrame& frame) const;
+
+  /// Writes the lists, groundtruth.txt and camera.toml for frames 0 to truth.size() - 1.
+  void finish(const Trajectory& truth) const;
+
+ private:
+  std::filesystem::path folder_;
+  RgbdCamera camera_;
+  FloatDepth float_depth_;
+};
+
+/// `0.033333`: how every list of a sequence writes a stamp.
+std::string format_timestamp(double timestamp);
+
+}  // namespace vo

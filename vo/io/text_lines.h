@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vo {
+
+/// A line of a text file that is neither empty nor a comment.
+struct TextLine {
+  std::string place;                ///< `file:line`, for messages
+  std::vector<std::string> fields;  ///< split at blanks, tabs and commas
+};
+
+/// The lines of a file without comments ('#' to the end of the line). Accepts CRLF and a last line
+/// without newline.
+std::vector<TextLine> read_text_lines(const std::filesystem::path& path);
+
+/// A field as a finite number; throws Error with the place.
+double parse_number(const TextLine& line, std::size_t field);
+
+}  // namespace vo

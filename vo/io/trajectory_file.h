@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "vo/core/trajectory.h"
+
+namespace vo {
+
+/// TUM format: `timestamp tx ty tz qx qy qz qw` of T_world_camera, seconds and metres, '#' starts a
+/// comment. Throws Error naming file and line: numbers that are missing, not finite or not a
+/// rotation, and stamps that do not increase.
+Trajectory read_trajectory(const std::filesystem::path& path);
+
+/// The same format with 6 decimals of a second and 9 decimals of a pose.
+std::string format_trajectory(const Trajectory& trajectory);
+
+}  // namespace vo
