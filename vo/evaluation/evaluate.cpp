@@ -1,0 +1,156 @@
+#include "vo/evaluation/evaluate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "vo/core/associate.h"
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+#include "vo/evaluation/relative_error.h"
+#include "vo/evaluation/umeyama.h"
+
+namespace vo {
+namespace {
+
+constexpr std::size_t kMinMatches = 3;  // fewer points do not determine a rotation
+
+using Matches = std::vector<std::pair<std::size_t, std::size_t>>;
+
+std::vector<double> timestamps(const Trajectory& trajectory, double offset) {
+  std::vector<double> result;
+  for (const StampedPose& pose : trajectory) {
+    result.push_back(pose.timestamp + offset);
+  }
+  return result;
+}
+
+std::string describe_span(const std::vector<double>& timestamps) {
+  return timestamps.empty() ? "has no poses"
+                            : concat("spans ", format_real(timestamps.front()), " s to ",
+                                     format_real(timestamps.back()), " s");
+}
+
+/// Pairs (index in the truth, index in the estimate).
+Matches match(const Trajectory& truth, const Trajectory& estimate,
+              const EvaluationOptions& options) {
+  const std::vector<double> truth_stamps = timestamps(truth, 0);
+  const std::vector<double> estimate_stamps = timestamps(estimate, options.time_offset);
+  Matches matches = associate(truth_stamps, estimate_stamps, options.max_time_difference);
+  require(matches.size() >= kMinMatches, "cannot evaluate: ", matches.size(), " of ",
+          estimate.size(), " poses of the estimate are within ", options.max_time_difference,
+          " s of a pose of the truth, expected at least ", kMinMatches, "; the truth ",
+          describe_span(truth_stamps), ", the estimate with an offset of ",
+          format_real(options.time_offset), " s ", describe_span(estimate_stamps));
+  return matches;
+}
+
+struct Positions {
+  std::vector<Eigen::Vector3d> truth;
+  std::vector<Eigen::Vector3d> estimate;
+};
+
+Positions matched_positions(const Trajectory& truth, const Trajectory& estimate,
+                            const Matches& matches) {
+  Positions positions;
+  for (const auto& [truth_index, estimate_index] : matches) {
+    positions.truth.push_back(truth[truth_index].T_world_camera.translation());
+    positions.estimate.push_back(estimate[estimate_index].T_world_camera.translation());
+  }
+  return positions;
+}
+
+Similarity fit(const Positions& positions, TrajectoryAlignment alignment) {
+  switch (alignment) {
+    case TrajectoryAlignment::se3:
+      return fit_rigid(positions.estimate, positions.truth);
+    case TrajectoryAlignment::sim3:
+      return fit_similarity(positions.estimate, positions.truth);
+    case TrajectoryAlignment::none:
+      break;
+  }
+  return {};
+}
+
+Statistics absolute_error(const Positions& positions, const Similarity& alignment) {
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < positions.truth.size(); ++i) {
+    errors.push_back((alignment * positions.estimate[i] - positions.truth[i]).norm());
+  }
+  return summarize(errors);
+}
+
+Trajectory scaled(Trajectory trajectory, double scale) {
+  for (auto& [timestamp, T_world_camera] : trajectory) {
+    T_world_camera = {T_world_camera.rotation(), scale * T_world_camera.translation()};
+  }
+  return trajectory;
+}
+
+}  // namespace
+
+void EvaluationOptions::validate() const {
+  require(interval.length > 0 && std::isfinite(interval.length),
+          "interval.length: expected a positive number, got ", interval.length);
+  require(interval.unit != IntervalUnit::frames || interval.length == std::floor(interval.length),
+          "interval.length: expected a whole number of frames, got ", interval.length);
+  require(max_time_difference > 0 && std::isfinite(max_time_difference),
+          "max_time_difference: expected a positive number of seconds, got ", max_time_difference);
+  require(std::isfinite(time_offset), "time_offset: expected a number of seconds, got ",
+          time_offset);
+}
+
+Statistics summarize(std::span<const double> errors) {
+  if (errors.empty()) {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    return {kUnknown, kUnknown, kUnknown, kUnknown};
+  }
+  double sum = 0;
+  double sum_of_squares = 0;
+  for (const double error : errors) {
+    sum += error;
+    sum_of_squares += error * error;
+  }
+  std::vector<double> sorted(errors.begin(), errors.end());
+  std::sort(sorted.begin(), sorted.end());
+  const auto count = static_cast<double>(sorted.size());
+  return {.rmse = std::sqrt(sum_of_squares / count),
+          .mean = sum / count,
+          .median = (sorted[(sorted.size() - 1) / 2] + sorted[sorted.size() / 2]) / 2,
+          .max = sorted.back()};
+}
+
+TrajectoryErrors evaluate(const Trajectory& truth, const Trajectory& estimate,
+                          const EvaluationOptions& options) {
+  options.validate();
+  const Matches matches = match(truth, estimate, options);
+  const Positions positions = matched_positions(truth, estimate, matches);
+  const Similarity alignment = fit(positions, options.alignment);
+  const Trajectory scaled_estimate = scaled(estimate, alignment.scale);
+  TrajectoryErrors errors;
+  errors.ate = absolute_error(positions, alignment);
+  errors.rpe = relative_errors_tum(truth, scaled_estimate, options);
+  errors.rpe_evo = relative_errors_evo(truth, scaled_estimate, options);
+  errors.scale = alignment.scale;
+  errors.matched = matches.size();
+  errors.matched_fraction =
+      static_cast<double>(matches.size()) / static_cast<double>(estimate.size());
+  return errors;
+}
+
+Trajectory align_trajectory(const Trajectory& truth, const Trajectory& estimate,
+                            const EvaluationOptions& options) {
+  const Matches matches = match(truth, estimate, options);
+  const Similarity fitted =
+      fit(matched_positions(truth, estimate, matches), TrajectoryAlignment::se3);
+  const SE3 T_truth_estimate(Eigen::Quaterniond(fitted.rotation), fitted.translation);
+  Trajectory aligned = estimate;
+  for (StampedPose& pose : aligned) {
+    pose.T_world_camera = T_truth_estimate * pose.T_world_camera;
+  }
+  return aligned;
+}
+
+}  // namespace vo

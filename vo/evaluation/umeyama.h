@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+
+#include <Eigen/Core>
+
+namespace vo {
+
+/// The map p -> scale * rotation * p + translation.
+struct Similarity {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+  double scale = 1;
+};
+
+Eigen::Vector3d operator*(const Similarity& similarity, const Eigen::Vector3d& point);
+
+/// The rigid motion with the least sum of squared distances between its images of the source points
+/// and the target points (S. Umeyama, "Least-Squares Estimation of Transformation Parameters
+/// Between Two Point Patterns", PAMI 1991). Both spans have the same size, at least one. The
+/// rotation is proper even where the points leave it undetermined, because they coincide or lie on
+/// a line.
+Similarity fit_rigid(std::span<const Eigen::Vector3d> source,
+                     std::span<const Eigen::Vector3d> target);
+
+/// As `fit_rigid` with the scale fitted too; it stays 1 when all source points coincide.
+Similarity fit_similarity(std::span<const Eigen::Vector3d> source,
+                          std::span<const Eigen::Vector3d> target);
+
+}  // namespace vo
