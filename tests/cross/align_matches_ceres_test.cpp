@@ -1,0 +1,136 @@
+#include <array>
+#include <utility>
+
+#include <ceres/ceres.h>
+#include <ceres/rotation.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/pose_near.h"
+#include "tests/support/textured_plane.h"
+#include "vo/tracking/align.h"
+#include "vo/tracking/warp.h"
+
+namespace {
+
+using support::PoseNear;
+using support::small_camera;
+using vo::SE3;
+using vo::Vector6d;
+
+/// The level's interpolated image as Ceres sees it: value and gradient at a point, and the chain
+/// rule for automatic derivatives.
+class ImageFunction {
+ public:
+  explicit ImageFunction(const vo::PyramidLevel& level) : level_(level) {}
+
+  double operator()(double u, double v) const { return look_up(u, v).first; }
+
+  template <int N>
+  ceres::Jet<double, N> operator()(const ceres::Jet<double, N>& u,
+                                   const ceres::Jet<double, N>& v) const {
+    const auto [value, gradient] = look_up(u.a, v.a);
+    return {value, gradient[0] * u.v + gradient[1] * v.v};
+  }
+
+ private:
+  std::pair<double, cv::Vec2f> look_up(double u, double v) const {
+    const vo::BilinearWeights at(static_cast<float>(u), static_cast<float>(v));
+    return {at(level_.intensity), at(level_.gradient)};
+  }
+
+  const vo::PyramidLevel& level_;
+};
+
+/// The photometric residual of one point as a function of an increment [translation; rotation
+/// vector] left of a fixed pose: written apart from the tracker's warp and Jacobian.
+struct PhotometricResidual {
+  ImageFunction image;
+  vo::PinholeCamera camera;
+  Eigen::Vector3d p_start;  ///< the point under the fixed pose, m
+  double intensity;
+
+  template <typename T>
+  bool operator()(const T* translation, const T* rotation, T* residual) const {
+    const T start[3] = {T(p_start.x()), T(p_start.y()), T(p_start.z())};
+    T p[3];
+    ceres::AngleAxisRotatePoint(rotation, start, p);
+    for (int i = 0; i < 3; ++i) {
+      p[i] += translation[i];
+    }
+    residual[0] =
+        image(p[0] / p[2] * camera.fx + camera.cx, p[1] / p[2] * camera.fy + camera.cy) - intensity;
+    return true;
+  }
+};
+
+SE3 solve_with_ceres(const vo::EdgePointLevel& points, const vo::PyramidLevel& level,
+                     const SE3& T_start, double loss_scale) {
+  ceres::Problem problem;
+  std::array<double, 3> translation{};
+  std::array<double, 3> rotation{};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3d p_ref(points.x_ref[i], points.y_ref[i], points.z_ref[i]);
+    problem.AddResidualBlock(
+        new ceres::AutoDiffCostFunction<PhotometricResidual, 1, 3, 3>(new PhotometricResidual{
+            ImageFunction(level), level.camera, T_start * p_ref, points.intensity[i]}),
+        new ceres::HuberLoss(loss_scale), translation.data(), rotation.data());
+  }
+  ceres::Solver::Options options;
+  options.max_num_iterations = 200;
+  options.function_tolerance = 1e-16;
+  options.gradient_tolerance = 1e-16;
+  options.parameter_tolerance = 1e-14;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  Vector6d rotation_only = Vector6d::Zero();
+  rotation_only.tail<3>() = Eigen::Vector3d(rotation.data());
+  return SE3(SE3::exp(rotation_only).rotation(), Eigen::Vector3d(translation.data())) * T_start;
+}
+
+/// Points well inside, so that none leaves the view and both objectives sum over the same ones.
+vo::EdgePointLevel interior(const vo::EdgePointLevel& points) {
+  constexpr int kBorder = 40;  // px
+  vo::EdgePointLevel kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const cv::Point pixel = points.pixel[i];
+    if (pixel.x > kBorder && pixel.x < 320 - kBorder && pixel.y > kBorder &&
+        pixel.y < 240 - kBorder) {
+      kept.x_ref.push_back(points.x_ref[i]);
+      kept.y_ref.push_back(points.y_ref[i]);
+      kept.z_ref.push_back(points.z_ref[i]);
+      kept.intensity.push_back(points.intensity[i]);
+      kept.pixel.push_back(pixel);
+    }
+  }
+  return kept;
+}
+
+vo::FramePyramid single_level(const SE3& T_world_camera) {
+  vo::FramePyramid pyramid =
+      vo::build_pyramid(support::TexturedPlane().render(small_camera(), T_world_camera),
+                        small_camera(), {.levels = 1});
+  vo::add_edges(pyramid, {});
+  return pyramid;
+}
+
+TEST(Align, FindsWhatCeresFinds) {
+  Vector6d xi;
+  xi << 0.004, -0.003, 0.005, 0.002, 0.003, -0.004;
+  const SE3 T_world_cur = SE3::exp(xi);
+  const vo::FramePyramid reference = single_level(SE3());
+  const vo::FramePyramid current = single_level(T_world_cur);
+  vo::EdgePoints points = vo::edge_points(reference, current, {});
+  points.levels[0] = interior(points.levels[0]);
+  ASSERT_GT(points.levels[0].size(), 1000U);
+
+  const vo::AlignOptions options{
+      .max_iterations = 100, .min_translation = 1e-10, .min_rotation_deg = 1e-8};
+  const vo::AlignResult ours = vo::align(points, current, SE3(), options);
+  ASSERT_EQ(ours.points, points.levels[0].size());
+  const SE3 theirs =
+      solve_with_ceres(points.levels[0], current.levels[0], SE3(), options.loss_scale);
+  EXPECT_THAT(ours.T_cur_ref, PoseNear(theirs, support::PoseTolerance{.translation_m = 1e-6,
+                                                                      .rotation_deg = 6e-5}));
+}
+
+}  // namespace

@@ -1,0 +1,75 @@
+#include "vo/image/pyramid.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/textured_plane.h"
+
+namespace {
+
+using support::small_camera;
+using vo::DepthImage;
+using vo::GrayImage;
+
+/// I = a u + b v + c is halved to the same ramp in the pixels of the half image.
+TEST(Pyramid, HalvingARampShiftsByHalfAPixel) {
+  GrayImage ramp(8, 10);
+  for (int v = 0; v < ramp.rows; ++v) {
+    for (int u = 0; u < ramp.cols; ++u) {
+      ramp(v, u) = 0.01F * static_cast<float>(u) + 0.02F * static_cast<float>(v) + 0.1F;
+    }
+  }
+  const GrayImage half = vo::halve(ramp);
+  ASSERT_EQ(half.size(), cv::Size(5, 4));
+  EXPECT_NEAR(half(1, 2), 0.01F * 4.5F + 0.02F * 2.5F + 0.1F, 1e-6);
+}
+
+TEST(Pyramid, GradientOfARampIsItsSlope) {
+  GrayImage ramp(5, 6);
+  for (int v = 0; v < ramp.rows; ++v) {
+    for (int u = 0; u < ramp.cols; ++u) {
+      ramp(v, u) = 0.01F * static_cast<float>(u) - 0.02F * static_cast<float>(v);
+    }
+  }
+  const vo::GradientImage gradient = vo::central_gradient(ramp);
+  EXPECT_NEAR(gradient(2, 3)[0], 0.01F, 1e-7);
+  EXPECT_NEAR(gradient(2, 3)[1], -0.02F, 1e-7);
+  EXPECT_EQ(gradient(0, 3), cv::Vec2f(0, 0)) << "border";
+}
+
+TEST(Pyramid, DepthOfOneSurfaceIsTheMeanOfInverseDepths) {
+  const DepthImage depth = (DepthImage(2, 2) << 2.0F, 2.02F, 2.04F, 2.06F);
+  const float expected = 4 / (1 / 2.0F + 1 / 2.02F + 1 / 2.04F + 1 / 2.06F);
+  EXPECT_NEAR(vo::halve_depth(depth)(0, 0), expected, 1e-6);
+}
+
+TEST(Pyramid, DepthIsNeverAveragedAcrossHolesOrSteps) {
+  EXPECT_EQ(vo::halve_depth((DepthImage(2, 2) << 0.0F, 2.0F, 2.01F, 2.02F))(0, 0), 2.0F);
+  EXPECT_EQ(vo::halve_depth((DepthImage(2, 2) << 4.0F, 0.0F, 0.0F, 0.0F))(0, 0), 4.0F);
+  EXPECT_EQ(vo::halve_depth((DepthImage(2, 2) << 4.0F, 1.0F, 4.1F, 4.0F))(0, 0), 1.0F)
+      << "the edge belongs to the occluder";
+  EXPECT_EQ(vo::halve_depth(DepthImage(2, 2, 0.0F))(0, 0), 0.0F);
+}
+
+/// A level's camera sees the plane's exact depth at its own pixel centres.
+TEST(Pyramid, LevelsAgreeWithTheirCameras) {
+  const support::TexturedPlane plane;
+  const vo::FramePyramid pyramid =
+      vo::build_pyramid(plane.render(small_camera(), {}), small_camera(), {.levels = 4});
+  ASSERT_EQ(pyramid.levels.size(), 4U);
+  for (const vo::PyramidLevel& level : pyramid.levels) {
+    EXPECT_EQ(level.intensity.cols, level.camera.width);
+    EXPECT_EQ(level.depth.rows, level.camera.height);
+    for (const Eigen::Vector2d& pixel : {Eigen::Vector2d(3, 5), Eigen::Vector2d(20, 11)}) {
+      const float measured = level.depth(static_cast<int>(pixel.y()), static_cast<int>(pixel.x()));
+      EXPECT_NEAR(measured, plane.depth(level.camera, {}, pixel), 1e-5);
+    }
+  }
+}
+
+TEST(Pyramid, StopsBeforeImagesBecomeTooSmall) {
+  const vo::PinholeCamera camera = vo::PinholeCamera::from_horizontal_fov(80, 60, 60);
+  const support::TexturedPlane plane;
+  EXPECT_EQ(vo::build_pyramid(plane.render(camera, {}), camera, {.levels = 5}).levels.size(), 2U);
+}
+
+}  // namespace

@@ -1,0 +1,148 @@
+#include "vo/odometry.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/pose_near.h"
+#include "tests/support/textured_plane.h"
+#include "vo/core/error.h"
+
+namespace {
+
+using support::PoseNear;
+using support::small_camera;
+using vo::SE3;
+using vo::TrackerPreset;
+using vo::TrackingStatus;
+
+/// A hand-held sway of a few centimetres and degrees.
+SE3 sway(int frame) {
+  const double phase = 2 * std::numbers::pi * frame / 40;
+  vo::Vector6d xi;
+  xi << 0.08 * std::sin(phase), 0.05 * (1 - std::cos(phase)), 0.04 * std::sin(2 * phase),
+      0.02 * std::sin(phase), 0.03 * std::sin(phase + 1) - 0.03 * std::sin(1), 0.02 * phase;
+  return SE3::exp(xi);
+}
+
+vo::RgbdFrame frame_at(const SE3& T_world_camera, int index) {
+  return support::TexturedPlane().render(small_camera(), T_world_camera, index / 30.0);
+}
+
+vo::RgbdFrame blank_frame(int index) {
+  return {index / 30.0, vo::ByteImage(240, 320, uchar{90}), vo::DepthImage(240, 320, 2.0F)};
+}
+
+/// At 320x240 a pixel is 6 mm wide on the plane; the paper's mask drifts by up to one of them.
+TEST(RgbdOdometry, FollowsATexturedPlane) {
+  for (const auto& [preset, tolerance_m] :
+       {std::pair{TrackerPreset::paper, 6e-3}, std::pair{TrackerPreset::best_measured, 2e-3}}) {
+    vo::RgbdOdometry odometry(small_camera(), vo::preset_options(preset), sway(0));
+    for (int i = 0; i < 20; ++i) {
+      const vo::TrackingResult result = odometry.track(frame_at(sway(i), i));
+      EXPECT_EQ(result.status, i == 0 ? TrackingStatus::initialized : TrackingStatus::tracked);
+      EXPECT_THAT(result.T_world_camera,
+                  PoseNear(sway(i), support::PoseTolerance{.translation_m = tolerance_m,
+                                                           .rotation_deg = 50 * tolerance_m}))
+          << "frame " << i;
+    }
+    EXPECT_EQ(odometry.trajectory().size(), 20U);
+  }
+}
+
+TEST(RgbdOdometry, AStationaryCameraDoesNotDrift) {
+  vo::RgbdOdometry odometry(small_camera());
+  for (int i = 0; i < 30; ++i) {
+    odometry.track(frame_at(sway(7), i));
+  }
+  EXPECT_THAT(odometry.trajectory().back().T_world_camera,
+              PoseNear(SE3(), support::PoseTolerance{.translation_m = 1e-9}));
+}
+
+TEST(RgbdOdometry, TwoRunsGiveTheSameBits) {
+  vo::RgbdOdometry first(small_camera());
+  vo::RgbdOdometry second(small_camera());
+  for (int i = 0; i < 5; ++i) {
+    const SE3 a = first.track(frame_at(sway(i), i)).T_world_camera;
+    const SE3 b = second.track(frame_at(sway(i), i)).T_world_camera;
+    EXPECT_EQ(a.translation(), b.translation());
+    EXPECT_EQ(a.rotation().coeffs(), b.rotation().coeffs());
+  }
+}
+
+TEST(RgbdOdometry, ACoveredLensIsLostAndThenFoundAgain) {
+  vo::RgbdOdometry odometry(small_camera(), {}, sway(0));
+  odometry.track(frame_at(sway(0), 0));
+  odometry.track(frame_at(sway(1), 1));
+  for (int i = 2; i < 5; ++i) {
+    const vo::TrackingResult lost = odometry.track(blank_frame(i));
+    EXPECT_EQ(lost.status, TrackingStatus::lost);
+    EXPECT_FALSE(lost.is_keyframe);
+  }
+  const vo::TrackingResult found = odometry.track(frame_at(sway(2), 5));
+  EXPECT_EQ(found.status, TrackingStatus::tracked);
+  EXPECT_THAT(found.T_world_camera, PoseNear(sway(2), support::PoseTolerance{2e-3, 0.1}));
+  EXPECT_EQ(odometry.trajectory().size(), 3U) << "no pose for a lost frame";
+}
+
+TEST(RgbdOdometry, AFrameWithoutDepthIsTrackedButIsNoReference) {
+  vo::RgbdOdometry odometry(small_camera(), {}, sway(1));
+  vo::RgbdFrame dark = frame_at(sway(0), 0);
+  dark.depth.setTo(0);
+  EXPECT_EQ(odometry.track(dark).status, TrackingStatus::lost) << "nothing to start from";
+  EXPECT_EQ(odometry.track(frame_at(sway(1), 1)).status, TrackingStatus::initialized);
+  vo::RgbdFrame without_depth = frame_at(sway(2), 2);
+  without_depth.depth.setTo(0);
+  const vo::TrackingResult result = odometry.track(without_depth);
+  EXPECT_EQ(result.status, TrackingStatus::tracked);
+  EXPECT_FALSE(result.is_keyframe);
+  EXPECT_EQ(odometry.track(frame_at(sway(3), 3)).status, TrackingStatus::tracked);
+}
+
+TEST(RgbdOdometry, AFrameOfAnotherSizeIsAnError) {
+  vo::RgbdOdometry odometry(small_camera());
+  EXPECT_THROW(odometry.track({0, vo::ByteImage(240, 320, uchar{0}), {}}), vo::Error);
+}
+
+TEST(RgbdOdometry, ATeleportIsLostNotBelieved) {
+  for (const TrackerPreset preset : {TrackerPreset::paper, TrackerPreset::best_measured}) {
+    vo::RgbdOdometry odometry(small_camera(), vo::preset_options(preset));
+    odometry.track(frame_at(SE3(), 0));
+    for (const double metres : {0.9, -1.3, 1.7}) {
+      const SE3 far(Eigen::Quaterniond::Identity(), {metres, 0.6 * metres, 0});
+      EXPECT_EQ(odometry.track(frame_at(far, 1)).status, TrackingStatus::lost) << metres;
+    }
+  }
+}
+
+TEST(RgbdOdometry, AKeyframeEveryNFrames) {
+  vo::TrackerOptions options;
+  options.keyframes.every = 3;
+  vo::RgbdOdometry odometry(small_camera(), options);
+  std::string keyframes;
+  for (int i = 0; i < 8; ++i) {
+    keyframes += odometry.track(frame_at(sway(i), i)).is_keyframe ? 'K' : '-';
+  }
+  EXPECT_EQ(keyframes, "K--K--K-");
+}
+
+/// The lens model makes a distorted camera as good as a perfect one; ignoring it does not.
+TEST(RgbdOdometry, TheLensModelCorrectsDistortion) {
+  vo::PinholeCamera camera = small_camera();
+  camera.distortion = {.k1 = 0.26, .k2 = -0.9, .p1 = -0.005, .p2 = 0.003, .k3 = 1.1};
+  const auto error_m = [&](vo::LensModel lens) {
+    vo::TrackerOptions options;
+    options.lens = lens;
+    vo::RgbdOdometry odometry(camera, options, sway(0));
+    for (int i = 0; i < 12; ++i) {
+      odometry.track(support::TexturedPlane().render(camera, sway(i), i / 30.0));
+    }
+    const SE3 last = odometry.trajectory().back().T_world_camera;
+    return (last.translation() - sway(11).translation()).norm();
+  };
+  const double with_model = error_m(vo::LensModel::distortion);
+  EXPECT_LT(with_model, 2e-3);
+  EXPECT_GT(error_m(vo::LensModel::ignore), 2 * with_model);
+}
+
+}  // namespace
