@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+#include <tiny_gltf.h>
+
+namespace synth {
+
+/// The elements of an accessor of a checked model as floats, sparse changes included; normalised
+/// integers become [0, 1] or [-1, 1]. Instantiated for Vector2f, Vector3f and Vector4f; the
+/// accessor has as many components. Throws vo::Error beginning with `place` for a sparse index
+/// out of range or a value that is not finite.
+template <typename Vector>
+std::vector<Vector> read_vectors(const tinygltf::Model& model, int accessor,
+                                 const std::string& place);
+
+/// The elements of an accessor of unsigned integers.
+std::vector<std::uint32_t> read_indices(const tinygltf::Model& model, int accessor,
+                                        const std::string& place);
+
+}  // namespace synth

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace synth {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// What a .gltf or .glb file holds. Only the JSON's syntax has been checked.
+// NOLINTNEXTLINE(bugprone-exception-escape): moving an nlohmann::json does not throw.
+struct GltfFile {
+  std::filesystem::path path;
+  nlohmann::json json;
+  Bytes binary;  ///< the BIN chunk of a .glb
+};
+
+/// Tells .gltf and .glb apart by their content. Throws vo::Error.
+GltfFile read_gltf_file(const std::filesystem::path& path);
+
+/// Whether the URI holds its data itself.
+bool is_data_uri(const std::string& uri);
+
+/// The file that a URI stands for, percent-decoded and below `folder`. Opens nothing. Throws
+/// vo::Error beginning with `place` when the URI leads out of the folder or has a scheme.
+std::filesystem::path resolve_uri(const std::filesystem::path& folder, const std::string& uri,
+                                  const std::string& place);
+
+/// The first `size` bytes of the file; throws vo::Error if it has fewer. `place` is the element
+/// that refers to the file, or empty.
+Bytes read_file(const std::filesystem::path& path, std::size_t size, const std::string& place);
+
+/// The size of a regular file in bytes; throws vo::Error if there is none.
+std::size_t file_size(const std::filesystem::path& path, const std::string& place);
+
+}  // namespace synth

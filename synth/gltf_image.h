@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include <opencv2/core.hpp>
+
+#include "synth/gltf_file.h"
+
+namespace synth {
+
+/// Decodes a PNG or JPEG to 8-bit RGBA. Throws vo::Error beginning with `place` for other formats,
+/// damaged data and sizes that no texture has.
+cv::Mat_<cv::Vec4b> decode_image(const Bytes& encoded, const std::string& place);
+
+}  // namespace synth

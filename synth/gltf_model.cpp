@@ -1,0 +1,124 @@
+#include "synth/gltf_model.h"
+
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "synth/gltf_check.h"
+#include "synth/gltf_json.h"
+#include "vo/core/error.h"
+
+namespace synth {
+namespace {
+
+using vo::require;
+
+/// `size` is the number of bytes wanted, all if absent.
+Bytes decode_data_uri(const std::string& uri, std::optional<std::size_t> size,
+                      const std::string& place) {
+  Bytes bytes;
+  std::string media_type;
+  const bool decoded = tinygltf::IsDataURI(uri) &&
+                       tinygltf::DecodeDataURI(&bytes, media_type, uri, 0, /*checkSize=*/false);
+  require(decoded, place, ": its data URI cannot be decoded, expected base64 of a glTF media type");
+  require(!size || bytes.size() >= *size, place, ": its data URI holds ", bytes.size(),
+          " bytes, expected ", size.value_or(0));
+  bytes.resize(size.value_or(bytes.size()));
+  return bytes;
+}
+
+Bytes read_buffer(const GltfFile& file, const JsonObject& buffer, bool is_first) {
+  const std::size_t length = buffer.required_whole_number("byteLength");
+  const std::optional<std::string> uri = buffer.text("uri");
+  if (uri && is_data_uri(*uri)) {
+    return decode_data_uri(*uri, length, buffer.place());
+  }
+  if (uri) {
+    const auto path = resolve_uri(file.path.parent_path(), *uri, buffer.place());
+    return read_file(path, length, buffer.place());
+  }
+  require(is_first && !file.binary.empty(), buffer.place(),
+          ": has no uri, expected one or to be the first of a .glb with a binary chunk");
+  require(length <= file.binary.size(), buffer.place(), ": byteLength is ", length,
+          ", expected at most the ", file.binary.size(), " bytes of the binary chunk");
+  return {file.binary.begin(), file.binary.begin() + static_cast<std::ptrdiff_t>(length)};
+}
+
+std::vector<tinygltf::Buffer> read_buffers(const GltfFile& file, const JsonObject& root) {
+  std::vector<tinygltf::Buffer> buffers;
+  for (const JsonObject& object : root.objects("buffers")) {
+    tinygltf::Buffer buffer;
+    buffer.data = read_buffer(file, object, buffers.empty());
+    buffers.push_back(std::move(buffer));
+  }
+  return buffers;
+}
+
+/// References to the images. Files must exist, whether the scene uses them or not.
+std::vector<tinygltf::Image> list_images(const GltfFile& file, const JsonObject& root,
+                                         std::size_t buffer_views) {
+  std::vector<tinygltf::Image> images;
+  for (const JsonObject& object : root.objects("images")) {
+    tinygltf::Image& image = images.emplace_back();
+    image.uri = object.text("uri").value_or("");
+    if (const auto view = object.index("bufferView", buffer_views)) {
+      image.bufferView = static_cast<int>(*view);
+    } else if (!is_data_uri(image.uri)) {
+      file_size(resolve_uri(file.path.parent_path(), image.uri, object.place()), object.place());
+    }
+  }
+  return images;
+}
+
+/// Lets tinygltf read what needs no other file; it gets no way to open one.
+tinygltf::Model parse_structure(nlohmann::json document, const std::string& place) {
+  for (const char* key : {"buffers", "images", "animations", "cameras", "skins", "extras"}) {
+    document.erase(key);
+  }
+  const std::string text = document.dump();
+  require(text.size() <= std::numeric_limits<unsigned>::max(), place, ": its JSON has ",
+          text.size(), " bytes, expected at most 4 GB");
+  tinygltf::TinyGLTF parser;
+  parser.SetFsCallbacks({});
+  tinygltf::Model model;
+  std::string error;
+  std::string warning;
+  const bool parsed = parser.LoadASCIIFromString(&model, &error, &warning, text.c_str(),
+                                                 static_cast<unsigned>(text.size()), {});
+  require(parsed, place, ": is not a usable glTF document: ", error.substr(0, error.find('\n')));
+  return model;
+}
+
+}  // namespace
+
+std::string GltfModel::place(const std::string& array, int index) const {
+  return path.string() + ": " + array + '[' + std::to_string(index) + ']';
+}
+
+GltfModel read_gltf_model(const GltfFile& file) {
+  check_document(file);
+  const JsonObject root(file.json, file.path.string());
+  GltfModel model{file.path, parse_structure(file.json, root.place())};
+  model.content.buffers = read_buffers(file, root);
+  model.content.images = list_images(file, root, model.content.bufferViews.size());
+  return model;
+}
+
+Bytes read_encoded_image(const GltfModel& model, int image) {
+  const tinygltf::Image& reference = model.content.images[static_cast<std::size_t>(image)];
+  const std::string place = model.place("images", image);
+  if (reference.bufferView >= 0) {
+    const auto& view = model.content.bufferViews[static_cast<std::size_t>(reference.bufferView)];
+    const Bytes& data = model.content.buffers[static_cast<std::size_t>(view.buffer)].data;
+    const auto begin = data.begin() + static_cast<std::ptrdiff_t>(view.byteOffset);
+    return {begin, begin + static_cast<std::ptrdiff_t>(view.byteLength)};
+  }
+  if (is_data_uri(reference.uri)) {
+    return decode_data_uri(reference.uri, std::nullopt, place);
+  }
+  const auto path = resolve_uri(model.folder(), reference.uri, place);
+  return read_file(path, file_size(path, place), place);
+}
+
+}  // namespace synth
