@@ -1,0 +1,95 @@
+#include "synth/flat_scene.h"
+
+#include <algorithm>
+#include <array>
+
+namespace synth {
+namespace {
+
+const Material kDefaultMaterial;  // glTF's, of a mesh without one
+
+/// The matrix that turns normals with a surface that A deforms: det(A) A^-T, singular or not.
+Eigen::Matrix3d cofactors(const Eigen::Matrix3d& A) {
+  Eigen::Matrix3d result;
+  result << A.col(1).cross(A.col(2)), A.col(2).cross(A.col(0)), A.col(0).cross(A.col(1));
+  return result;
+}
+
+Eigen::AlignedBox3d bounds(const FlatMesh& flat) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3f& position : flat.mesh->positions) {
+    box.extend(flat.T_world_mesh * position.cast<double>());
+  }
+  return box;
+}
+
+void place_vertices(const Eigen::Vector3d& origin, FlatMesh& flat) {
+  const Mesh& mesh = *flat.mesh;
+  flat.positions.resize(mesh.positions.size() + 1, Eigen::Vector3f::Zero());
+  std::transform(mesh.positions.begin(), mesh.positions.end(), flat.positions.begin(),
+                 [&](const Eigen::Vector3f& position) -> Eigen::Vector3f {
+                   const Eigen::Vector3d p_world = flat.T_world_mesh * position.cast<double>();
+                   return (p_world - origin).cast<float>();
+                 });
+  const Eigen::Matrix3d N = cofactors(flat.T_world_mesh.linear());
+  flat.normals.resize(mesh.normals.size());
+  std::transform(mesh.normals.begin(), mesh.normals.end(), flat.normals.begin(),
+                 [&](const Eigen::Vector3f& normal) -> Eigen::Vector3f {
+                   return (N * normal.cast<double>()).normalized().cast<float>();
+                 });
+}
+
+}  // namespace
+
+FlatScene flatten(const Scene& scene) {
+  FlatScene flat;
+  flat.scene = &scene;
+  Eigen::AlignedBox3d box;
+  for (const Instance& instance : scene.instances) {
+    if (instance.mesh == kNone || scene.meshes[instance.mesh].triangles.empty()) {
+      continue;
+    }
+    FlatMesh& added = flat.meshes.emplace_back();
+    added.mesh = &scene.meshes[instance.mesh];
+    const int material = added.mesh->material;
+    added.material = material == kNone ? &kDefaultMaterial : &scene.materials[material];
+    added.T_world_mesh = instance.T_world_mesh;
+    box.extend(bounds(added));
+  }
+  if (!box.isEmpty()) {
+    flat.origin = box.center();
+  }
+  for (FlatMesh& mesh : flat.meshes) {
+    place_vertices(flat.origin, mesh);
+  }
+  return flat;
+}
+
+std::optional<double> depth_of_plane(const FlatMesh& mesh, int triangle, const DepthRay& ray) {
+  constexpr double kTolerance = 1e-6;      // relative; the hit was found in single precision
+  std::array<Eigen::Vector3d, 3> corners;  // from the eye, m
+  Eigen::Vector3d depths;
+  for (int i = 0; i < 3; ++i) {
+    const int vertex = mesh.mesh->triangles[triangle][i];
+    corners[i] = mesh.T_world_mesh * mesh.mesh->positions[vertex].cast<double>() - ray.eye;
+    depths[i] = corners[i].dot(ray.optical_axis);
+  }
+  const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const double depth = normal.dot(corners[0]) / normal.dot(ray.direction);
+  const double margin = kTolerance * depths.cwiseAbs().maxCoeff();
+  const bool is_between =
+      depth >= depths.minCoeff() - margin && depth <= depths.maxCoeff() + margin;
+  return is_between ? std::optional(depth) : std::nullopt;
+}
+
+Eigen::AlignedBox3d lit_bounds(const FlatScene& flat) {
+  Eigen::AlignedBox3d box;
+  for (const FlatMesh& mesh : flat.meshes) {
+    if (!mesh.material->unlit) {
+      box.extend(bounds(mesh));
+    }
+  }
+  return box;
+}
+
+}  // namespace synth

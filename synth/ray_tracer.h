@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+
+#include "synth/renderer.h"
+#include "synth/scene.h"
+
+namespace synth {
+
+/// Depth is exact to the rounding of a float: rays find the triangle in single precision and meet
+/// its plane in double. Colour is direct light with shadows on diffuse surfaces. The scene must
+/// outlive the renderer.
+std::unique_ptr<Renderer> make_ray_tracer(const Scene& scene, const RenderOptions& options);
+
+}  // namespace synth

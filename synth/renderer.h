@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <utility>
+
+#include <opencv2/core.hpp>
+
+#include "synth/scene.h"
+#include "vo/core/camera.h"
+#include "vo/core/image.h"
+#include "vo/core/se3.h"
+
+namespace synth {
+
+enum class RendererKind { ray_tracer };
+
+constexpr auto enum_names(RendererKind) {
+  return std::array{std::pair{RendererKind::ray_tracer, "ray_tracer"}};
+}
+
+/// The mean light is the irradiance if all of the lights' flux into the bounding box of what is lit
+/// spread evenly over the box's surface: 4 pi I / area of a point light inside, E / 4 of a
+/// directional one. A scene without lights has a sky instead, without shadows: pi (1 + n . s) / 2
+/// on a surface facing n, s being 30 degrees off the zenith, and pi / 2 its mean light, both scaled
+/// so that a surface facing s shows its base colour.
+struct RenderOptions {
+  RendererKind kind = RendererKind::ray_tracer;
+  int samples = 4;       ///< colour samples per pixel at least; a square grid of them is taken
+  double ambient = 0.3;  ///< constant light from all sides, as a share of the mean light
+
+  int samples_per_edge() const;  ///< of the grid: the least whole number whose square suffices
+  void validate() const;         ///< throws vo::Error
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, RenderOptions& options) {
+  visit("kind", options.kind, "how the scene is rendered");
+  visit("samples", options.samples, "colour samples per pixel, rounded up to a square grid");
+  visit("ambient", options.ambient, "constant light from all sides, share of the lights' mean");
+}
+
+/// What a perfect sensor would see.
+struct RenderedFrame {
+  cv::Mat_<cv::Vec3f> radiance;  ///< linear RGB, mean over the pixel's area
+  vo::DepthImage depth;  ///< m along the optical axis, at the pixel's centre; 0 = nothing hit
+};
+
+/// Renders a scene at rest. `render` may be called from several threads; its result depends on its
+/// arguments alone.
+class Renderer {
+ public:
+  Renderer() = default;
+  virtual ~Renderer() = default;
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+  Renderer(Renderer&&) = delete;
+  Renderer& operator=(Renderer&&) = delete;
+
+  virtual RenderedFrame render(const vo::PinholeCamera& camera,
+                               const vo::SE3& T_world_camera) const = 0;
+};
+
+/// The scene must outlive the renderer.
+std::unique_ptr<Renderer> make_renderer(const Scene& scene, const RenderOptions& options);
+
+}  // namespace synth

@@ -1,0 +1,119 @@
+#include "synth/generate.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include "synth/camera_path.h"
+#include "tests/support/error_text.h"
+#include "tests/support/temp_folder.h"
+#include "tests/synth/quads.h"
+#include "vo/io/npy.h"
+#include "vo/io/output.h"
+#include "vo/io/png.h"
+#include "vo/io/trajectory_file.h"
+
+namespace synth {
+namespace {
+
+namespace fs = std::filesystem;
+using support::error_text;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const vo::RgbdCamera kCamera{.pinhole = wide_camera()};
+
+/// Two squares that lie in one plane, which of them is seen being the renderer's choice, and a
+/// wall.
+Scene small_room() {
+  Scene scene;
+  add(scene, square_at(0, 1), diffuse({1, 0.2F, 0.2F}));
+  add(scene, square_at(0, 1), diffuse({0.2F, 1, 0.2F}));
+  add(scene, square_at(-2, 3), diffuse({0.7F, 0.7F, 0.7F}));
+  scene.lights.push_back(point_light({1, 2, 3}, {40, 40, 40}));
+  return scene;
+}
+
+vo::Trajectory short_orbit() {
+  return sample(orbit({.radius = 2.5, .height = 0.5}), 4, 1.25);
+}
+
+void generate(const fs::path& folder, const vo::Progress& progress = {}) {
+  generate_sequence(small_room(),
+                    {.truth = short_orbit(), .camera = kCamera, .float_depth = vo::FloatDepth::npy},
+                    folder, progress);
+}
+
+std::map<std::string, std::string> contents(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) {
+      files[fs::relative(entry.path(), folder).string()] = vo::read_file(entry.path());
+    }
+  }
+  return files;
+}
+
+TEST(GenerateSequence, WritesTheSameBytesOnOneThreadAndOnTwo) {
+  const support::TempFolder one;
+  const support::TempFolder two;
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+    generate(one.path());
+  }
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 2);
+    generate(two.path());
+  }
+  EXPECT_EQ(contents(one.path()).size(), 3 * 6 + 5U);
+  EXPECT_EQ(contents(one.path()), contents(two.path()));
+}
+
+TEST(GenerateSequence, WritesWhatTheSensorMeasuresAtThePosesOfTheTruth) {
+  const support::TempFolder folder;
+  generate(folder.path());
+  const Scene scene = small_room();
+  const vo::Trajectory truth = short_orbit();
+  const auto renderer = make_renderer(scene, {});
+  const SensorOptions sensor{.exposure = meter_exposure(scene, *renderer, kCamera.pinhole, truth)};
+  const vo::RgbdFrame expected =
+      measure(renderer->render(kCamera.pinhole, truth[3].T_world_camera), 0, sensor);
+  const cv::Mat color = vo::read_png(folder.path() / "rgb/000003.png");
+  EXPECT_EQ(cv::norm(color, expected.image, cv::NORM_INF), 0);
+  const vo::DepthImage depth = vo::read_npy(folder.path() / "depth_float/000003.npy");
+  EXPECT_EQ(cv::norm(depth, expected.depth, cv::NORM_INF), 0);
+  EXPECT_EQ(vo::read_file(folder.path() / "groundtruth.txt"), vo::format_trajectory(truth));
+}
+
+TEST(GenerateSequence, TellsOfEveryFrame) {
+  const support::TempFolder folder;
+  std::vector<std::size_t> done;
+  generate(folder.path(), [&](std::size_t count, std::size_t total) {
+    EXPECT_EQ(total, 6U);
+    done.push_back(count);
+  });
+  EXPECT_THAT(done, ElementsAre(1, 2, 3, 4, 5, 6));
+}
+
+TEST(GenerateSequence, StopsWhenToldToAndLeavesNoLists) {
+  const support::TempFolder folder;
+  const auto stop = [](std::size_t, std::size_t) { vo::fail("stopped"); };
+  EXPECT_EQ(error_text([&] { generate(folder.path(), stop); }), "stopped");
+  EXPECT_FALSE(fs::exists(folder.path() / "rgb.txt"));
+}
+
+TEST(GenerateSequence, NeedsAPose) {
+  const support::TempFolder folder;
+  const auto generate_nothing = [&] {
+    generate_sequence({}, {.camera = kCamera}, folder.path(), {});
+  };
+  EXPECT_THAT(error_text(generate_nothing), HasSubstr("no poses to render"));
+}
+
+}  // namespace
+}  // namespace synth
