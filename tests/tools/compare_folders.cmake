@@ -1,0 +1,17 @@
+# cmake -D EXPECTED=<folder> -D ACTUAL=<folder> -P compare_folders.cmake
+# Fails unless both folders hold the same files with the same bytes.
+file(GLOB_RECURSE expected RELATIVE ${EXPECTED} ${EXPECTED}/*)
+file(GLOB_RECURSE actual RELATIVE ${ACTUAL} ${ACTUAL}/*)
+if(NOT expected)
+  message(FATAL_ERROR "${EXPECTED}: holds no files")
+endif()
+if(NOT expected STREQUAL actual)
+  message(FATAL_ERROR "different files:\n  ${EXPECTED}: ${expected}\n  ${ACTUAL}: ${actual}")
+endif()
+foreach(name IN LISTS expected)
+  file(SHA256 ${EXPECTED}/${name} expected_hash)
+  file(SHA256 ${ACTUAL}/${name} actual_hash)
+  if(NOT expected_hash STREQUAL actual_hash)
+    message(SEND_ERROR "${name}: ${ACTUAL} differs from ${EXPECTED}")
+  endif()
+endforeach()
