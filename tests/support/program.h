@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include <sys/wait.h>
+
+#include "tests/support/temp_folder.h"
+#include "vo/io/output.h"
+
+namespace support {
+
+/// What a run of the program left.
+struct ProgramResult {
+  int exit_code = 0;
+  std::string out;
+  std::string err;
+};
+
+/// Runs the program with arguments as a shell reads them, in a shell that `before` has prepared
+/// (`ulimit -f 8; `).
+inline ProgramResult run_program(const std::string& arguments, const std::string& before = "") {
+  const TempFolder folder;
+  const std::filesystem::path out = folder.write("out", "");
+  const std::filesystem::path err = folder.write("err", "");
+  const std::string command = before + "'" + EDVO_PROGRAM + "' " + arguments + " >'" +
+                              out.string() + "' 2>'" + err.string() + "'";
+  const int status = std::system(command.c_str());  // NOLINT(cert-env33-c,concurrency-mt-unsafe)
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, vo::read_file(out), vo::read_file(err)};
+}
+
+/// Whether something unfinished lies in a folder.
+inline bool has_leftovers(const std::filesystem::path& folder) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().filename().string().find(".partial") != std::string::npos) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace support

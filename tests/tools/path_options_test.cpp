@@ -1,0 +1,57 @@
+#include "tools/pipeline/path_options.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/example_trajectory.h"
+#include "tests/support/pose_near.h"
+#include "tests/support/temp_folder.h"
+#include "vo/io/output.h"
+#include "vo/io/trajectory_file.h"
+
+namespace {
+
+using support::PoseNear;
+using support::TempFolder;
+using tools::PathKind;
+
+constexpr support::PoseTolerance kFilePrecision{.translation_m = 1e-8, .rotation_deg = 1e-6};
+
+TEST(PathOptions, ATrajectoryIsTakenAsItIs) {
+  const TempFolder folder;
+  const vo::Trajectory truth = support::example_trajectory(7, 10, 5.0);
+  const auto file = folder.write("t.txt", vo::format_trajectory(truth));
+  const vo::Trajectory path = tools::make_trajectory({.kind = PathKind::trajectory, .file = file});
+  ASSERT_EQ(path.size(), truth.size());
+  EXPECT_THAT(path[3].T_world_camera, PoseNear(truth[3].T_world_camera, kFilePrecision));
+}
+
+TEST(PathOptions, ASplineOfAFileRunsThroughItsPosesAtTheirTimes) {
+  const TempFolder folder;
+  const vo::Trajectory keys = support::example_trajectory(5, 2, 100.0);
+  const auto file = folder.write("t.txt", vo::format_trajectory(keys));
+  const vo::Trajectory path =
+      tools::make_trajectory({.kind = PathKind::spline, .rate = 20, .file = file});
+  ASSERT_EQ(path.size(), 41U) << "two seconds at 20 Hz, both ends";
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    EXPECT_NEAR(path[10 * i].timestamp, keys[i].timestamp, 1e-6);
+    EXPECT_THAT(path[10 * i].T_world_camera, PoseNear(keys[i].T_world_camera, kFilePrecision));
+  }
+}
+
+TEST(PathOptions, ASplineOfEyesLooksAtItsTargets) {
+  const tools::PathOptions options{.kind = PathKind::spline,
+                                   .rate = 10,
+                                   .duration = 2,
+                                   .eyes = {{0, 1, 2}, {1, 1, 2}, {1, 1.5, 1}},
+                                   .targets = {{0, 1, 0}, {0, 1, 0}, {0.5, 1, -1}}};
+  const vo::Trajectory path = tools::make_trajectory(options);
+  ASSERT_EQ(path.size(), 21U);
+  for (std::size_t i = 0; i < options.eyes.size(); ++i) {
+    const vo::SE3& T_world_camera = path[10 * i].T_world_camera;
+    EXPECT_LT((T_world_camera.translation() - options.eyes[i]).norm(), 1e-9);
+    const Eigen::Vector3d target = T_world_camera.inverse() * options.targets[i];
+    EXPECT_LT(target.head<2>().norm(), 1e-9) << "in the middle of the image";
+  }
+}
+
+}  // namespace

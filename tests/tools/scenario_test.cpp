@@ -1,0 +1,84 @@
+#include "tools/scenario/scenario.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/error_text.h"
+#include "tests/support/temp_folder.h"
+
+namespace {
+
+using support::error_text;
+using support::TempFolder;
+using testing::EndsWith;
+using testing::HasSubstr;
+
+constexpr const char* kScenario = R"(why = "it would fail if"
+[scene]
+gltf = "room/room.gltf"
+[path]
+kind = "orbit"
+duration = 2
+[odometry]
+tracker.pyramid.levels = 4
+preset = "paper"
+[expect]
+ate_rmse_m = { max = 0.01 }
+keyframes = { min = 3, max = 12 }
+)";
+
+tools::Scenario load(const std::string& text) {
+  const TempFolder folder;
+  return tools::load_scenario(folder.write("s.toml", text));
+}
+
+std::string error_with(const std::string& text, const std::string& replacement) {
+  std::string scenario = kScenario;
+  scenario.replace(scenario.find(text), text.size(), replacement);
+  return error_text([&] { load(scenario); });
+}
+
+TEST(Scenario, ReadsWhatTheFileSaysAndKeepsTheDefaults) {
+  const tools::Scenario scenario = load(kScenario);
+  EXPECT_EQ(scenario.name, "s");
+  EXPECT_EQ(scenario.path.duration, 2);
+  EXPECT_EQ(scenario.path.rate, tools::PathOptions{}.rate);
+  EXPECT_EQ(scenario.expect.at("ate_rmse_m").max, 0.01);
+  EXPECT_TRUE(scenario.expect.at("ate_rmse_m").contains(0));
+  EXPECT_FALSE(scenario.expect.at("keyframes").contains(2));
+  EXPECT_FALSE(scenario.expect.at("keyframes").contains(std::nan("")));
+  EXPECT_THAT(scenario.scene_file().string(), EndsWith("/assets/room/room.gltf"));
+}
+
+TEST(Scenario, APresetIsWhereTheOptionsStartFromWhereverItStands) {
+  const tools::Scenario scenario = load(kScenario);
+  EXPECT_EQ(scenario.odometry.tracker.pyramid.levels, 4);
+  EXPECT_EQ(scenario.odometry.tracker.points.source, vo::EdgeSource::current);
+  EXPECT_EQ(scenario.odometry.tracker.lens, vo::LensModel::ignore);
+}
+
+TEST(Scenario, ErrorsNameFileLineAndNearestKey) {
+  EXPECT_THAT(error_with("duration", "durration"),
+              EndsWith("s.toml:6: unknown key 'path.durration'; the nearest known key is "
+                       "path.duration"));
+  EXPECT_THAT(error_with("ate_rmse_m", "ate_rsme_m"),
+              EndsWith("s.toml:11: unknown key 'expect.ate_rsme_m.max'; the nearest known key is "
+                       "expect.ate_rmse_m.max"));
+  EXPECT_THAT(error_with("max = 0.01", "max = 'low'"),
+              EndsWith("s.toml:11: expect.ate_rmse_m.max: expected a number, got \"low\""));
+  EXPECT_THAT(error_with("\"orbit\"", "\"circle\""),
+              EndsWith("s.toml:5: path.kind: expected one of orbit, spline, trajectory, got "
+                       "'circle'"));
+}
+
+TEST(Scenario, WhatMakesNoSenseIsAnError) {
+  EXPECT_THAT(error_with("it would fail if", ""), HasSubstr("s.toml: why: expected a sentence"));
+  EXPECT_THAT(error_with("duration = 2", "duration = -2"),
+              HasSubstr("path.duration: expected above 0, got -2"));
+  EXPECT_THAT(error_with("min = 3, max = 12", "min = 13, max = 12"),
+              HasSubstr("expect.keyframes: expected min <= max"));
+  EXPECT_THAT(error_with("kind = \"orbit\"", "kind = \"spline\""),
+              HasSubstr("a spline expects at least two eyes"));
+}
+
+}  // namespace

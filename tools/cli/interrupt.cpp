@@ -1,0 +1,43 @@
+#include "tools/cli/interrupt.h"
+
+#include <atomic>
+#include <csignal>
+
+#include "vo/core/error.h"
+
+namespace tools {
+namespace {
+
+std::atomic<int>& received_signal() {
+  static std::atomic<int> signal = 0;
+  static_assert(std::atomic<int>::is_always_lock_free, "a handler may not lock");
+  return signal;
+}
+
+extern "C" void remember(int signal) {
+  received_signal() = signal;
+}
+
+}  // namespace
+
+void remember_signals() {
+  received_signal() = 0;
+  std::signal(SIGINT, remember);
+  std::signal(SIGTERM, remember);
+  std::signal(SIGHUP, remember);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+void throw_if_interrupted() {
+  switch (received_signal()) {
+    case SIGINT:
+      vo::fail_as(vo::ErrorKind::interrupted, "interrupted");
+    case SIGTERM:
+    case SIGHUP:
+      vo::fail_as(vo::ErrorKind::temporary, "terminated");
+    default:
+      return;
+  }
+}
+
+}  // namespace tools

@@ -1,0 +1,92 @@
+#include "tools/cli/options.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include <tbb/info.h>
+
+#include "vo/core/error.h"
+
+namespace tools {
+namespace {
+
+std::string option_name(std::string key) {
+  std::replace(key.begin(), key.end(), '_', '-');
+  return "--" + key;
+}
+
+}  // namespace
+
+std::size_t CommonOptions::max_threads() const {
+  return static_cast<std::size_t>(threads > 0 ? threads : tbb::info::default_concurrency());
+}
+
+void add_common_options(CLI::App& command, CommonOptions& options) {
+  command.add_flag("--json", options.json, "print the result as JSON on stdout");
+  command.add_flag("--quiet,-q", options.quiet, "no progress on stderr");
+  command.add_flag("--force", options.force, "replace an output that exists and differs");
+  command.add_option("--threads", options.threads, "threads at most; 0 = all cores")
+      ->check(CLI::NonNegativeNumber);
+}
+
+void add_field_options(CLI::App& command, const std::vector<vo::Field>& fields,
+                       const std::string& group) {
+  for (const vo::Field& field : fields) {
+    const std::string name = option_name(field.key);
+    const std::string value = field.get();
+    command
+        .add_option_function<std::string>(
+            name,
+            [set = field.set, name](const std::string& text) {
+              try {
+                set(text);
+              } catch (const vo::Error& error) {
+                throw CLI::ValidationError(name, error.what());
+              }
+            },
+            field.help + (value.empty() ? "" : " [" + value + "]"))
+        ->group(group);
+  }
+}
+
+void apply_assignment(const std::string& assignment, std::vector<vo::Field>& fields) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string::npos) {
+    vo::fail_as(vo::ErrorKind::usage, "--set ", assignment, ": expected key=value");
+  }
+  try {
+    vo::set_field(fields, assignment.substr(0, equals), assignment.substr(equals + 1));
+  } catch (const vo::Error& error) {
+    vo::fail_as(vo::ErrorKind::usage, "--set ", assignment, ": ", error.what());
+  }
+}
+
+std::string describe_fields(const std::vector<vo::Field>& fields) {
+  std::size_t width = 0;
+  for (const vo::Field& field : fields) {
+    width = std::max(width, field.key.size() + field.get().size() + 3);
+  }
+  std::string text;
+  for (const vo::Field& field : fields) {
+    std::string assignment = field.key + " = " + field.get();
+    assignment.resize(width + 2, ' ');
+    text += "  " + assignment + field.help + "\n";
+  }
+  return text;
+}
+
+std::pair<int, int> parse_size(const std::string& text) {
+  const auto cross = text.find('x');
+  try {
+    vo::require(cross != std::string::npos, "no x");
+    const std::int64_t width = vo::parse_integer(text.substr(0, cross));
+    const std::int64_t height = vo::parse_integer(text.substr(cross + 1));
+    vo::require(std::in_range<int>(width) && std::in_range<int>(height), "too large");
+    return {static_cast<int>(width), static_cast<int>(height)};
+  } catch (const vo::Error&) {
+    vo::fail_as(vo::ErrorKind::usage, "--size ", text, ": expected WIDTHxHEIGHT, such as 640x480");
+  }
+}
+
+}  // namespace tools

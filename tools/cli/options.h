@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "tools/cli/progress_bar.h"
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+#include "vo/io/output.h"
+
+namespace tools {
+
+/// What every command takes.
+struct CommonOptions {
+  bool json = false;
+  bool quiet = false;
+  bool force = false;
+  int threads = 0;  ///< 0 = all cores
+
+  std::size_t max_threads() const;
+  Verbosity verbosity() const { return quiet ? Verbosity::quiet : Verbosity::normal; }
+  vo::ExistingOutput existing() const {
+    return force ? vo::ExistingOutput::replace : vo::ExistingOutput::keep;
+  }
+};
+
+void add_common_options(CLI::App& command, CommonOptions& options);
+
+/// `--key value` for each field ('_' as '-'), with its meaning and default in `--help`.
+void add_field_options(CLI::App& command, const std::vector<vo::Field>& fields,
+                       const std::string& group);
+
+/// `key=value`, applied to the fields. Throws vo::Error of kind usage.
+void apply_assignment(const std::string& assignment, std::vector<vo::Field>& fields);
+
+/// All fields with default and meaning, one a line, for the end of `--help`.
+std::string describe_fields(const std::vector<vo::Field>& fields);
+
+/// Calls `check` and turns its Errors into ones of kind usage: what it checks came from the command
+/// line.
+template <typename Check>
+void check_usage(Check check) {
+  try {
+    check();
+  } catch (const vo::Error& error) {
+    throw vo::Error(error.what(), vo::ErrorKind::usage);
+  }
+}
+
+/// "640x480"; throws vo::Error of kind usage.
+std::pair<int, int> parse_size(const std::string& text);
+
+}  // namespace tools

@@ -1,0 +1,215 @@
+#include "vo/evaluation/evaluate.h"
+
+#include <array>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/cli/options.h"
+#include "tools/commands/commands.h"
+#include "vo/core/associate.h"
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+#include "vo/io/sequence.h"
+#include "vo/io/trajectory_file.h"
+
+namespace tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kHelp =
+    "Compares an estimated trajectory with the truth, both in TUM format.\n"
+    "  ate      absolute error of positions after alignment (evaluate_ate.py, evo_ape), m\n"
+    "  rpe      relative error per interval as the TUM benchmark's evaluate_rpe.py --fixed_delta\n"
+    "  rpe_evo  the same as evo_rpe --all_pairs and the paper define it; it differs in the\n"
+    "           translation's frame and in which poses it pairs\n"
+    "Poses are matched by nearest stamp; nothing is interpolated but for --estimate-offset.";
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  edvo evaluate groundtruth.txt estimate.txt\n"
+    "  edvo evaluate groundtruth.txt estimate.txt --align sim3 --interval 30f --json\n"
+    "  edvo evaluate groundtruth.txt estimate.txt --estimate-offset   # are the clocks right?\n"
+    "  edvo evaluate sequence/groundtruth.txt e.txt --sequence sequence   # and tracked_fraction";
+
+struct EvaluateArguments {
+  CommonOptions common;
+  std::string truth;
+  std::string estimate;
+  std::string align = "se3";
+  std::string interval = "1s";
+  std::string sequence;
+  bool estimate_offset = false;
+  vo::EvaluationOptions options;
+};
+
+/// All that is printed.
+struct Report {
+  vo::TrajectoryErrors errors;
+  double tracked_fraction = -1;  ///< negative when unknown
+  bool has_offset = false;
+  vo::TimeOffset offset;
+};
+
+vo::RpeInterval parse_interval(const std::string& text) {
+  try {
+    vo::require(text.size() > 1 && (text.back() == 's' || text.back() == 'f'), "no unit");
+    return {vo::parse_real(std::string_view(text).substr(0, text.size() - 1)),
+            text.back() == 's' ? vo::IntervalUnit::seconds : vo::IntervalUnit::frames};
+  } catch (const vo::Error&) {
+    vo::fail_as(vo::ErrorKind::usage, "--interval ", text,
+                ": expected seconds or frames, such as 1s or 30f");
+  }
+}
+
+Json statistics(const vo::Statistics& s, const std::string& prefix, const std::string& unit) {
+  return {{prefix + "rmse_" + unit, s.rmse},
+          {prefix + "mean_" + unit, s.mean},
+          {prefix + "median_" + unit, s.median},
+          {prefix + "max_" + unit, s.max}};
+}
+
+Json relative(const vo::RelativeErrors& errors) {
+  Json json = statistics(errors.translation, "translation_", "m");
+  json.update(statistics(errors.rotation_deg, "rotation_", "deg"));
+  json["pairs"] = errors.pairs;
+  return json;
+}
+
+Json as_json(const EvaluateArguments& arguments, const Report& report) {
+  const vo::TrajectoryErrors& errors = report.errors;
+  Json json = {{"align", arguments.align},
+               {"interval", arguments.interval},
+               {"ate", statistics(errors.ate, "", "m")},
+               {"rpe", relative(errors.rpe)},
+               {"rpe_evo", relative(errors.rpe_evo)},
+               {"scale", errors.scale},
+               {"matched", errors.matched},
+               {"matched_fraction", errors.matched_fraction}};
+  if (report.tracked_fraction >= 0) {
+    json["tracked_fraction"] = report.tracked_fraction;
+  }
+  if (report.has_offset) {
+    const vo::TimeOffset& offset = report.offset;
+    json["time_offset"] = {{"ate_offset_s", offset.ate_offset},
+                           {"ate_rmse_m", offset.ate_rmse},
+                           {"rpe_translation_offset_s", offset.rpe_translation_offset},
+                           {"rpe_translation_rmse_m", offset.rpe_translation_rmse},
+                           {"rpe_rotation_offset_s", offset.rpe_rotation_offset},
+                           {"rpe_rotation_rmse_deg", offset.rpe_rotation_rmse_deg}};
+  }
+  return json;
+}
+
+void print_row(const char* name, const vo::Statistics& s, const char* unit) {
+  std::array<char, 160> line{};
+  std::snprintf(line.data(), line.size(), "%-20s %10.6f %10.6f %10.6f %10.6f  %s\n", name, s.rmse,
+                s.mean, s.median, s.max, unit);
+  std::cout << line.data();
+}
+
+void print_offset(const vo::TimeOffset& offset) {
+  std::array<char, 240> text{};
+  std::snprintf(text.data(), text.size(),
+                "stamps shifted by    %+.4f s give the least ATE, %.6f m\n"
+                "                     %+.4f s give the least RPE translation, %.6f m\n"
+                "                     %+.4f s give the least RPE rotation, %.6f deg\n",
+                offset.ate_offset, offset.ate_rmse, offset.rpe_translation_offset,
+                offset.rpe_translation_rmse, offset.rpe_rotation_offset,
+                offset.rpe_rotation_rmse_deg);
+  std::cout << text.data();
+}
+
+void print_table(const EvaluateArguments& arguments, const Report& report) {
+  const vo::TrajectoryErrors& errors = report.errors;
+  const std::string per = "per " + arguments.interval;
+  std::array<char, 160> title{};
+  std::snprintf(title.data(), title.size(), "%-20s %10s %10s %10s %10s\n", "", "rmse", "mean",
+                "median", "max");
+  std::cout << title.data();
+  print_row("ate", errors.ate, "m");
+  print_row("rpe translation", errors.rpe.translation, ("m " + per).c_str());
+  print_row("rpe rotation", errors.rpe.rotation_deg, ("deg " + per).c_str());
+  print_row("rpe_evo translation", errors.rpe_evo.translation, ("m " + per).c_str());
+  print_row("rpe_evo rotation", errors.rpe_evo.rotation_deg, ("deg " + per).c_str());
+  std::cout << "intervals            " << errors.rpe.pairs << " (rpe_evo " << errors.rpe_evo.pairs
+            << ")\n";
+  std::cout << "matched              " << errors.matched << " poses, "
+            << 100 * errors.matched_fraction << " % of the estimate's\n"
+            << "aligned              " << arguments.align << ", scale " << errors.scale << "\n";
+  if (report.tracked_fraction >= 0) {
+    std::cout << "tracked              " << 100 * report.tracked_fraction
+              << " % of the sequence's frames\n";
+  }
+  if (report.has_offset) {
+    print_offset(report.offset);
+  }
+}
+
+/// Share of the sequence's frames that the estimate has a pose for.
+double tracked_fraction(const std::string& folder, const vo::Trajectory& estimate) {
+  constexpr double kSameStamp = 1e-4;  // s, more than rounding and less than a frame
+  const vo::SequenceReader sequence(folder, vo::RgbdCamera{});
+  std::vector<double> frames;
+  for (std::size_t i = 0; i < sequence.size(); ++i) {
+    frames.push_back(sequence.timestamp(i));
+  }
+  std::vector<double> poses;
+  for (const vo::StampedPose& pose : estimate) {
+    poses.push_back(pose.timestamp);
+  }
+  return static_cast<double>(vo::associate(frames, poses, kSameStamp).size()) /
+         static_cast<double>(frames.size());
+}
+
+void evaluate(EvaluateArguments& arguments) {
+  arguments.options.alignment = vo::parse_enum<vo::TrajectoryAlignment>(arguments.align);
+  arguments.options.interval = parse_interval(arguments.interval);
+  const vo::Trajectory truth = vo::read_trajectory(arguments.truth);
+  const vo::Trajectory estimate = vo::read_trajectory(arguments.estimate);
+
+  Report report;
+  report.errors = vo::evaluate(truth, estimate, arguments.options);
+  if (!arguments.sequence.empty()) {
+    report.tracked_fraction = tracked_fraction(arguments.sequence, estimate);
+  }
+  if (arguments.estimate_offset) {
+    report.has_offset = true;
+    report.offset = vo::estimate_time_offset(truth, estimate, arguments.options);
+  }
+  if (arguments.common.json) {
+    std::cout << as_json(arguments, report).dump(2) << "\n";
+  } else {
+    print_table(arguments, report);
+  }
+}
+
+}  // namespace
+
+void add_evaluate_command(CLI::App& program, int& /*exit_code*/) {
+  CLI::App& command = *program.add_subcommand("evaluate", kHelp);
+  const auto arguments = std::make_shared<EvaluateArguments>();
+  command.footer(kExamples);
+  command.add_option("TRUTH", arguments->truth, "TUM trajectory")->required();
+  command.add_option("ESTIMATE", arguments->estimate, "TUM trajectory")->required();
+  command.add_option("--align", arguments->align, "none | se3 | sim3 [se3]")
+      ->check(CLI::IsMember({"none", "se3", "sim3"}));
+  command.add_option("--interval", arguments->interval, "of the relative error: 1s, 30f, ... [1s]");
+  command.add_option("--max-time-difference", arguments->options.max_time_difference,
+                     "between matched poses, s [0.02]");
+  command.add_option("--offset", arguments->options.time_offset,
+                     "added to the estimate's stamps, s [0]");
+  command.add_flag("--estimate-offset", arguments->estimate_offset,
+                   "also print the offsets that would make each error least");
+  command.add_option("--sequence", arguments->sequence,
+                     "the sequence that was tracked, for tracked_fraction");
+  add_common_options(command, arguments->common);
+  command.callback([arguments] { evaluate(*arguments); });
+}
+
+}  // namespace tools

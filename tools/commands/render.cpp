@@ -1,0 +1,163 @@
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include <nlohmann/json.hpp>
+#include <tbb/global_control.h>
+
+#include "tools/cli/options.h"
+#include "tools/cli/progress_bar.h"
+#include "tools/commands/commands.h"
+#include "tools/pipeline/path_options.h"
+#include "tools/pipeline/render_sequence.h"
+#include "vo/core/error.h"
+#include "vo/io/camera_file.h"
+
+namespace tools {
+namespace {
+
+constexpr const char* kHelp =
+    "Renders a glTF 2.0 scene as an RGB-D sequence in the layout of the TUM RGB-D benchmark:\n"
+    "rgb/ and depth/ with their lists, groundtruth.txt (T_world_camera; camera x right, y down,\n"
+    "z forward), camera.toml and sequence.toml. Depth is planar, at pixel centres, 0 = none;\n"
+    "with --float-depth also as float32 metres in depth_float/NNNNNN.npy.";
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  edvo render room.gltf --trajectory poses.txt --size 640x480 \\\n"
+    "       --intrinsics 525,525,319.5,239.5 --out sequence\n"
+    "  edvo render room.gltf --path orbit --orbit.centre 0,1,0 --orbit.radius 1.5 \\\n"
+    "       --camera tum-default --duration 10 --out sequence\n"
+    "  edvo render room.gltf --path spline --trajectory keys.txt --rate 30 --out sequence";
+
+struct RenderArguments {
+  CommonOptions common;
+  std::string scene;
+  std::string size = "640x480";
+  std::string intrinsics;
+  std::string camera;
+  double fov_deg = 60;
+  std::string path_kind;
+  PathOptions path;
+  bool float_depth = false;
+  RenderJob job;
+  std::string out;
+};
+
+vo::RgbdCamera chosen_camera(const RenderArguments& arguments) {
+  if (!arguments.camera.empty()) {
+    return vo::load_camera(arguments.camera);
+  }
+  const auto [width, height] = parse_size(arguments.size);
+  if (arguments.intrinsics.empty()) {
+    return {vo::PinholeCamera::from_horizontal_fov(width, height, arguments.fov_deg)};
+  }
+  try {
+    const std::vector<double> k = vo::parse_reals(arguments.intrinsics, 4);
+    return {{width, height, k[0], k[1], k[2], k[3]}};
+  } catch (const vo::Error& error) {
+    vo::fail_as(vo::ErrorKind::usage, "--intrinsics: ", error.what());
+  }
+}
+
+PathOptions chosen_path(const RenderArguments& arguments) {
+  PathOptions path = arguments.path;
+  if (!arguments.path_kind.empty()) {
+    path.kind = vo::parse_enum<PathKind>(arguments.path_kind);
+  } else if (!path.file.empty()) {
+    path.kind = PathKind::trajectory;
+  } else {
+    vo::fail_as(vo::ErrorKind::usage, "render: expected --trajectory POSES.txt or --path KIND");
+  }
+  check_usage([&] { path.validate(); });
+  return path;
+}
+
+void print(const RenderArguments& arguments, const RenderOutcome& outcome) {
+  if (!arguments.common.quiet) {
+    for (const std::string& note : outcome.notes) {
+      std::cerr << "note: " << note << "\n";
+    }
+  }
+  if (arguments.common.json) {
+    const nlohmann::ordered_json result = {
+        {"sequence", arguments.out},
+        {"frames", arguments.job.recipe.truth.size()},
+        {"path_length_m", vo::path_length(arguments.job.recipe.truth)},
+        {"was_there", outcome.was_there},
+        {"notes", outcome.notes}};
+    std::cout << result.dump(2) << "\n";
+  } else {
+    std::cout << arguments.out << ": " << arguments.job.recipe.truth.size() << " frames"
+              << (outcome.was_there ? ", there already with the same inputs" : "") << "\n";
+  }
+}
+
+void render(RenderArguments& arguments) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  arguments.common.max_threads());
+  RenderJob& job = arguments.job;
+  job.scene = arguments.scene;
+  check_usage([&] {
+    job.recipe.camera = chosen_camera(arguments);
+    job.recipe.camera.validate();
+    job.recipe.render.validate();
+    job.recipe.sensor.validate();
+    vo::require(!arguments.out.empty(), "--out: expected a folder to make");
+  });
+  job.recipe.truth = make_trajectory(chosen_path(arguments));
+  job.recipe.float_depth = arguments.float_depth ? vo::FloatDepth::npy : vo::FloatDepth::none;
+  ProgressBar bar("rendering", arguments.common.verbosity());
+  print(arguments,
+        render_sequence(job, arguments.out, arguments.common.existing(), bar.callback()));
+}
+
+/// The path's own fields, without those that have an option of another name.
+std::vector<vo::Field> path_fields(PathOptions& path) {
+  std::vector<vo::Field> fields;
+  for (const vo::Field& field : vo::fields_of(path)) {
+    if (field.key != "kind" && field.key != "file") {
+      fields.push_back(field);
+    }
+  }
+  return fields;
+}
+
+std::vector<vo::Field> render_fields(RenderJob& job) {
+  std::vector<vo::Field> fields = vo::fields_of(job.recipe.render);
+  for (vo::Field& field : fields) {
+    field.key = field.key == "kind" ? "renderer" : field.key;
+  }
+  for (const vo::Field& field : vo::fields_of(job.recipe.sensor)) {
+    fields.push_back(field);
+  }
+  return fields;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& program, int& /*exit_code*/) {
+  CLI::App& command = *program.add_subcommand("render", kHelp);
+  const auto arguments = std::make_shared<RenderArguments>();
+  command.footer(kExamples);
+  command.add_option("SCENE", arguments->scene, "glTF 2.0 file, .gltf or .glb")->required();
+  command.add_option("--out", arguments->out, "folder to make")->required();
+  command.add_option("--size", arguments->size, "WIDTHxHEIGHT, px [640x480]")->group("Camera");
+  command.add_option("--intrinsics", arguments->intrinsics, "fx,fy,cx,cy, px")->group("Camera");
+  command.add_option("--fov", arguments->fov_deg, "horizontal, deg, without --intrinsics [60]")
+      ->group("Camera");
+  command.add_option("--camera", arguments->camera, "preset or FILE.toml, instead of these")
+      ->group("Camera");
+  command.add_option("--trajectory", arguments->path.file, "TUM trajectory: one frame per pose")
+      ->group("Path");
+  command.add_option("--path", arguments->path_kind, "orbit | spline | trajectory")
+      ->check(CLI::IsMember({"orbit", "spline", "trajectory"}))
+      ->group("Path");
+  command.add_flag("--float-depth", arguments->float_depth, "write depth_float/*.npy too");
+  add_field_options(command, path_fields(arguments->path), "Path");
+  add_field_options(command, render_fields(arguments->job), "Rendering");
+  add_common_options(command, arguments->common);
+  command.callback([arguments] { render(*arguments); });
+}
+
+}  // namespace tools

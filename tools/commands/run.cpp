@@ -1,0 +1,158 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+#include <tbb/global_control.h>
+
+#include "tools/cli/exit_code.h"
+#include "tools/cli/options.h"
+#include "tools/cli/progress_bar.h"
+#include "tools/commands/commands.h"
+#include "tools/report/panel_writer.h"
+#include "tools/report/report.h"
+#include "tools/report/trajectory_svg.h"
+#include "tools/scenario/run_scenario.h"
+#include "tools/scenario/scenario.h"
+#include "vo/core/error.h"
+#include "vo/io/output.h"
+#include "vo/io/trajectory_file.h"
+
+namespace tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kHelp =
+    "Runs a scenario: renders its sequence, tracks it, evaluates it against the exact truth and\n"
+    "checks its bounds (exit code 4 when one is violated). DIR then holds\n"
+    "  report.md, report.json   metrics, bounds, verdict, every option\n"
+    "  trajectory.svg           truth and estimate, coloured by error, and the error over time\n"
+    "  panels/                  image | edges | depth | residual before and after, every N-th "
+    "frame\n"
+    "  trajectory.txt           the estimate; frames.csv: status and covariance of every frame\n"
+    "  sequence/                the rendered sequence, used again when its inputs are the same";
+
+constexpr const char* kExamples =
+    "Example:\n"
+    "  edvo run scenarios/room_tour.toml --out build/room_tour";
+
+struct RunArguments {
+  CommonOptions common;
+  std::string scenario;
+  std::string out;
+  int debug_images = 30;
+};
+
+using NamedText = std::pair<const char*, std::string>;
+
+/// All that a run writes beside sequence/ and panels/.
+std::vector<NamedText> result_files(const Scenario& scenario, const Outcome& outcome) {
+  const vo::Trajectory& estimate = outcome.tracking.trajectory;
+  std::vector<NamedText> files = {{"trajectory.txt", vo::format_trajectory(estimate)},
+                                  {"frames.csv", format_frame_log(outcome.tracking.frames)},
+                                  {"report.json", report_json(scenario, outcome).dump(2) + "\n"},
+                                  {"report.md", report_markdown(scenario, outcome)}};
+  if (!estimate.empty()) {
+    files.emplace_back("trajectory.svg", draw_trajectory(outcome.truth, estimate));
+  }
+  return files;
+}
+
+/// Either all are written or, when one of them would replace another result, none.
+void write_results(const fs::path& folder, const std::vector<NamedText>& files,
+                   vo::ExistingOutput existing) {
+  for (const auto& [name, text] : files) {
+    if (existing == vo::ExistingOutput::keep && fs::exists(folder / name) &&
+        vo::read_file(folder / name) != text) {
+      vo::fail_as(vo::ErrorKind::output_exists, (folder / name).string(),
+                  ": exists and differs from the new result; use --force to replace it");
+    }
+  }
+  for (const auto& [name, text] : files) {
+    vo::write_file(folder / name, text, existing);
+  }
+}
+
+/// Hidden files do not count: a run that was killed leaves its unfinished ones.
+bool is_visibly_empty(const fs::path& folder) {
+  return std::all_of(fs::directory_iterator(folder), fs::directory_iterator(),
+                     [](const fs::directory_entry& entry) {
+                       return entry.path().filename().string().starts_with('.');
+                     });
+}
+
+/// A folder that holds something but no sequence of ours belongs to somebody else.
+void require_own_folder(const fs::path& folder) {
+  if (!fs::exists(folder)) {
+    return;
+  }
+  vo::require(fs::is_directory(folder), folder.string(),
+              ": is a file, expected a folder for the results");
+  vo::require(fs::exists(folder / "sequence" / "sequence.toml") || is_visibly_empty(folder),
+              folder.string(),
+              ": holds other files than edvo's, expected a folder for the results");
+}
+
+void print(const RunArguments& arguments, const Scenario& scenario, const Outcome& outcome) {
+  if (arguments.common.json) {
+    nlohmann::ordered_json report = report_json(scenario, outcome);
+    report["ms_per_frame"] = time_json(summarize(outcome.tracking.times));
+    report["out"] = arguments.out;
+    std::cout << report.dump(2) << "\n";
+    return;
+  }
+  std::cout << report_table(scenario, outcome) << "report    " << arguments.out << "/report.md\n"
+            << "pictures  " << arguments.out << "/trajectory.svg"
+            << (arguments.debug_images > 0 ? ", " + arguments.out + "/panels/" : "") << "\n";
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  vo::require(!error, folder.string(), ": cannot be made: ", error.message());
+}
+
+int run(const RunArguments& arguments) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  arguments.common.max_threads());
+  const Scenario scenario = load_scenario(arguments.scenario);
+  const fs::path folder = arguments.out;
+  const vo::ExistingOutput existing = arguments.common.existing();
+  require_own_folder(folder);
+  vo::require(fs::exists(scenario.scene_file()), scenario.file.string(),
+              ": scene.gltf: ", scenario.scene_file().string(), ": there is no such file");
+  make_folder(folder);
+  PanelWriter panels(folder / "panels", arguments.debug_images, existing);
+  ProgressBar render_bar("rendering", arguments.common.verbosity());
+  ProgressBar track_bar("tracking", arguments.common.verbosity());
+  const Outcome outcome = run_scenario(scenario, folder, existing, panels.observer(),
+                                       {render_bar.callback(), track_bar.callback()});
+  write_results(folder, result_files(scenario, outcome), existing);
+  panels.commit();
+  print(arguments, scenario, outcome);
+  return outcome.passed() ? exit_code::kOk : exit_code::kBoundViolated;
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& program, int& exit_code) {
+  CLI::App& command = *program.add_subcommand("run", kHelp);
+  const auto arguments = std::make_shared<RunArguments>();
+  command.footer(kExamples);
+  command.add_option("SCENARIO", arguments->scenario, "scenario file, .toml")->required();
+  command.add_option("--out", arguments->out, "folder for all results")->required();
+  command
+      .add_option("--debug-images", arguments->debug_images,
+                  "a picture of every N-th frame; 0 = none [30]")
+      ->check(CLI::NonNegativeNumber);
+  add_common_options(command, arguments->common);
+  command.callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace tools

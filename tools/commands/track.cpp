@@ -1,0 +1,172 @@
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/cli/exit_code.h"
+#include "tools/cli/options.h"
+#include "tools/cli/progress_bar.h"
+#include "tools/commands/commands.h"
+#include "tools/pipeline/track_sequence.h"
+#include "tools/report/panel_writer.h"
+#include "tools/report/report.h"
+#include "tools/report/trajectory_svg.h"
+#include "tools/version.h"
+#include "vo/evaluation/evaluate.h"
+#include "vo/io/camera_file.h"
+#include "vo/io/output.h"
+#include "vo/io/trajectory_file.h"
+
+namespace tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kHelp =
+    "Tracks the camera of an RGB-D sequence in the layout of the TUM RGB-D benchmark and writes\n"
+    "T_world_camera of every tracked frame in TUM format; the world is the first camera's frame.\n"
+    "Frames that are lost have no pose in the file, and the exit code is then 5.";
+
+struct TrackArguments {
+  CommonOptions common;
+  std::string sequence;
+  std::string camera;
+  std::string preset_name = "default";
+  std::vector<std::string> assignments;
+  std::string out;
+  std::string frame_log;
+  int debug_images = 0;
+  double max_time_difference = 0.02;
+};
+
+std::string examples() {
+  std::string text =
+      "Examples:\n"
+      "  edvo track rgbd_dataset_freiburg1_xyz --camera tum-fr1 --preset paper --out estimate.txt\n"
+      "  edvo track sequence --set keyframes.every=5 --set edges.percentile=90 --out e.txt --json\n"
+      "  edvo track sequence --debug-images 30 --out e.txt   # pictures in e_panels/\n\n"
+      "Camera presets:\n";
+  for (const vo::CameraPreset& preset : vo::camera_presets()) {
+    text += "  " + preset.name + std::string(13 - preset.name.size(), ' ') + preset.help + "\n";
+  }
+  vo::TrackerOptions options = vo::preset_options(vo::TrackerPreset::best_measured);
+  return text + "\nKeys of --set, with the values of preset default:\n" +
+         describe_fields(vo::fields_of(options));
+}
+
+vo::TrackerOptions chosen_options(const TrackArguments& arguments) {
+  vo::TrackerOptions options =
+      vo::preset_options(vo::parse_enum<vo::TrackerPreset>(arguments.preset_name));
+  std::vector<vo::Field> fields = vo::fields_of(options);
+  for (const std::string& assignment : arguments.assignments) {
+    apply_assignment(assignment, fields);
+  }
+  check_usage([&] { options.validate(); });
+  return options;
+}
+
+nlohmann::ordered_json summary(const TrackArguments& arguments, vo::TrackerOptions options,
+                               const SequenceResult& result) {
+  return {{"edvo", version()},
+          {"sequence", arguments.sequence},
+          {"estimate", arguments.out},
+          {"frames", result.frames.size()},
+          {"tracked_fraction", result.tracked_fraction()},
+          {"keyframes", result.keyframes()},
+          {"ms_per_frame", time_json(summarize(result.times))},
+          {"preset", arguments.preset_name},
+          {"options", fields_json(vo::fields_of(options))}};
+}
+
+void print(const TrackArguments& arguments, const vo::TrackerOptions& options,
+           const SequenceResult& result) {
+  std::ostream& out = vo::is_stream(arguments.out) ? std::cerr : std::cout;
+  if (arguments.common.json) {
+    out << summary(arguments, options, result).dump(2) << "\n";
+    return;
+  }
+  const TimeSummary times = summarize(result.times);
+  out << arguments.out << ": " << result.trajectory.size() << " of " << result.frames.size()
+      << " frames tracked, " << result.keyframes() << " keyframes, " << times.median_ms
+      << " ms per frame (median; pyramid " << times.pyramid_ms << ", edges " << times.edges_ms
+      << ", alignment " << times.alignment_ms << ")\n";
+}
+
+fs::path beside(const fs::path& file, const std::string& suffix) {
+  fs::path path = file;
+  path.replace_extension();
+  path += suffix;
+  return path;
+}
+
+void write_pictures(const TrackArguments& arguments, const vo::SequenceReader& sequence,
+                    const SequenceResult& result) {
+  const vo::Trajectory& truth = sequence.ground_truth();
+  const vo::Trajectory shown =
+      truth.empty() ? result.trajectory : vo::align_trajectory(truth, result.trajectory);
+  vo::write_file(beside(arguments.out, "_trajectory.svg"), draw_trajectory(truth, shown),
+                 arguments.common.existing());
+}
+
+int track(const TrackArguments& arguments) {
+  const vo::TrackerOptions options = chosen_options(arguments);
+  std::optional<vo::RgbdCamera> camera;
+  if (!arguments.camera.empty()) {
+    camera = vo::load_camera(arguments.camera);
+  }
+  vo::require_writable(arguments.out);
+  if (!arguments.frame_log.empty()) {
+    vo::require_writable(arguments.frame_log);
+  }
+  const vo::SequenceReader sequence(arguments.sequence, camera, arguments.max_time_difference);
+  PanelWriter panels(beside(arguments.out, "_panels"), arguments.debug_images,
+                     arguments.common.existing());
+  ProgressBar bar("tracking", arguments.common.verbosity());
+  const SequenceResult result =
+      track_sequence(sequence, options, {}, panels.observer(), bar.callback());
+  vo::write_file(arguments.out, vo::format_trajectory(result.trajectory),
+                 arguments.common.existing());
+  if (!arguments.frame_log.empty()) {
+    vo::write_file(arguments.frame_log, format_frame_log(result.frames),
+                   arguments.common.existing());
+  }
+  if (arguments.debug_images > 0) {
+    panels.commit();
+    write_pictures(arguments, sequence, result);
+  }
+  print(arguments, options, result);
+  return result.tracked_fraction() < 1 ? exit_code::kTrackingLost : exit_code::kOk;
+}
+
+}  // namespace
+
+void add_track_command(CLI::App& program, int& exit_code) {
+  CLI::App& command = *program.add_subcommand("track", kHelp);
+  const auto arguments = std::make_shared<TrackArguments>();
+  command.footer(examples());
+  command.add_option("SEQUENCE", arguments->sequence, "folder with rgb.txt and depth.txt")
+      ->required();
+  command.add_option("--out", arguments->out, "trajectory to write")->required();
+  command.add_option("--camera", arguments->camera,
+                     "preset or FILE.toml; otherwise the sequence's camera.toml");
+  command.add_option("--preset", arguments->preset_name, "paper | default [default]")
+      ->check(CLI::IsMember({"paper", "default"}));
+  command.add_option("--set", arguments->assignments, "key=value, may be repeated; keys below")
+      ->allow_extra_args(false);
+  command.add_option("--frame-log", arguments->frame_log,
+                     "CSV: status, termination, points, cost and covariance of every frame");
+  command
+      .add_option("--debug-images", arguments->debug_images,
+                  "a picture of every N-th frame and the trajectory, beside --out")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--max-time-difference", arguments->max_time_difference,
+                     "between the stamps of colour and depth, s [0.02]");
+  add_common_options(command, arguments->common);
+  command.callback([arguments, &exit_code] { exit_code = track(*arguments); });
+}
+
+}  // namespace tools

@@ -1,0 +1,71 @@
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <new>
+
+#include <CLI/CLI.hpp>
+#include <opencv2/core/utility.hpp>
+
+#include "tools/cli/exit_code.h"
+#include "tools/cli/interrupt.h"
+#include "tools/commands/commands.h"
+#include "tools/version.h"
+#include "vo/core/error.h"
+
+namespace {
+
+constexpr const char* kDescription =
+    "Edge-direct visual odometry and its synthetic RGB-D laboratory.\n\n"
+    "  edvo render    a glTF scene and a camera path -> an RGB-D sequence with exact poses\n"
+    "  edvo track     an RGB-D sequence -> a trajectory\n"
+    "  edvo evaluate  two trajectories -> their errors\n"
+    "  edvo run       a scenario: all three, and a verdict\n\n"
+    "`edvo COMMAND --help` explains each with examples.";
+
+constexpr const char* kFooter =
+    "Exit codes: 0 ok, 1 internal error, 2 wrong command line, 3 unusable input or output place,\n"
+    "4 a bound was violated, 5 tracking was lost, 6 the output exists and differs (--force),\n"
+    "75 try again (disk full, terminated), 130 interrupted.";
+
+int run(int argc, char** argv) {
+  CLI::App program(kDescription, "edvo");
+  program.footer(kFooter);
+  program.set_version_flag("--version", std::string("edvo ") + tools::version());
+  program.require_subcommand(1);
+  int exit_code = tools::exit_code::kOk;
+  tools::add_render_command(program, exit_code);
+  tools::add_track_command(program, exit_code);
+  tools::add_evaluate_command(program, exit_code);
+  tools::add_run_command(program, exit_code);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? tools::exit_code::kOk : tools::exit_code::kUsage;
+  }
+  if (!std::cout.flush()) {
+    vo::fail_as(vo::ErrorKind::temporary, "the result cannot be written to stdout");
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    tools::remember_signals();
+    cv::setNumThreads(1);
+    return run(argc, argv);
+  } catch (const vo::Error& error) {
+    std::cerr << "edvo: " << error.what() << "\n";
+    return tools::exit_code::of(error.kind());
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::cerr << "edvo: " << error.path1().string() << ": " << error.code().message() << "\n";
+    return tools::exit_code::kUnusableInput;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "edvo: out of memory\n";
+    return tools::exit_code::kTemporary;
+  } catch (const std::exception& error) {
+    std::cerr << "edvo: internal error: " << error.what() << "\n";
+    return tools::exit_code::kInternalError;
+  }
+}

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tools/pipeline/track_sequence.h"
+#include "tools/scenario/scenario.h"
+#include "vo/core/progress.h"
+#include "vo/io/output.h"
+
+namespace tools {
+
+struct BoundCheck {
+  std::string metric;
+  double measured = 0;
+  Bound bound;
+  bool holds = false;
+};
+
+struct Outcome {
+  SequenceResult tracking;
+  vo::Trajectory truth;
+  Metrics metrics;  ///< NaN where too little was tracked to measure
+  std::vector<BoundCheck> checks;
+  std::vector<std::string> notes;  ///< what the scene file holds that was left out
+
+  bool passed() const;
+};
+
+/// Told of the two long steps' progress.
+struct RunProgress {
+  vo::Progress render;
+  vo::Progress track;
+};
+
+/// Renders the scenario's sequence into `folder`/sequence (unless it is there), tracks it from the
+/// true first pose, and evaluates. `observe` sees every frame.
+Outcome run_scenario(const Scenario& scenario, const std::filesystem::path& folder,
+                     vo::ExistingOutput existing, const FrameObserver& observe,
+                     const RunProgress& progress);
+
+}  // namespace tools

@@ -1,0 +1,122 @@
+#include "tools/scenario/scenario.h"
+
+#include <utility>
+#include <vector>
+
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+#include "vo/io/toml_file.h"
+
+namespace tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kExpect = "expect.";
+
+/// `expect.<metric>.min` and `.max` for every metric.
+std::vector<vo::Field> bound_fields(std::map<std::string, Bound>& bounds) {
+  Metrics metrics;
+  std::vector<vo::Field> fields;
+  for (const vo::Field& metric : vo::fields_of(metrics)) {
+    const auto add = [&](const char* side, double Bound::*limit) {
+      fields.push_back({std::string(kExpect) + metric.key + side, metric.help, vo::FieldType::real,
+                        [] { return std::string(); },
+                        [&bounds, key = metric.key, limit](std::string_view text) {
+                          bounds[key].*limit = vo::parse_real(text);
+                        }});
+    };
+    add(".min", &Bound::min);
+    add(".max", &Bound::max);
+  }
+  return fields;
+}
+
+/// A preset is where the tracker's options start from, so it is applied before them.
+void apply_preset(const std::vector<vo::TomlValue>& values, OdometryOptions& odometry) {
+  for (const vo::TomlValue& value : values) {
+    if (value.key == "odometry.preset") {
+      std::vector<vo::Field> fields = vo::fields_of(odometry, "odometry.");
+      vo::assign_fields({value}, fields);
+    }
+  }
+  odometry.tracker = vo::preset_options(odometry.preset);
+}
+
+fs::path resolved(const fs::path& file, const fs::path& folder) {
+  return file.empty() || file.is_absolute() ? file : (folder / file).lexically_normal();
+}
+
+class ValueCollector {
+ public:
+  void operator()(const char* name, double& value, const char* /*help*/) {
+    values.emplace_back(name, value);
+  }
+
+  std::vector<std::pair<std::string, double>> values;
+};
+
+void validate(const Scenario& scenario) {
+  vo::require(!scenario.why.empty(), "why: expected a sentence on what would break the bounds");
+  vo::require(!scenario.scene.gltf.empty(), "scene.gltf: expected a scene");
+  vo::require(!scenario.expect.empty(), "expect: expected at least one bound");
+  for (const auto& [metric, bound] : scenario.expect) {
+    vo::require(bound.min <= bound.max, "expect.", metric, ": expected min <= max");
+  }
+  scenario.camera.camera().validate();
+  scenario.path.validate();
+  scenario.render.validate();
+  scenario.sensor.validate();
+  scenario.odometry.tracker.validate();
+  vo::require(scenario.score.interval > 0, "score.interval: expected above 0, got ",
+              scenario.score.interval);
+}
+
+}  // namespace
+
+vo::RgbdCamera CameraOptions::camera() const {
+  vo::RgbdCamera result{vo::PinholeCamera::from_horizontal_fov(width, height, fov_deg),
+                        depth_units_per_m};
+  result.pinhole.distortion = distortion;
+  return result;
+}
+
+std::vector<std::pair<std::string, double>> metric_values(const Metrics& metrics) {
+  Metrics copy = metrics;
+  ValueCollector collector;
+  visit_fields(collector, copy);
+  return collector.values;
+}
+
+fs::path Scenario::scene_file() const {
+  return resolved(scene.gltf, fs::absolute(file).parent_path() / ".." / "assets");
+}
+
+PathOptions Scenario::resolved_path() const {
+  PathOptions result = path;
+  result.file = resolved(path.file, fs::absolute(file).parent_path());
+  return result;
+}
+
+Scenario load_scenario(const fs::path& path) {
+  const std::vector<vo::TomlValue> values = vo::read_toml(path);
+  Scenario scenario;
+  scenario.file = path;
+  scenario.name = path.stem().string();
+  apply_preset(values, scenario.odometry);
+
+  std::vector<vo::Field> fields = vo::fields_of(scenario);
+  for (vo::Field& field : bound_fields(scenario.expect)) {
+    fields.push_back(std::move(field));
+  }
+  vo::assign_fields(values, fields);
+
+  try {
+    validate(scenario);
+  } catch (const vo::Error& error) {
+    vo::fail(path.string(), ": ", error.what());
+  }
+  return scenario;
+}
+
+}  // namespace tools

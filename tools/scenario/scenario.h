@@ -1,0 +1,138 @@
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "synth/renderer.h"
+#include "synth/sensor.h"
+#include "tools/pipeline/path_options.h"
+#include "vo/core/camera.h"
+#include "vo/evaluation/evaluate.h"
+#include "vo/odometry.h"
+
+namespace tools {
+
+/// What a metric must lie between.
+struct Bound {
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+
+  bool contains(double value) const { return min <= value && value <= max; }  ///< false for NaN
+};
+
+struct SceneOptions {
+  std::filesystem::path gltf;  ///< relative to the assets folder, or absolute
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, SceneOptions& options) {
+  visit("gltf", options.gltf, "scene, relative to the assets");
+}
+
+struct CameraOptions {
+  int width = 640;      ///< px
+  int height = 480;     ///< px
+  double fov_deg = 60;  ///< deg, horizontal
+  double depth_units_per_m = 5000;
+  vo::Distortion distortion;
+
+  vo::RgbdCamera camera() const;
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, CameraOptions& options) {
+  visit("width", options.width, "px");
+  visit("height", options.height, "px");
+  visit("fov_deg", options.fov_deg, "horizontal field of view, deg");
+  visit("depth_units_per_m", options.depth_units_per_m, "value of a 16-bit depth pixel at 1 m");
+  visit("distortion", options.distortion, "");
+}
+
+struct OdometryOptions {
+  vo::TrackerPreset preset = vo::TrackerPreset::best_measured;  ///< where `tracker` starts from
+  vo::TrackerOptions tracker;
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, OdometryOptions& options) {
+  visit("preset", options.preset, "option values that the tracker's start from");
+  visit("tracker", options.tracker, "");
+}
+
+struct ScoreOptions {
+  vo::TrajectoryAlignment align = vo::TrajectoryAlignment::se3;
+  double interval = 1;  ///< s, of the relative error
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, ScoreOptions& options) {
+  visit("align", options.align, "what is fitted before the absolute error is taken");
+  visit("interval", options.interval, "of the relative error, s");
+}
+
+/// What a run is judged by. Names end in their unit.
+struct Metrics {
+  double ate_rmse_m = 0;
+  double ate_max_m = 0;
+  double rpe_translation_rmse_m = 0;
+  double rpe_rotation_rmse_deg = 0;
+  double drift_percent = 0;  ///< distance of the last pose from the truth over the path's length
+  double tracked_fraction = 0;
+  double keyframes = 0;
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, Metrics& metrics) {
+  visit("ate_rmse_m", metrics.ate_rmse_m, "absolute trajectory error");
+  visit("ate_max_m", metrics.ate_max_m, "greatest absolute error");
+  visit("rpe_translation_rmse_m", metrics.rpe_translation_rmse_m, "relative error per interval");
+  visit("rpe_rotation_rmse_deg", metrics.rpe_rotation_rmse_deg, "relative error per interval");
+  visit("drift_percent", metrics.drift_percent, "end point error over path length");
+  visit("tracked_fraction", metrics.tracked_fraction, "frames with a pose");
+  visit("keyframes", metrics.keyframes, "frames that became a reference");
+}
+
+/// The metrics by name, in the order of their fields.
+std::vector<std::pair<std::string, double>> metric_values(const Metrics& metrics);
+
+/// One file of scenarios/: what is rendered, how it is tracked, and how good the result must be.
+struct Scenario {
+  std::filesystem::path file;
+  std::string name;   ///< the file's stem
+  std::string why;    ///< what would break its bounds
+  bool slow = false;  ///< labelled so in CTest
+  SceneOptions scene;
+  CameraOptions camera;
+  PathOptions path;
+  synth::RenderOptions render;
+  synth::SensorOptions sensor;
+  OdometryOptions odometry;
+  ScoreOptions score;
+  std::map<std::string, Bound> expect;  ///< by metric
+
+  std::filesystem::path scene_file() const;  ///< relative scenes are in `assets` beside the folder
+  PathOptions resolved_path() const;         ///< relative files are in the scenario's folder
+};
+
+/// All but the bounds.
+template <typename Visitor>
+void visit_fields(Visitor& visit, Scenario& scenario) {
+  visit("why", scenario.why, "what would break the bounds");
+  visit("slow", scenario.slow, "whether quick test runs leave it out");
+  visit("scene", scenario.scene, "");
+  visit("camera", scenario.camera, "");
+  visit("path", scenario.path, "");
+  visit("render", scenario.render, "");
+  visit("sensor", scenario.sensor, "");
+  visit("odometry", scenario.odometry, "");
+  visit("score", scenario.score, "");
+}
+
+/// Throws vo::Error as `file:line: unknown key 'sensor.exposre'; the nearest known key is ...`.
+Scenario load_scenario(const std::filesystem::path& path);
+
+}  // namespace tools
