@@ -1,0 +1,58 @@
+#!/usr/bin/env python3
+"""Fails when a source file includes a layer that its own layer may not know."""
+
+import pathlib
+import re
+import sys
+
+MAY_INCLUDE = {  # layer: what it may include beside itself
+    "vo/core": [],
+    "vo/io": ["vo/core"],
+    "vo/image": ["vo/core"],
+    "vo/tracking": ["vo/core", "vo/image"],
+    "vo/evaluation": ["vo/core"],
+    "vo": ["vo/core", "vo/image", "vo/tracking"],
+    "synth": ["vo/core", "vo/io"],
+    "tools": ["vo", "vo/core", "vo/io", "vo/image", "vo/tracking", "vo/evaluation", "synth"],
+}
+
+ONLY_IN = {  # third-party header: the files that may name it
+    "embree3/": ["synth/ray_tracer.cpp", "synth/embree_scene"],
+    "tiny_gltf.h": ["synth/gltf"],
+    "toml++/": ["vo/io/toml_file.cpp"],
+    "png.h": ["vo/io/png.cpp"],
+    "CLI/": ["tools/"],
+    "ceres/": [],
+}
+
+
+def layer_of(path):
+    return max((layer for layer in MAY_INCLUDE if path.startswith(layer + "/")), key=len, default=None)
+
+
+def violation(source, included):
+    own, other = layer_of(source), layer_of(included)
+    if other and other != own and other not in MAY_INCLUDE[own]:
+        return f"{own} may not include {included}"
+    for header, places in ONLY_IN.items():
+        if included.startswith(header) and not source.startswith(tuple(places)):
+            return f"{included} may only be included in {', '.join(places) or 'tests'}"
+    return None
+
+
+def main(root):
+    violations = []
+    for top in ("vo", "synth", "tools"):
+        for path in sorted((root / top).rglob("*.[hc]*")):
+            source = path.relative_to(root).as_posix()
+            for number, line in enumerate(path.read_text().splitlines(), 1):
+                include = re.match(r'#include ["<](.+)[">]', line)
+                problem = include and violation(source, include[1])
+                if problem:
+                    violations.append(f"{source}:{number}: {problem}")
+    print("\n".join(violations) or "layers ok")
+    return bool(violations)
+
+
+if __name__ == "__main__":
+    sys.exit(main(pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")))
