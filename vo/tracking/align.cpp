@@ -41,13 +41,10 @@ bool is_small(const Vector6d& delta, const AlignOptions& options) {
 /// One pyramid level: improves `result.T_cur_ref` and returns the system at the final pose.
 LinearSystem align_level(const EdgePointLevel& reference, const PyramidLevel& current,
                          const AlignOptions& options, AlignResult& result) {
+  const auto min_points = static_cast<std::size_t>(options.min_points);
   LinearSystem system = linearize(reference, current, result.T_cur_ref, options);
   result.termination = Termination::max_iterations;
-  for (int i = 0; i < options.max_iterations; ++i) {
-    if (system.points < static_cast<std::size_t>(options.min_points)) {
-      result.termination = Termination::too_few_points;
-      break;
-    }
+  for (int i = 0; i < options.max_iterations && system.points >= min_points; ++i) {
     if (is_singular(system.H)) {
       result.termination = Termination::singular;
       break;
@@ -67,7 +64,7 @@ LinearSystem align_level(const EdgePointLevel& reference, const PyramidLevel& cu
     result.T_cur_ref = T_candidate;
     system = candidate;
   }
-  if (system.points < static_cast<std::size_t>(options.min_points)) {
+  if (system.points < min_points) {
     result.termination = Termination::too_few_points;
   }
   return system;
