@@ -68,11 +68,7 @@ std::vector<NamedText> result_files(const Scenario& scenario, const Outcome& out
 void write_results(const fs::path& folder, const std::vector<NamedText>& files,
                    vo::ExistingOutput existing) {
   for (const auto& [name, text] : files) {
-    if (existing == vo::ExistingOutput::keep && fs::exists(folder / name) &&
-        vo::read_file(folder / name) != text) {
-      vo::fail_as(vo::ErrorKind::output_exists, (folder / name).string(),
-                  ": exists and differs from the new result; use --force to replace it");
-    }
+    vo::require_no_conflict(folder / name, text, existing);
   }
   for (const auto& [name, text] : files) {
     vo::write_file(folder / name, text, existing);

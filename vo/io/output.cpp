@@ -24,6 +24,11 @@ namespace fs = std::filesystem;
           ": cannot be written: ", std::generic_category().message(error));
 }
 
+[[noreturn]] void fail_to_replace(const fs::path& path) {
+  fail_as(ErrorKind::output_exists, path.string(),
+          ": exists and differs from the new result; use --force to replace it");
+}
+
 enum class OpenMode { truncate, create_new };
 
 void write_bytes(const fs::path& path, std::string_view bytes, OpenMode mode) {
@@ -100,6 +105,12 @@ bool is_stream(const fs::path& path) {
          (fs::exists(path) && !fs::is_regular_file(path) && !fs::is_directory(path));
 }
 
+void require_no_conflict(const fs::path& path, std::string_view bytes, ExistingOutput existing) {
+  if (existing == ExistingOutput::keep && fs::is_regular_file(path) && read_file(path) != bytes) {
+    fail_to_replace(path);
+  }
+}
+
 void write_file(const fs::path& given, std::string_view bytes, ExistingOutput existing) {
   if (is_stream(given)) {
     write_bytes(given, bytes, OpenMode::truncate);
@@ -110,10 +121,7 @@ void write_file(const fs::path& given, std::string_view bytes, ExistingOutput ex
     if (read_file(path) == bytes) {
       return;
     }
-    if (existing == ExistingOutput::keep) {
-      fail_as(ErrorKind::output_exists, given.string(),
-              ": exists and differs from the new result; use --force to replace it");
-    }
+    require_no_conflict(given, bytes, existing);
   }
   const fs::path partial = unused_name(path, "partial");
   try {
@@ -164,8 +172,7 @@ void require_replaceable(const fs::path& path, const std::string& marker, Existi
     return;
   }
   if (existing == ExistingOutput::keep) {
-    fail_as(ErrorKind::output_exists, path.string(),
-            ": exists and differs from the new result; use --force to replace it");
+    fail_to_replace(path);
   }
   require(fs::exists(path / marker), path.string(), ": holds other files than edvo's (no ", marker,
           "), so it is not replaced");

@@ -15,6 +15,11 @@ enum class ExistingOutput {
 /// A device or pipe: it has no "final name" to protect and is written directly.
 bool is_stream(const std::filesystem::path& path);
 
+/// Throws Error of kind output_exists when `write_file` would: to find out before any of several
+/// files is written.
+void require_no_conflict(const std::filesystem::path& path, std::string_view bytes,
+                         ExistingOutput existing);
+
 /// Writes a file that appears under its name only when it is complete (until then it is
 /// `.<name>.partial-<process>` beside it). An existing file with the same bytes is left alone; of a
 /// symbolic link, the target is written. Throws Error: `temporary` when the disk is full, `input`
