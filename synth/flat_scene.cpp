@@ -65,6 +65,22 @@ FlatScene flatten(const Scene& scene) {
   return flat;
 }
 
+std::vector<Eigen::Vector3f> light_positions(const FlatScene& flat) {
+  std::vector<Eigen::Vector3f> positions;
+  for (const Light& light : flat.scene->lights) {
+    positions.emplace_back((light.position - flat.origin).cast<float>());
+  }
+  return positions;
+}
+
+Eigen::AlignedBox3d visible_bounds(const FlatScene& flat) {
+  Eigen::AlignedBox3d box;
+  for (const FlatMesh& mesh : flat.meshes) {
+    box.extend(bounds(mesh));
+  }
+  return box;
+}
+
 std::optional<double> depth_of_plane(const FlatMesh& mesh, int triangle, const DepthRay& ray) {
   constexpr double kTolerance = 1e-6;      // relative; the hit was found in single precision
   std::array<Eigen::Vector3d, 3> corners;  // from the eye, m

@@ -31,6 +31,12 @@ struct FlatScene {
 
 FlatScene flatten(const Scene& scene);
 
+/// The scene's lights in the flat scene's coordinates, m.
+std::vector<Eigen::Vector3f> light_positions(const FlatScene& flat);
+
+/// The box around all that can be seen, m, world.
+Eigen::AlignedBox3d visible_bounds(const FlatScene& flat);
+
 /// In the world. The direction is 1 along the optical axis, which is unit.
 struct DepthRay {
   Eigen::Vector3d eye;  ///< m

@@ -16,10 +16,10 @@ namespace {
 
 constexpr const char* kDescription =
     "Edge-direct visual odometry and its synthetic RGB-D laboratory.\n\n"
-    "  edvo render    a glTF scene and a camera path -> an RGB-D sequence with exact poses\n"
-    "  edvo track     an RGB-D sequence -> a trajectory\n"
-    "  edvo evaluate  two trajectories -> their errors\n"
-    "  edvo run       a scenario: all three, and a verdict\n\n"
+    "  edvo render       a glTF scene and a camera path -> an RGB-D sequence with exact poses\n"
+    "  edvo track        an RGB-D sequence -> a trajectory\n"
+    "  edvo evaluate     two trajectories -> their errors\n"
+    "  edvo run          a scenario: all three, and a verdict\n\n"
     "`edvo COMMAND --help` explains each with examples.";
 
 constexpr const char* kFooter =

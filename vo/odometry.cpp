@@ -1,6 +1,7 @@
 #include "vo/odometry.h"
 
 #include <chrono>
+#include <numbers>
 
 #include "vo/core/error.h"
 
@@ -21,27 +22,83 @@ class LapTimer {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+PinholeCamera tracked_camera(const PinholeCamera& camera, LensModel lens) {
+  constexpr int kMinSize = 4;  // px, of the neighbourhood that intensities are looked up in
+  camera.validate();
+  require(camera.width >= kMinSize && camera.height >= kMinSize,
+          "odometry: expected a camera of at least ", kMinSize, "x", kMinSize, " px, got ",
+          camera.width, "x", camera.height);
+  return lens == LensModel::ignore ? camera.without_distortion() : camera;
+}
+
+TrackerOptions paper_options() {
+  TrackerOptions options;
+  options.pyramid.levels = 3;
+  options.edges.threshold = EdgeThreshold::otsu;
+  options.points.source = EdgeSource::current;
+  options.keyframes.every = 1;
+  options.map.max_keyframes = 1;
+  options.lens = LensModel::ignore;
+  return options;
+}
+
+/// Read in github.com/kevinchristensen1/EdgeDirectVO: their weights enter the normal equations
+/// squared, a step that raised the error is kept, the principal point is halved without the half
+/// pixel, depth is resized across its holes, and every third frame is a keyframe.
+TrackerOptions authors_options() {
+  TrackerOptions options = paper_options();
+  options.pyramid.principal_point = HalvedPrincipalPoint::plain;
+  options.pyramid.depth = HalvedDepth::cubic;
+  options.align.squared_weights = true;
+  options.align.keep_worse_step = true;
+  options.align.max_iterations = 20;
+  options.align.min_translation = 1e-4;
+  options.align.min_rotation_deg = 1e-4 * 180 / std::numbers::pi;
+  options.keyframes.every = 3;
+  return options;
+}
+
+/// docs/results.md shows what each of these is worth.
+TrackerOptions best_options() {
+  TrackerOptions options;
+  options.pyramid.levels = 5;
+  options.points.max_points = 2000;
+  options.points.discontinuity_radius = 1;
+  options.align.min_translation = 5e-5;
+  options.align.min_rotation_deg = 2e-3;
+  options.align.formulation = Formulation::esm;
+  options.align.loss = RobustLoss::student_t;
+  options.align.scale = LossScale::residuals;
+  options.align.brightness = BrightnessModel::affine;
+  options.keyframes = {.every = 0, .max_flow = 0.06, .min_overlap = 0.75, .min_sharpness = 0.85};
+  options.map.references = 4;
+  options.lost.recover = true;
+  options.symmetric = true;
+  options.motion_model = MotionModel::best;
+  options.shutter = ShutterModel::estimated;
+  return options;
+}
+
 }  // namespace
 
 TrackerOptions preset_options(TrackerPreset preset) {
-  TrackerOptions options;
-  if (preset == TrackerPreset::paper) {
-    options.pyramid.levels = 3;
-    options.edges.threshold = EdgeThreshold::otsu;
-    options.points.source = EdgeSource::current;
-    options.keyframes.every = 1;
-    options.lens = LensModel::ignore;
+  switch (preset) {
+    case TrackerPreset::paper:
+      return paper_options();
+    case TrackerPreset::authors:
+      return authors_options();
+    default:
+      return best_options();
   }
-  return options;
 }
 
 RgbdOdometry::RgbdOdometry(const PinholeCamera& camera, const TrackerOptions& options,
                            const SE3& T_world_first)
-    : camera_(options.lens == LensModel::ignore ? camera.without_distortion() : camera),
+    : camera_(tracked_camera(camera, options.lens)),
       options_(options),
-      tracker_(options, T_world_first) {
-  camera.validate();
-}
+      edge_finder_(options.edges),
+      levels_(camera_levels(camera_, options.pyramid)),
+      tracker_(options, T_world_first) {}
 
 TrackingResult RgbdOdometry::track(const RgbdFrame& frame) {
   const cv::Size expected(camera_.width, camera_.height);
@@ -49,9 +106,9 @@ TrackingResult RgbdOdometry::track(const RgbdFrame& frame) {
           "odometry: expected image and depth of the camera's ", camera_.width, "x", camera_.height,
           " px");
   LapTimer timer;
-  current_ = build_pyramid(frame, camera_, options_.pyramid);
+  current_ = build_pyramid(frame, levels_, options_.pyramid);
   stage_times_.pyramid_ms = timer.lap_ms();
-  add_edges(current_, options_.edges);
+  add_edges(current_, edge_finder_);
   stage_times_.edges_ms = timer.lap_ms();
 
   TrackingResult result = tracker_.track(current_);

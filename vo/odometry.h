@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "vo/core/camera.h"
 #include "vo/core/image.h"
@@ -14,11 +15,13 @@ namespace vo {
 /// Option values under one name; no code path asks which preset it was.
 enum class TrackerPreset {
   paper,         ///< Christensen & Hebert, "Edge-Direct Visual Odometry", frame to frame
+  authors,       ///< their released code where it deviates from the paper
   best_measured  ///< what measured best
 };
 
 constexpr auto enum_names(TrackerPreset) {
   return std::array{std::pair{TrackerPreset::paper, "paper"},
+                    std::pair{TrackerPreset::authors, "authors"},
                     std::pair{TrackerPreset::best_measured, "default"}};
 }
 
@@ -50,6 +53,8 @@ class RgbdOdometry {
  private:
   PinholeCamera camera_;
   TrackerOptions options_;
+  EdgeFinder edge_finder_;
+  std::vector<CameraLevel> levels_;
   Tracker tracker_;
   FramePyramid current_;
   Trajectory trajectory_;

@@ -21,7 +21,14 @@ using vo::Vector6d;
 /// rule for automatic derivatives.
 class ImageFunction {
  public:
-  explicit ImageFunction(const vo::PyramidLevel& level) : level_(level) {}
+  explicit ImageFunction(const vo::PyramidLevel& level)
+      : level_(level), gradient_(level.intensity.size()) {
+    for (int v = 0; v < gradient_.rows; ++v) {
+      for (int u = 0; u < gradient_.cols; ++u) {
+        gradient_(v, u) = vo::central_gradient(level.intensity, {u, v});
+      }
+    }
+  }
 
   double operator()(double u, double v) const { return look_up(u, v).first; }
 
@@ -35,10 +42,11 @@ class ImageFunction {
  private:
   std::pair<double, cv::Vec2f> look_up(double u, double v) const {
     const vo::BilinearWeights at(static_cast<float>(u), static_cast<float>(v));
-    return {at(level_.intensity), at(level_.gradient)};
+    return {at(level_.intensity), at(gradient_)};
   }
 
   const vo::PyramidLevel& level_;
+  cv::Mat_<cv::Vec2f> gradient_;
 };
 
 /// The photometric residual of one point as a function of an increment [translation; rotation
@@ -68,11 +76,12 @@ SE3 solve_with_ceres(const vo::EdgePointLevel& points, const vo::PyramidLevel& l
   ceres::Problem problem;
   std::array<double, 3> translation{};
   std::array<double, 3> rotation{};
+  const ImageFunction image(level);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3d p_ref(points.x_ref[i], points.y_ref[i], points.z_ref[i]);
     problem.AddResidualBlock(
-        new ceres::AutoDiffCostFunction<PhotometricResidual, 1, 3, 3>(new PhotometricResidual{
-            ImageFunction(level), level.camera, T_start * p_ref, points.intensity[i]}),
+        new ceres::AutoDiffCostFunction<PhotometricResidual, 1, 3, 3>(
+            new PhotometricResidual{image, level.camera, T_start * p_ref, points.intensity[i]}),
         new ceres::HuberLoss(loss_scale), translation.data(), rotation.data());
   }
   ceres::Solver::Options options;
@@ -90,18 +99,16 @@ SE3 solve_with_ceres(const vo::EdgePointLevel& points, const vo::PyramidLevel& l
 /// Points well inside, so that none leaves the view and both objectives sum over the same ones.
 vo::EdgePointLevel interior(const vo::EdgePointLevel& points) {
   constexpr int kBorder = 40;  // px
-  vo::EdgePointLevel kept;
+  std::vector<std::size_t> inside;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const cv::Point pixel = points.pixel[i];
     if (pixel.x > kBorder && pixel.x < 320 - kBorder && pixel.y > kBorder &&
         pixel.y < 240 - kBorder) {
-      kept.x_ref.push_back(points.x_ref[i]);
-      kept.y_ref.push_back(points.y_ref[i]);
-      kept.z_ref.push_back(points.z_ref[i]);
-      kept.intensity.push_back(points.intensity[i]);
-      kept.pixel.push_back(pixel);
+      inside.push_back(i);
     }
   }
+  vo::EdgePointLevel kept = points;
+  kept.keep(inside);
   return kept;
 }
 

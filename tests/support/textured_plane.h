@@ -33,9 +33,18 @@ struct TexturedPlane {
 
   vo::RgbdFrame render(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera,
                        double timestamp = 0) const {
+    return render_rows(
+        camera, [&](int) { return T_world_camera; }, timestamp);
+  }
+
+  /// Each row v from a pose of its own, T_world_row(v): a rolling shutter.
+  template <typename PoseOfRow>
+  vo::RgbdFrame render_rows(const vo::PinholeCamera& camera, PoseOfRow T_world_row,
+                            double timestamp = 0) const {
     vo::ByteImage image(camera.height, camera.width);
     vo::DepthImage depths(camera.height, camera.width);
     for (int v = 0; v < camera.height; ++v) {
+      const vo::SE3 T_world_camera = T_world_row(v);
       for (int u = 0; u < camera.width; ++u) {
         const double z = depth(camera, T_world_camera, {u, v});
         const double value =

@@ -41,13 +41,13 @@ class Program : public testing::Test {
 };
 
 TEST_F(Program, HelpTeachesAndIsNoError) {
-  for (const char* command : {"", "render", "track", "evaluate", "run"}) {
+  for (const char* command : {"", "render", "track", "evaluate", "run", "ablate"}) {
     const ProgramResult result = run_program(std::string(command) + " --help");
     EXPECT_EQ(result.exit_code, 0) << command;
     EXPECT_THAT(result.out, HasSubstr("edvo")) << command;
     EXPECT_EQ(result.err, "");
   }
-  EXPECT_THAT(run_program("track --help").out, HasSubstr("keyframes.every = 1"));
+  EXPECT_THAT(run_program("track --help").out, HasSubstr("map.references = 4"));
   EXPECT_THAT(run_program("track --help").out, HasSubstr("icl-nuim"));
 }
 
@@ -57,7 +57,7 @@ TEST_F(Program, TrackPrintsItsContract) {
   const json summary = json::parse(result.out);
   EXPECT_EQ(summary["frames"], 6);
   EXPECT_EQ(summary["tracked_fraction"], 1.0);
-  EXPECT_EQ(summary["keyframes"], 6);
+  EXPECT_EQ(summary["keyframes"], 1) << "25 mm are less than a keyframe's flow";
   for (const char* key : {"median", "p90", "pyramid", "edges", "alignment"}) {
     EXPECT_GT(summary["ms_per_frame"][key], 0.0) << key;
   }
@@ -70,8 +70,8 @@ TEST_F(Program, EvaluatePrintsItsContract) {
       run_program("evaluate " + files + " --interval 1f --json --sequence " + path("sequence"));
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const json errors = json::parse(result.out);
-  EXPECT_LT(errors["ate"]["rmse_m"], 1e-3);
-  EXPECT_LT(errors["rpe"]["translation_rmse_m"], 1e-3);
+  EXPECT_LT(errors["ate"]["rmse_m"], 2e-3) << "a tenth of a pixel is 1.5 mm";
+  EXPECT_LT(errors["rpe"]["translation_rmse_m"], 2e-3);
   EXPECT_LT(errors["rpe"]["rotation_rmse_deg"], 0.1);
   for (const char* key : {"translation_mean_m", "translation_median_m", "translation_max_m",
                           "rotation_mean_deg", "rotation_median_deg", "rotation_max_deg"}) {
@@ -183,7 +183,7 @@ TEST_F(Program, ALostFrameIsSaidAndHasNoPose) {
   EXPECT_EQ(json::parse(result.out)["tracked_fraction"], 0.75);
   EXPECT_EQ(vo::read_trajectory(folder().path() / "covered.txt").size(), 3U);
   EXPECT_THAT(vo::read_file(folder().path() / "covered.csv"),
-              HasSubstr("0.066667,lost,0,singular"));
+              HasSubstr("0.066667,lost,images_disagree,0"));
 }
 
 TEST_F(Program, ATruncatedImageNamesTheFileAndLeavesNothing) {

@@ -71,6 +71,15 @@ TEST(SvgAxis, TicksAreRoundAndInside) {
   EXPECT_THAT(tools::ticks({2, 2}, 4), ElementsAre(2));
   EXPECT_EQ(tools::tick_label(3 * 0.1), "0.3");
   EXPECT_EQ(tools::tick_label(-1e-18), "0");
+  EXPECT_EQ(tools::tick_label(300000), "300000");
+}
+
+TEST(SvgAxis, ALogarithmicAxisSpacesRatiosEvenly) {
+  const tools::AxisMap axis{{0.1, 1000}, 0, 400, tools::AxisScale::logarithmic};
+  EXPECT_NEAR(axis(1), 100, 1e-9);
+  EXPECT_NEAR(axis(100), 300, 1e-9);
+  EXPECT_THAT(tools::axis_ticks(tools::AxisMap{{3, 60}, 0, 1, tools::AxisScale::logarithmic}, 5),
+              ElementsAre(5, 10, 20, 50));
 }
 
 TEST(TrajectorySvg, DrawsASegmentPerPairOfPosesAndNamesTheLargestError) {

@@ -1,36 +1,22 @@
 #include "vo/odometry.h"
 
-#include <numbers>
-
 #include <gtest/gtest.h>
 
+#include "tests/support/plane_frames.h"
 #include "tests/support/pose_near.h"
-#include "tests/support/textured_plane.h"
 #include "vo/core/error.h"
 
 namespace {
 
 using support::PoseNear;
 using support::small_camera;
+using support::sway;
 using vo::SE3;
 using vo::TrackerPreset;
 using vo::TrackingStatus;
 
-/// A hand-held sway of a few centimetres and degrees.
-SE3 sway(int frame) {
-  const double phase = 2 * std::numbers::pi * frame / 40;
-  vo::Vector6d xi;
-  xi << 0.08 * std::sin(phase), 0.05 * (1 - std::cos(phase)), 0.04 * std::sin(2 * phase),
-      0.02 * std::sin(phase), 0.03 * std::sin(phase + 1) - 0.03 * std::sin(1), 0.02 * phase;
-  return SE3::exp(xi);
-}
-
 vo::RgbdFrame frame_at(const SE3& T_world_camera, int index) {
-  return support::TexturedPlane().render(small_camera(), T_world_camera, index / 30.0);
-}
-
-vo::RgbdFrame blank_frame(int index) {
-  return {index / 30.0, vo::ByteImage(240, 320, uchar{90}), vo::DepthImage(240, 320, 2.0F)};
+  return support::plane_frame(small_camera(), T_world_camera, index);
 }
 
 /// At 320x240 a pixel is 6 mm wide on the plane; the paper's mask drifts by up to one of them.
@@ -75,7 +61,7 @@ TEST(RgbdOdometry, ACoveredLensIsLostAndThenFoundAgain) {
   odometry.track(frame_at(sway(0), 0));
   odometry.track(frame_at(sway(1), 1));
   for (int i = 2; i < 5; ++i) {
-    const vo::TrackingResult lost = odometry.track(blank_frame(i));
+    const vo::TrackingResult lost = odometry.track(support::blank_frame(small_camera(), 90, i));
     EXPECT_EQ(lost.status, TrackingStatus::lost);
     EXPECT_FALSE(lost.is_keyframe);
   }
@@ -102,6 +88,13 @@ TEST(RgbdOdometry, AFrameWithoutDepthIsTrackedButIsNoReference) {
 TEST(RgbdOdometry, AFrameOfAnotherSizeIsAnError) {
   vo::RgbdOdometry odometry(small_camera());
   EXPECT_THROW(odometry.track({0, vo::ByteImage(240, 320, uchar{0}), {}}), vo::Error);
+}
+
+TEST(RgbdOdometry, AnImageThatIsNarrowerThanALookUpIsAnError) {
+  for (const auto& [width, height] : {std::pair{200, 3}, {3, 200}}) {
+    EXPECT_THROW(vo::RgbdOdometry(vo::PinholeCamera::from_horizontal_fov(width, height, 60)),
+                 vo::Error);
+  }
 }
 
 TEST(RgbdOdometry, ATeleportIsLostNotBelieved) {

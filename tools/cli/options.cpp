@@ -50,13 +50,18 @@ void add_field_options(CLI::App& command, const std::vector<vo::Field>& fields,
   }
 }
 
-void apply_assignment(const std::string& assignment, std::vector<vo::Field>& fields) {
+std::pair<std::string, std::string> split_assignment(const std::string& assignment) {
   const auto equals = assignment.find('=');
   if (equals == std::string::npos) {
     vo::fail_as(vo::ErrorKind::usage, "--set ", assignment, ": expected key=value");
   }
+  return {assignment.substr(0, equals), assignment.substr(equals + 1)};
+}
+
+void apply_assignment(const std::string& assignment, std::vector<vo::Field>& fields) {
+  const auto [key, value] = split_assignment(assignment);
   try {
-    vo::set_field(fields, assignment.substr(0, equals), assignment.substr(equals + 1));
+    vo::set_field(fields, key, value);
   } catch (const vo::Error& error) {
     vo::fail_as(vo::ErrorKind::usage, "--set ", assignment, ": ", error.what());
   }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -32,6 +33,9 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 /// `--key value` for each field ('_' as '-'), with its meaning and default in `--help`.
 void add_field_options(CLI::App& command, const std::vector<vo::Field>& fields,
                        const std::string& group);
+
+/// The two sides of `key=value`. Throws vo::Error of kind usage.
+std::pair<std::string, std::string> split_assignment(const std::string& assignment);
 
 /// `key=value`, applied to the fields. Throws vo::Error of kind usage.
 void apply_assignment(const std::string& assignment, std::vector<vo::Field>& fields);

@@ -3,8 +3,6 @@
 #include <iostream>
 #include <memory>
 #include <string>
-#include <system_error>
-#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -14,6 +12,7 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
+#include "tools/pipeline/result_files.h"
 #include "tools/report/panel_writer.h"
 #include "tools/report/report.h"
 #include "tools/report/trajectory_svg.h"
@@ -49,30 +48,17 @@ struct RunArguments {
   int debug_images = 30;
 };
 
-using NamedText = std::pair<const char*, std::string>;
-
 /// All that a run writes beside sequence/ and panels/.
-std::vector<NamedText> result_files(const Scenario& scenario, const Outcome& outcome) {
+std::vector<NamedBytes> result_files(const Scenario& scenario, const Outcome& outcome) {
   const vo::Trajectory& estimate = outcome.tracking.trajectory;
-  std::vector<NamedText> files = {{"trajectory.txt", vo::format_trajectory(estimate)},
-                                  {"frames.csv", format_frame_log(outcome.tracking.frames)},
-                                  {"report.json", report_json(scenario, outcome).dump(2) + "\n"},
-                                  {"report.md", report_markdown(scenario, outcome)}};
+  std::vector<NamedBytes> files = {{"trajectory.txt", vo::format_trajectory(estimate)},
+                                   {"frames.csv", format_frame_log(outcome.tracking.frames)},
+                                   {"report.json", report_json(scenario, outcome).dump(2) + "\n"},
+                                   {"report.md", report_markdown(scenario, outcome)}};
   if (!estimate.empty()) {
-    files.emplace_back("trajectory.svg", draw_trajectory(outcome.truth, estimate));
+    files.push_back({"trajectory.svg", draw_trajectory(outcome.truth, estimate)});
   }
   return files;
-}
-
-/// Either all are written or, when one of them would replace another result, none.
-void write_results(const fs::path& folder, const std::vector<NamedText>& files,
-                   vo::ExistingOutput existing) {
-  for (const auto& [name, text] : files) {
-    vo::require_no_conflict(folder / name, text, existing);
-  }
-  for (const auto& [name, text] : files) {
-    vo::write_file(folder / name, text, existing);
-  }
 }
 
 /// Hidden files do not count: a run that was killed leaves its unfinished ones.
@@ -106,12 +92,6 @@ void print(const RunArguments& arguments, const Scenario& scenario, const Outcom
   std::cout << report_table(scenario, outcome) << "report    " << arguments.out << "/report.md\n"
             << "pictures  " << arguments.out << "/trajectory.svg"
             << (arguments.debug_images > 0 ? ", " + arguments.out + "/panels/" : "") << "\n";
-}
-
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  vo::require(!error, folder.string(), ": cannot be made: ", error.message());
 }
 
 int run(const RunArguments& arguments) {

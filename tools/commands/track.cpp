@@ -153,8 +153,8 @@ void add_track_command(CLI::App& program, int& exit_code) {
   command.add_option("--out", arguments->out, "trajectory to write")->required();
   command.add_option("--camera", arguments->camera,
                      "preset or FILE.toml; otherwise the sequence's camera.toml");
-  command.add_option("--preset", arguments->preset_name, "paper | default [default]")
-      ->check(CLI::IsMember({"paper", "default"}));
+  command.add_option("--preset", arguments->preset_name, "paper | authors | default [default]")
+      ->check(CLI::IsMember({"paper", "authors", "default"}));
   command.add_option("--set", arguments->assignments, "key=value, may be repeated; keys below")
       ->allow_extra_args(false);
   command.add_option("--frame-log", arguments->frame_log,

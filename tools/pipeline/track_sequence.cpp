@@ -10,16 +10,6 @@
 namespace tools {
 namespace {
 
-/// Nearest-rank percentile.
-double percentile(std::vector<double> values, double fraction) {
-  if (values.empty()) {
-    return 0;
-  }
-  std::sort(values.begin(), values.end());
-  const double rank = std::ceil(fraction * static_cast<double>(values.size()));
-  return values[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
-}
-
 template <typename Stage>
 std::vector<double> stage(const std::vector<vo::StageTimes>& times, Stage select) {
   std::vector<double> values;
@@ -31,7 +21,8 @@ std::vector<double> stage(const std::vector<vo::StageTimes>& times, Stage select
 
 std::string frame_log_header() {
   std::string text =
-      "timestamp,status,keyframe,termination,iterations,points,visible_fraction,correlation,cost";
+      "timestamp,status,reason,keyframe,termination,iterations,points,visible_fraction,correlation,"
+      "cost,conditioning,readout_s";
   const std::array names{"tx", "ty", "tz", "rx", "ry", "rz"};
   for (std::size_t i = 0; i < names.size(); ++i) {
     for (std::size_t j = i; j < names.size(); ++j) {
@@ -42,6 +33,15 @@ std::string frame_log_header() {
 }
 
 }  // namespace
+
+double percentile(std::vector<double> values, double fraction) {
+  if (values.empty()) {
+    return 0;
+  }
+  std::sort(values.begin(), values.end());
+  const double rank = std::ceil(fraction * static_cast<double>(values.size()));
+  return values[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+}
 
 double SequenceResult::tracked_fraction() const {
   return frames.empty()
@@ -92,10 +92,11 @@ std::string format_frame_log(const std::vector<vo::TrackingResult>& frames) {
     const vo::AlignResult& alignment = frame.alignment;
     const bool aligned = frame.status != vo::TrackingStatus::initialized;
     text += vo::concat(vo::format_timestamp(frame.timestamp), ",", vo::to_string(frame.status), ",",
-                       frame.is_keyframe ? 1 : 0, ",",
+                       vo::to_string(frame.reason), ",", frame.is_keyframe ? 1 : 0, ",",
                        aligned ? vo::to_string(alignment.termination) : "none", ",",
                        alignment.iterations, ",", alignment.points);
-    for (const double value : {alignment.visible_fraction, alignment.correlation, alignment.cost}) {
+    for (const double value : {alignment.visible_fraction, alignment.correlation, alignment.cost,
+                               alignment.conditioning, frame.readout_s}) {
       text += "," + vo::format_real(value);
     }
     for (int i = 0; i < alignment.covariance.rows(); ++i) {

@@ -29,6 +29,9 @@ SequenceResult track_sequence(const vo::SequenceReader& sequence, const vo::Trac
                               const vo::SE3& T_world_first, const FrameObserver& observe,
                               const vo::Progress& progress);
 
+/// The nearest-rank percentile of a fraction 0..1; 0 without values.
+double percentile(std::vector<double> values, double fraction);
+
 /// Median and 90th percentile over the frames, ms.
 struct TimeSummary {
   double median_ms = 0;
@@ -40,9 +43,9 @@ struct TimeSummary {
 
 TimeSummary summarize(const std::vector<vo::StageTimes>& times);
 
-/// CSV with one line per frame: stamp, status, reason of termination, iterations, points, visible
-/// fraction, correlation, cost and the upper triangle of the covariance row by row ([translation;
-/// rotation], m and rad).
+/// CSV with one line per frame: stamp, status, why it is lost, why the alignment ended, iterations,
+/// points, visible fraction, correlation, cost, conditioning, read-out time and the upper triangle
+/// of the covariance row by row ([translation; rotation], m and rad).
 std::string format_frame_log(const std::vector<vo::TrackingResult>& frames);
 
 }  // namespace tools

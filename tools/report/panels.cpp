@@ -36,11 +36,6 @@ void put_line(Picture& picture, const std::string& text, int x, int y, double si
   }
 }
 
-Picture titled(Picture picture, const std::string& title) {
-  put_line(picture, title, 8, 20, 0.5);
-  return picture;
-}
-
 Picture draw_edges(const vo::PyramidLevel& level) {
   cv::Mat gray;
   level.intensity.convertTo(gray, CV_8U, 100, 155);
@@ -84,17 +79,6 @@ cv::Vec3b residual_colour(float residual) {
   return residual > 0 ? cv::Vec3b(faded, faded, 255) : cv::Vec3b(255, faded, faded);
 }
 
-Picture draw_residuals(const vo::EdgePointLevel& points, const vo::PyramidLevel& level,
-                       const vo::SE3& T_cur_ref) {
-  Picture picture(level.intensity.size(), cv::Vec3b(40, 40, 40));
-  const auto residuals = vo::residuals(points, level, T_cur_ref);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    picture(points.pixel[i]) =
-        residuals[i] ? residual_colour(*residuals[i]) : cv::Vec3b(0, 120, 120);
-  }
-  return picture;
-}
-
 Picture draw_figures(const vo::TrackingResult& result, cv::Size size) {
   const vo::AlignResult& alignment = result.alignment;
   const Eigen::Vector3d t = result.T_world_camera.translation();
@@ -123,17 +107,33 @@ Picture draw_figures(const vo::TrackingResult& result, cv::Size size) {
   return picture;
 }
 
-Picture montage(const std::vector<Picture>& upper, const std::vector<Picture>& lower) {
-  Picture upper_row;
-  Picture lower_row;
-  Picture all;
-  cv::hconcat(upper, upper_row);
-  cv::hconcat(lower, lower_row);
-  cv::vconcat(upper_row, lower_row, all);
-  return all;
+}  // namespace
+
+cv::Mat_<cv::Vec3b> draw_residuals(const vo::EdgePointLevel& points, const vo::PyramidLevel& level,
+                                   const vo::SE3& T_cur_ref) {
+  Picture picture(level.intensity.size(), cv::Vec3b(40, 40, 40));
+  const auto residuals = vo::residuals(points, level, T_cur_ref);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    picture(points.pixel[i]) =
+        residuals[i] ? residual_colour(*residuals[i]) : cv::Vec3b(0, 120, 120);
+  }
+  return picture;
 }
 
-}  // namespace
+cv::Mat_<cv::Vec3b> titled(cv::Mat_<cv::Vec3b> picture, const std::string& title) {
+  put_line(picture, title, 8, 20, 0.5);
+  return picture;
+}
+
+cv::Mat_<cv::Vec3b> montage(const std::vector<std::vector<cv::Mat_<cv::Vec3b>>>& rows) {
+  std::vector<Picture> joined;
+  for (const std::vector<Picture>& row : rows) {
+    cv::hconcat(row, joined.emplace_back());
+  }
+  Picture all;
+  cv::vconcat(joined, all);
+  return all;
+}
 
 Picture draw_panel(const vo::RgbdFrame& frame, const vo::FramePyramid& pyramid,
                    const vo::Tracker& tracker, const vo::TrackingResult& result) {
@@ -143,11 +143,11 @@ Picture draw_panel(const vo::RgbdFrame& frame, const vo::FramePyramid& pyramid,
   const vo::EdgePointLevel& points =
       result.status == vo::TrackingStatus::initialized ? none : levels.front();
   return montage(
-      {titled(as_picture(frame.image), "image"), titled(draw_edges(level), "edges"),
-       titled(draw_depth(frame.depth), "depth")},
-      {titled(draw_residuals(points, level, result.T_cur_ref_guess), "residual before"),
-       titled(draw_residuals(points, level, result.alignment.T_cur_ref), "residual after"),
-       draw_figures(result, level.intensity.size())});
+      {{titled(as_picture(frame.image), "image"), titled(draw_edges(level), "edges"),
+        titled(draw_depth(frame.depth), "depth")},
+       {titled(draw_residuals(points, level, result.T_cur_ref_guess), "residual before"),
+        titled(draw_residuals(points, level, result.alignment.T_cur_ref), "residual after"),
+        draw_figures(result, level.intensity.size())}});
 }
 
 }  // namespace tools

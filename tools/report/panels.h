@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include <opencv2/core.hpp>
 
 #include "vo/core/image.h"
@@ -8,9 +11,19 @@
 
 namespace tools {
 
+/// The finest level's residuals at the reference's pixels: blue darker, red brighter than the
+/// reference, white equal, yellow not in view.
+cv::Mat_<cv::Vec3b> draw_residuals(const vo::EdgePointLevel& points, const vo::PyramidLevel& level,
+                                   const vo::SE3& T_cur_ref);
+
+/// A line of text at the top left of a picture.
+cv::Mat_<cv::Vec3b> titled(cv::Mat_<cv::Vec3b> picture, const std::string& title);
+
+/// Pictures beside each other, and rows of them below each other; all have the same size.
+cv::Mat_<cv::Vec3b> montage(const std::vector<std::vector<cv::Mat_<cv::Vec3b>>>& rows);
+
 /// One picture of how a frame was tracked: image | edges | depth over residual before | residual
-/// after | figures. Residuals are drawn at the reference's pixels: blue darker, red brighter than
-/// the reference, white equal.
+/// after | figures.
 cv::Mat_<cv::Vec3b> draw_panel(const vo::RgbdFrame& frame, const vo::FramePyramid& pyramid,
                                const vo::Tracker& tracker, const vo::TrackingResult& result);
 

@@ -20,13 +20,19 @@ std::vector<double> ticks(const Range& range, int count);
 /// A value with as few digits as its tick spacing needs.
 std::string tick_label(double value);
 
-/// Maps values linearly to pixels of a drawing.
+enum class AxisScale { linear, logarithmic };
+
+/// Maps values to pixels of a drawing.
 struct AxisMap {
-  Range values;
+  Range values;         ///< above 0 on a logarithmic axis
   double first_px = 0;  ///< where values.low is
   double last_px = 0;   ///< where values.high is
+  AxisScale scale = AxisScale::linear;
 
   double operator()(double value) const;
 };
+
+/// Round values along an axis: as above, or 1, 2 and 5 times powers of ten on a logarithmic one.
+std::vector<double> axis_ticks(const AxisMap& axis, int count);
 
 }  // namespace tools

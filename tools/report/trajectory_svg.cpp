@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "tools/report/svg.h"
 #include "tools/report/svg_axis.h"
 #include "vo/core/error.h"
 
@@ -22,22 +23,6 @@ constexpr const char* kStyle =
     "<style>text{font:12px sans-serif;fill:#333}.axis{stroke:#ccc;stroke-width:1}"
     ".truth{stroke:#999;stroke-width:4;fill:none;stroke-linejoin:round}"
     ".error{stroke:#b2182b;stroke-width:1.5;fill:none}</style>\n";
-
-std::string px(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.1f", value);
-  return text.data();
-}
-
-std::string text_at(double x, double y, const char* anchor, const std::string& text) {
-  return vo::concat("<text x=\"", px(x), "\" y=\"", px(y), "\" text-anchor=\"", anchor, "\">", text,
-                    "</text>\n");
-}
-
-std::string line(double x1, double y1, double x2, double y2, const std::string& attributes) {
-  return vo::concat("<line x1=\"", px(x1), "\" y1=\"", px(y1), "\" x2=\"", px(x2), "\" y2=\"",
-                    px(y2), "\" ", attributes, "/>\n");
-}
 
 /// Two world axes, drawn to the right and upwards.
 struct View {
@@ -63,7 +48,7 @@ struct MapFrame {
   AxisMap x;
   AxisMap y;
 
-  std::array<double, 2> operator()(const vo::StampedPose& pose) const {
+  SvgPoint operator()(const vo::StampedPose& pose) const {
     const Eigen::Vector3d& p = pose.T_world_camera.translation();
     return {x(p[view.right]), y(p[view.up])};
   }
@@ -94,29 +79,6 @@ MapFrame make_frame(const vo::Trajectory& truth, const vo::Trajectory& estimate)
   return {view,
           {widened(across, inner_width), kMargin, kWidth - kMargin},
           {widened(along, inner_height), kMapHeight - kMargin, kMargin}};
-}
-
-std::string polyline(const std::vector<std::array<double, 2>>& points, const char* style) {
-  std::string text = vo::concat("<polyline class=\"", style, "\" points=\"");
-  for (const auto& [x, y] : points) {
-    text += px(x) + "," + px(y) + " ";
-  }
-  return text + "\"/>\n";
-}
-
-std::string draw_axes(const AxisMap& x, const AxisMap& y, const std::string& x_title,
-                      const std::string& y_title) {
-  std::string text;
-  for (const double value : ticks(x.values, 8)) {
-    text += line(x(value), y.first_px, x(value), y.last_px, "class=\"axis\"");
-    text += text_at(x(value), y.first_px + 16, "middle", tick_label(value));
-  }
-  for (const double value : ticks(y.values, 5)) {
-    text += line(x.first_px, y(value), x.last_px, y(value), "class=\"axis\"");
-    text += text_at(x.first_px - 6, y(value) + 4, "end", tick_label(value));
-  }
-  text += text_at((x.first_px + x.last_px) / 2, y.first_px + 34, "middle", x_title);
-  return text + text_at(x.first_px, y.last_px - 10, "middle", y_title);
 }
 
 /// From blue (0) over yellow to red (1).
@@ -195,13 +157,14 @@ std::string draw_error_plot(const vo::Trajectory& estimate,
   const double start = estimate.front().timestamp;
   const AxisMap x{{0, estimate.back().timestamp - start}, kMargin, kWidth - kMargin};
   const AxisMap y{{0, 1000 * scale}, kMapHeight + kErrorHeight - kMargin, top};
-  std::vector<std::array<double, 2>> points;
+  std::vector<SvgPoint> points;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     if (errors[i]) {
       points.push_back({x(estimate[i].timestamp - start), y(1000 * *errors[i])});
     }
   }
-  return draw_axes(x, y, "time, s", "error, mm") + polyline(points, "error");
+  return draw_x_axis(x, y, "time, s") + draw_y_axis(x, y, "error, mm") +
+         polyline(points, "class=\"error\"");
 }
 
 }  // namespace
@@ -218,13 +181,13 @@ std::string draw_trajectory(const vo::Trajectory& truth, const vo::Trajectory& e
       vo::concat("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", kWidth, "\" height=\"",
                  kMapHeight + kErrorHeight,
                  "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n", kStyle);
-  svg += draw_axes(frame.x, frame.y, kAxisNames.at(static_cast<std::size_t>(frame.view.right)),
-                   kAxisNames.at(static_cast<std::size_t>(frame.view.up)));
-  std::vector<std::array<double, 2>> truth_points;
+  svg += draw_x_axis(frame.x, frame.y, kAxisNames.at(static_cast<std::size_t>(frame.view.right)));
+  svg += draw_y_axis(frame.x, frame.y, kAxisNames.at(static_cast<std::size_t>(frame.view.up)));
+  std::vector<SvgPoint> truth_points;
   for (const vo::StampedPose& pose : covered) {
     truth_points.push_back(frame(pose));
   }
-  svg += polyline(truth_points, "truth") + draw_estimate(frame, estimate, errors, scale);
+  svg += polyline(truth_points, "class=\"truth\"") + draw_estimate(frame, estimate, errors, scale);
   if (!truth.empty()) {
     svg += draw_legend(scale) + draw_error_plot(estimate, errors, scale);
   }

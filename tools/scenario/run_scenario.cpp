@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "tools/pipeline/render_sequence.h"
+#include "tools/scenario/consistency.h"
 #include "vo/io/sequence.h"
 
 namespace tools {
@@ -28,6 +28,7 @@ Metrics measure(const vo::Trajectory& truth, const SequenceResult& tracking,
   Metrics metrics{kUnknown, kUnknown, kUnknown, kUnknown, kUnknown};
   metrics.tracked_fraction = tracking.tracked_fraction();
   metrics.keyframes = static_cast<double>(tracking.keyframes());
+  metrics.nees_median = nees_median(truth, tracking.frames);
   if (tracking.trajectory.size() >= kMinPoses) {
     const vo::TrajectoryErrors errors =
         vo::evaluate(truth, tracking.trajectory,
@@ -59,16 +60,20 @@ bool Outcome::passed() const {
   return std::all_of(checks.begin(), checks.end(), [](const BoundCheck& c) { return c.holds; });
 }
 
+RenderJob render_job(const Scenario& scenario) {
+  return {.scene = scenario.scene_file(),
+          .recipe = {.truth = make_trajectory(scenario.resolved_path()),
+                     .camera = scenario.camera.camera(),
+                     .render = scenario.render,
+                     .sensor = scenario.sensor}};
+}
+
 Outcome run_scenario(const Scenario& scenario, const std::filesystem::path& folder,
                      vo::ExistingOutput existing, const FrameObserver& observe,
                      const RunProgress& progress) {
   Outcome outcome;
-  const RenderJob job{.scene = scenario.scene_file(),
-                      .recipe = {.truth = make_trajectory(scenario.resolved_path()),
-                                 .camera = scenario.camera.camera(),
-                                 .render = scenario.render,
-                                 .sensor = scenario.sensor}};
-  outcome.notes = render_sequence(job, folder / "sequence", existing, progress.render).notes;
+  outcome.notes =
+      render_sequence(render_job(scenario), folder / "sequence", existing, progress.render).notes;
 
   const vo::SequenceReader sequence(folder / "sequence");
   outcome.truth = sequence.ground_truth();

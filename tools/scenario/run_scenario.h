@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/pipeline/render_sequence.h"
 #include "tools/pipeline/track_sequence.h"
 #include "tools/scenario/scenario.h"
 #include "vo/core/progress.h"
@@ -27,6 +28,9 @@ struct Outcome {
 
   bool passed() const;
 };
+
+/// What the scenario renders.
+RenderJob render_job(const Scenario& scenario);
 
 /// Told of the two long steps' progress.
 struct RunProgress {

@@ -83,6 +83,7 @@ struct Metrics {
   double drift_percent = 0;  ///< distance of the last pose from the truth over the path's length
   double tracked_fraction = 0;
   double keyframes = 0;
+  double nees_median = 0;  ///< squared errors over their covariances; 1 is calibrated
 };
 
 template <typename Visitor>
@@ -94,6 +95,7 @@ void visit_fields(Visitor& visit, Metrics& metrics) {
   visit("drift_percent", metrics.drift_percent, "end point error over path length");
   visit("tracked_fraction", metrics.tracked_fraction, "frames with a pose");
   visit("keyframes", metrics.keyframes, "frames that became a reference");
+  visit("nees_median", metrics.nees_median, "squared errors over covariances; 1 is calibrated");
 }
 
 /// The metrics by name, in the order of their fields.

@@ -9,6 +9,7 @@ using ByteImage = cv::Mat_<uchar>;          ///< sRGB-encoded grey, 0..255
 using GrayImage = cv::Mat_<float>;          ///< sRGB-encoded grey, 0..1
 using DepthImage = cv::Mat_<float>;         ///< metres along the optical axis; 0 = no measurement
 using GradientImage = cv::Mat_<cv::Vec2f>;  ///< (dI/du, dI/dv), intensity per px
+using RayImage = cv::Mat_<cv::Vec2f>;       ///< (X / Z, Y / Z) of what each pixel sees
 using EdgeMask = cv::Mat_<uchar>;           ///< 0 or 255
 
 inline bool has_depth(float depth) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -22,10 +23,30 @@ constexpr auto enum_names(EdgeSource) {
                     std::pair{EdgeSource::both, "both"}};
 }
 
+/// Which pixels are aligned; other than edges only to show what edges are worth.
+enum class PointSelection {
+  edges,   ///< edge pixels
+  random,  ///< as many pixels, anywhere
+  all,     ///< every pixel: dense alignment
+};
+
+constexpr auto enum_names(PointSelection) {
+  return std::array{std::pair{PointSelection::edges, "edges"},
+                    std::pair{PointSelection::random, "random"},
+                    std::pair{PointSelection::all, "all"}};
+}
+
 struct EdgePointOptions {
   EdgeSource source = EdgeSource::reference;
+  PointSelection selection = PointSelection::edges;
+  double fraction = 1;     ///< of the selected pixels, chosen at random
+  std::uint64_t seed = 0;  ///< of what is chosen at random
+  int max_points = 0;      ///< per level, spread evenly; 0 is no limit
   double min_depth = 0.1;  ///< m
   double max_depth = 10;   ///< m
+  int discontinuity_radius =
+      0;  ///< px; points this near to a depth step are left out; 0 keeps them
+  double discontinuity_ratio = 1.05;  ///< of depths beside each other that are a step
 
   void validate() const;  ///< throws Error
 };
@@ -33,19 +54,32 @@ struct EdgePointOptions {
 template <typename Visitor>
 void visit_fields(Visitor& visit, EdgePointOptions& options) {
   visit("source", options.source, "whose edges choose the reference's pixels");
+  visit("selection", options.selection, "which pixels are aligned");
+  visit("fraction", options.fraction, "share of the selected pixels that is kept, at random");
+  visit("seed", options.seed, "of what is chosen at random");
+  visit("max_points", options.max_points, "per level, spread evenly; 0 is no limit");
   visit("min_depth", options.min_depth, "nearer pixels are not used, m");
   visit("max_depth", options.max_depth, "farther pixels are not used, m");
+  visit("discontinuity_radius", options.discontinuity_radius,
+        "pixels this near to a depth step are not used, px of the finest level");
+  visit("discontinuity_ratio", options.discontinuity_ratio, "of depths that are a step");
 }
 
 /// The chosen pixels of one pyramid level, one element per point in each array, in scan order.
 struct EdgePointLevel {
-  std::vector<float> x_ref;      ///< m, in the reference camera's frame
-  std::vector<float> y_ref;      ///< m
-  std::vector<float> z_ref;      ///< m
-  std::vector<float> intensity;  ///< 0..1, of the reference
-  std::vector<cv::Point> pixel;  ///< px, where in the reference
+  std::vector<float> x_ref;        ///< m, in the reference camera's frame
+  std::vector<float> y_ref;        ///< m
+  std::vector<float> z_ref;        ///< m
+  std::vector<float> intensity;    ///< 0..1, of the reference
+  std::vector<float> dI_dx;        ///< derivative of the intensity by x_ref, 1/m
+  std::vector<float> dI_dy;        ///< by y_ref, 1/m
+  std::vector<float> dI_dz;        ///< by z_ref, 1/m
+  std::vector<float> depth_sigma;  ///< standard deviation of z_ref, m
+  std::vector<cv::Point> pixel;    ///< px, where in the reference
 
   std::size_t size() const { return x_ref.size(); }
+  void clear();                                        ///< keeps the memory
+  void keep(const std::vector<std::size_t>& indices);  ///< ascending
 };
 
 /// What a reference frame is to the tracker. A depth sensor and a monocular depth map both make
@@ -53,6 +87,13 @@ struct EdgePointLevel {
 struct EdgePoints {
   std::vector<EdgePointLevel> levels;
 };
+
+/// Standard deviation of a Kinect's depth (Khoshelham & Elberink 2012 and Nguyen, Izadi, Lovell
+/// 2012 agree in form), m.
+inline float structured_light_sigma(float depth) {
+  const float beyond = depth - 0.4F;
+  return 0.0012F + 0.0019F * beyond * beyond;
+}
 
 /// How many of a level's own edge pixels have depth in the options' range.
 std::size_t edge_pixels_with_depth(const PyramidLevel& level, const EdgePointOptions& options);

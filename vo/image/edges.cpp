@@ -1,68 +1,55 @@
 #include "vo/image/edges.h"
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
-#include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "vo/core/error.h"
+#include "vo/image/gradient_edges.h"
+#include "vo/image/laplacian_edges.h"
+#include "vo/image/structured_forest.h"
+#include "vo/image/structured_forest_file.h"
 
 namespace vo {
-namespace {
-
-using ShortImage = cv::Mat_<short>;
-
-double otsu_threshold(const ByteImage& image) {
-  ByteImage unused;
-  return cv::threshold(image, unused, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU);
-}
-
-double gradient_percentile(const ShortImage& dx, const ShortImage& dy, double percentile) {
-  constexpr int kMaxMagnitude = 1443;  // 1020 sqrt(2)
-  std::vector<int> histogram(kMaxMagnitude + 1);
-  for (int v = 0; v < dx.rows; ++v) {
-    for (int u = 0; u < dx.cols; ++u) {
-      const auto gx = static_cast<float>(dx(v, u));
-      const auto gy = static_cast<float>(dy(v, u));
-      ++histogram[static_cast<std::size_t>(std::sqrt(gx * gx + gy * gy))];
-    }
-  }
-  const double wanted = percentile / 100 * static_cast<double>(dx.total());
-  double below = 0;
-  std::size_t magnitude = 0;
-  while (magnitude < kMaxMagnitude && below + histogram[magnitude] < wanted) {
-    below += histogram[magnitude++];
-  }
-  return static_cast<double>(magnitude);
-}
-
-}  // namespace
 
 void EdgeOptions::validate() const {
   require(percentile > 0 && percentile < 100, "edges.percentile: expected 0 to 100, got ",
           percentile);
   require(weak_ratio > 0 && weak_ratio <= 1, "edges.weak_ratio: expected 0 to 1, got ", weak_ratio);
   require(strong > 0 && floor > 0, "edges: expected thresholds above 0");
+  require(target_count > 0, "edges.target_count: expected above 0, got ", target_count);
+  require(log_sigma >= 0.5 && log_sigma <= 10, "edges.log_sigma: expected 0.5 to 10 px, got ",
+          log_sigma);
+  require(log_strength > 0, "edges.log_strength: expected above 0, got ", log_strength);
+  require(forest_scale >= 1 && forest_scale <= 4, "edges.forest_scale: expected 1 to 4, got ",
+          forest_scale);
+  require(forest_strength > 0 && forest_strength < 1,
+          "edges.forest_strength: expected 0 to 1, got ", forest_strength);
+  require(detector != EdgeDetector::structured_forest || !forest_model.empty(),
+          "edges.forest_model: expected a model file for the detector structured_forest");
+}
+
+EdgeFinder::EdgeFinder(EdgeOptions options) : options_(std::move(options)) {
+  options_.validate();
+  if (options_.detector == EdgeDetector::structured_forest) {
+    forest_ = std::make_shared<StructuredForest>(read_structured_forest(options_.forest_model));
+  }
+}
+
+EdgeMask EdgeFinder::detect(const GrayImage& gray) const {
+  switch (options_.detector) {
+    case EdgeDetector::log:
+      return laplacian_edges(gray, options_);
+    case EdgeDetector::sobel:
+      return sobel_edges(gray, options_);
+    case EdgeDetector::structured_forest:
+      return forest_edges(*forest_, to_rgb(gray), options_.forest_scale, options_.forest_strength);
+    case EdgeDetector::canny:
+      break;
+  }
+  return canny_edges(gray, options_);
 }
 
 EdgeMask detect_edges(const GrayImage& gray, const EdgeOptions& options) {
-  ByteImage image;
-  gray.convertTo(image, CV_8U, 255);
-  ShortImage dx;
-  ShortImage dy;
-  cv::Sobel(image, dx, CV_16S, 1, 0, 3, 1, 0, cv::BORDER_REPLICATE);
-  cv::Sobel(image, dy, CV_16S, 0, 1, 3, 1, 0, cv::BORDER_REPLICATE);
-
-  double strong = options.strong;
-  if (options.threshold == EdgeThreshold::otsu) {
-    strong = otsu_threshold(image);
-  } else if (options.threshold == EdgeThreshold::percentile) {
-    strong = std::max(options.floor, gradient_percentile(dx, dy, options.percentile));
-  }
-  EdgeMask edges;
-  cv::Canny(dx, dy, edges, options.weak_ratio * strong, strong, /*L2gradient=*/true);
-  return edges;
+  return EdgeFinder(options).detect(gray);
 }
 
 }  // namespace vo

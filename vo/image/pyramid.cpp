@@ -1,6 +1,9 @@
 #include "vo/image/pyramid.h"
 
 #include <algorithm>
+#include <utility>
+
+#include <opencv2/imgproc.hpp>
 
 #include "vo/core/error.h"
 
@@ -20,6 +23,35 @@ float merged_depth(float a, float b, float c, float d) {
     return nearest;
   }
   return 4 / (1 / a + 1 / b + 1 / c + 1 / d);
+}
+
+PinholeCamera halved_camera(const PinholeCamera& camera, HalvedPrincipalPoint principal_point) {
+  PinholeCamera half = camera.halved();
+  if (principal_point == HalvedPrincipalPoint::plain) {
+    half.cx = camera.cx / 2;
+    half.cy = camera.cy / 2;
+  }
+  return half;
+}
+
+DepthImage halved_depth(const DepthImage& depth, HalvedDepth how) {
+  if (how == HalvedDepth::surfaces) {
+    return halve_depth(depth);
+  }
+  DepthImage half;
+  cv::resize(depth, half, {depth.cols / 2, depth.rows / 2}, 0, 0, cv::INTER_CUBIC);
+  return half;
+}
+
+RayImage pixel_rays(const PinholeCamera& camera) {
+  RayImage rays(camera.height, camera.width);
+  for (int v = 0; v < rays.rows; ++v) {
+    for (int u = 0; u < rays.cols; ++u) {
+      const Eigen::Vector3d ray = camera.unproject({u, v}, 1);
+      rays(v, u) = {static_cast<float>(ray.x()), static_cast<float>(ray.y())};
+    }
+  }
+  return rays;
 }
 
 }  // namespace
@@ -53,40 +85,57 @@ DepthImage halve_depth(const DepthImage& depth) {
   return half;
 }
 
-GradientImage central_gradient(const GrayImage& image) {
-  GradientImage gradient(image.size(), cv::Vec2f(0, 0));
-  for (int v = 1; v + 1 < image.rows; ++v) {
-    const float* above = image[v - 1];
-    const float* row = image[v];
-    const float* below = image[v + 1];
-    cv::Vec2f* target = gradient[v];
-    for (int u = 1; u + 1 < image.cols; ++u) {
-      target[u] = {0.5F * (row[u + 1] - row[u - 1]), 0.5F * (below[u] - above[u])};
+cv::Vec2f central_gradient(const GrayImage& image, cv::Point pixel) {
+  const auto [u, v] = std::pair{pixel.x, pixel.y};
+  if (u < 1 || v < 1 || u + 1 >= image.cols || v + 1 >= image.rows) {
+    return {0, 0};
+  }
+  return {0.5F * (image(v, u + 1) - image(v, u - 1)), 0.5F * (image(v + 1, u) - image(v - 1, u))};
+}
+
+std::vector<CameraLevel> camera_levels(const PinholeCamera& camera, const PyramidOptions& options) {
+  std::vector<CameraLevel> levels{{camera, pixel_rays(camera)}};
+  while (static_cast<int>(levels.size()) < options.levels) {
+    const PinholeCamera half = halved_camera(levels.back().camera, options.principal_point);
+    if (std::min(half.width, half.height) < kMinSize) {
+      break;
+    }
+    levels.push_back({half, pixel_rays(half)});
+  }
+  return levels;
+}
+
+FramePyramid build_pyramid(const RgbdFrame& frame, const std::vector<CameraLevel>& levels,
+                           const PyramidOptions& options) {
+  FramePyramid pyramid{frame.timestamp, {}};
+  for (const CameraLevel& level : levels) {
+    if (pyramid.levels.empty()) {
+      pyramid.levels.push_back({level.camera, level.rays, to_gray(frame.image), {}, frame.depth});
+    } else {
+      const PyramidLevel& finer = pyramid.levels.back();
+      pyramid.levels.push_back({level.camera,
+                                level.rays,
+                                halve(finer.intensity),
+                                {},
+                                halved_depth(finer.depth, options.depth)});
     }
   }
-  return gradient;
+  return pyramid;
 }
 
 FramePyramid build_pyramid(const RgbdFrame& frame, const PinholeCamera& camera,
                            const PyramidOptions& options) {
-  FramePyramid pyramid{frame.timestamp, {}};
-  PyramidLevel level{camera, to_gray(frame.image), {}, {}, frame.depth};
-  while (true) {
-    level.gradient = central_gradient(level.intensity);
-    pyramid.levels.push_back(level);
-    const PinholeCamera half = level.camera.halved();
-    if (static_cast<int>(pyramid.levels.size()) == options.levels ||
-        std::min(half.width, half.height) < kMinSize) {
-      return pyramid;
-    }
-    level = {half, halve(level.intensity), {}, {}, halve_depth(level.depth)};
+  return build_pyramid(frame, camera_levels(camera, options), options);
+}
+
+void add_edges(FramePyramid& pyramid, const EdgeFinder& finder) {
+  for (PyramidLevel& level : pyramid.levels) {
+    level.edges = finder.detect(level.intensity);
   }
 }
 
 void add_edges(FramePyramid& pyramid, const EdgeOptions& options) {
-  for (PyramidLevel& level : pyramid.levels) {
-    level.edges = detect_edges(level.intensity, options);
-  }
+  add_edges(pyramid, EdgeFinder(options));
 }
 
 }  // namespace vo

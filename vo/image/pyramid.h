@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "vo/core/camera.h"
@@ -8,8 +10,32 @@
 
 namespace vo {
 
+/// What becomes of the principal point when the image is halved.
+enum class HalvedPrincipalPoint {
+  centred,  ///< (c + 0.5) / 2 - 0.5: pixel centres at integers
+  plain,    ///< c / 2, as the paper's authors do
+};
+
+constexpr auto enum_names(HalvedPrincipalPoint) {
+  return std::array{std::pair{HalvedPrincipalPoint::centred, "centred"},
+                    std::pair{HalvedPrincipalPoint::plain, "plain"}};
+}
+
+/// How depth is halved.
+enum class HalvedDepth {
+  surfaces,  ///< `halve_depth`: never across a hole or a step
+  cubic,     ///< cubic interpolation, holes as zeros, as the paper's authors do
+};
+
+constexpr auto enum_names(HalvedDepth) {
+  return std::array{std::pair{HalvedDepth::surfaces, "surfaces"},
+                    std::pair{HalvedDepth::cubic, "cubic"}};
+}
+
 struct PyramidOptions {
   int levels = 3;  ///< the paper's; each level has half the size of the one before
+  HalvedPrincipalPoint principal_point = HalvedPrincipalPoint::centred;
+  HalvedDepth depth = HalvedDepth::surfaces;
 
   void validate() const;  ///< throws Error
 };
@@ -17,12 +43,24 @@ struct PyramidOptions {
 template <typename Visitor>
 void visit_fields(Visitor& visit, PyramidOptions& options) {
   visit("levels", options.levels, "resolutions, each half the size of the one before");
+  visit("principal_point", options.principal_point, "what becomes of it at half the size");
+  visit("depth", options.depth, "how depth is halved");
 }
+
+/// What does not change from frame to frame at one level.
+struct CameraLevel {
+  PinholeCamera camera;
+  RayImage rays;
+};
+
+/// The levels of a camera: intrinsics shifted by half a pixel, the ray of every pixel with the lens
+/// taken out. Fewer levels where the image would become smaller than 20 px.
+std::vector<CameraLevel> camera_levels(const PinholeCamera& camera, const PyramidOptions& options);
 
 struct PyramidLevel {
   PinholeCamera camera;
+  RayImage rays;
   GrayImage intensity;
-  GradientImage gradient;
   EdgeMask edges;    ///< empty until `add_edges`
   DepthImage depth;  ///< empty for a monocular frame
 };
@@ -33,13 +71,18 @@ struct FramePyramid {
   std::vector<PyramidLevel> levels;
 };
 
-/// Intensity by 2x2 means, central-difference gradients of each level, depth by `halve_depth`,
-/// intrinsics shifted by half a pixel. Fewer levels where the image would become smaller than 20
-/// px.
+/// Intensity by 2x2 means, depth as the options say.
+FramePyramid build_pyramid(const RgbdFrame& frame, const std::vector<CameraLevel>& levels,
+                           const PyramidOptions& options);
+
+/// The same for a single frame.
 FramePyramid build_pyramid(const RgbdFrame& frame, const PinholeCamera& camera,
                            const PyramidOptions& options);
 
 /// Edges of each level's own intensity, with thresholds of its own.
+void add_edges(FramePyramid& pyramid, const EdgeFinder& finder);
+
+/// The same for a single frame.
 void add_edges(FramePyramid& pyramid, const EdgeOptions& options);
 
 /// Half the size, each pixel the mean of four. An odd last row or column is left out.
@@ -49,7 +92,7 @@ GrayImage halve(const GrayImage& image);
 /// all are there and within 5 %, else the nearest (foreground) of those that are there, else none.
 DepthImage halve_depth(const DepthImage& depth);
 
-/// (I(u+1) - I(u-1)) / 2 and likewise in v; 0 on the border.
-GradientImage central_gradient(const GrayImage& image);
+/// (I(u+1) - I(u-1)) / 2 and likewise in v, intensity per px; 0 on the border.
+cv::Vec2f central_gradient(const GrayImage& image, cv::Point pixel);
 
 }  // namespace vo

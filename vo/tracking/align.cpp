@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "vo/core/error.h"
+#include "vo/tracking/pose_covariance.h"
 
 namespace vo {
 namespace {
@@ -21,16 +22,17 @@ double degrees(double radians) {
   return radians * 180 / std::numbers::pi;
 }
 
-/// Scales translation and rotation to the same size before judging the eigenvalues.
-bool is_singular(const Matrix6d& H) {
+/// Least over greatest eigenvalue of H, translation and rotation scaled to the same size; 0 where a
+/// parameter has no influence at all.
+double conditioning_of(const Matrix6d& H) {
   const Vector6d diagonal = H.diagonal();
   if (!(diagonal.minCoeff() > 0)) {
-    return true;
+    return 0;
   }
   const Vector6d scale = diagonal.cwiseSqrt().cwiseInverse();
   const Matrix6d scaled = scale.asDiagonal() * H * scale.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(scaled, Eigen::EigenvaluesOnly);
-  return solver.eigenvalues().minCoeff() < kMinConditioning * solver.eigenvalues().maxCoeff();
+  return solver.eigenvalues().minCoeff() / solver.eigenvalues().maxCoeff();
 }
 
 bool is_small(const Vector6d& delta, const AlignOptions& options) {
@@ -38,54 +40,104 @@ bool is_small(const Vector6d& delta, const AlignOptions& options) {
          degrees(delta.tail<3>().norm()) < options.min_rotation_deg;
 }
 
-/// One pyramid level: improves `result.T_cur_ref` and returns the system at the final pose.
-LinearSystem align_level(const EdgePointLevel& reference, const PyramidLevel& current,
-                         const AlignOptions& options, AlignResult& result) {
-  const auto min_points = static_cast<std::size_t>(options.min_points);
-  LinearSystem system = linearize(reference, current, result.T_cur_ref, options);
-  result.termination = Termination::max_iterations;
-  for (int i = 0; i < options.max_iterations && system.points >= min_points; ++i) {
-    if (is_singular(system.H)) {
-      result.termination = Termination::singular;
-      break;
-    }
-    const Vector6d delta = -system.H.ldlt().solve(system.b);
-    if (is_small(delta, options)) {
-      result.termination = Termination::converged;
-      break;
-    }
-    const SE3 T_candidate = SE3::exp(delta) * result.T_cur_ref;
-    const LinearSystem candidate = linearize(reference, current, T_candidate, options);
-    ++result.iterations;
-    if (!(candidate.cost < system.cost)) {
-      result.termination = Termination::no_better_step;
-      break;
-    }
-    result.T_cur_ref = T_candidate;
-    system = candidate;
-  }
-  if (system.points < min_points) {
-    result.termination = Termination::too_few_points;
-  }
-  return system;
+/// A step that is shortened while it raises the cost.
+Vector6d damped_step(const JointSystem& system, double damping) {
+  Matrix6d H = system.H;
+  H.diagonal() *= 1 + damping;
+  return -H.ldlt().solve(system.b);
 }
 
-/// s^2 H^-1 with s^2 the weighted variance of the residuals: the covariance of least squares. Pixel
-/// errors are correlated, so it is a lower bound.
-Matrix6d covariance_of(const LinearSystem& system) {
-  const double freedom = static_cast<double>(system.points) - kDegreesOfFreedom;
-  return system.squared_residuals / freedom * system.H.ldlt().solve(Matrix6d::Identity());
-}
+/// Gauss-Newton on one pyramid level.
+class LevelAlignment {
+ public:
+  LevelAlignment(JointProblem& problem, AlignResult& result)
+      : problem_(problem), options_(problem.options()), result_(result) {}
 
-void summarize(const LinearSystem& system, std::size_t total, AlignResult& result) {
+  /// Improves the result's pose and returns the system there.
+  JointSystem run() {
+    const auto min_points = static_cast<std::size_t>(options_.min_points);
+    system_ = problem_.linearize(result_.T_cur_ref);
+    result_.termination = Termination::max_iterations;
+    for (int i = 0; i < options_.max_iterations && system_.points >= min_points; ++i) {
+      if (!(conditioning_of(system_.H) >= kMinConditioning)) {
+        result_.termination = Termination::singular;
+        break;
+      }
+      if (!step()) {
+        break;
+      }
+    }
+    if (system_.points < min_points) {
+      result_.termination = Termination::too_few_points;
+    }
+    return system_;
+  }
+
+ private:
+  /// False when there is no step to take; says why in the result.
+  bool step() {
+    constexpr double kFirstDamping = 0.5;
+    constexpr double kDampingFactor = 8;
+    double damping = 0;
+    for (int retry = 0; retry <= options_.step_retries; ++retry) {
+      const Vector6d delta = damped_step(system_, damping);
+      if (is_small(delta, options_)) {
+        result_.termination = Termination::converged;
+        return false;
+      }
+      if (accept(delta)) {
+        return true;
+      }
+      damping = damping == 0 ? kFirstDamping : damping * kDampingFactor;
+    }
+    result_.termination = Termination::no_better_step;
+    return false;
+  }
+
+  /// Moves unless the cost would rise.
+  bool accept(const Vector6d& delta) {
+    const std::vector<ResidualModel> models = problem_.models();
+    const SE3 T_candidate = SE3::exp(delta) * result_.T_cur_ref;
+    problem_.update_brightness(system_, delta, result_.T_cur_ref);
+    JointSystem candidate = problem_.linearize(T_candidate);
+    ++result_.iterations;
+    const bool better = candidate.cost < system_.cost;
+    if (!better && !options_.keep_worse_step) {
+      problem_.set_models(models);
+      return false;
+    }
+    result_.T_cur_ref = T_candidate;
+    system_ = std::move(candidate);
+    return better;
+  }
+
+  JointProblem& problem_;
+  const AlignOptions& options_;
+  AlignResult& result_;
+  JointSystem system_;
+};
+
+void summarize(const JointSystem& system, const JointProblem& problem, AlignResult& result) {
+  const LinearSystem& first = system.parts.front();
   result.points = system.points;
   result.cost = system.cost;
-  if (system.points > 0) {
-    result.visible_fraction = static_cast<double>(system.points) / static_cast<double>(total);
+  result.conditioning = conditioning_of(system.H);
+  if (first.total > 0) {
+    result.visible_fraction = static_cast<double>(first.points) / static_cast<double>(first.total);
   }
   if (result.usable()) {
-    result.covariance = covariance_of(system);
+    result.covariance = pose_covariance(problem, system, result.T_cur_ref);
   }
+  result.correlation = correlation(problem.first_view(result.T_cur_ref));
+}
+
+/// Brightness found on one level is where the next one starts.
+void carry_brightness(const std::vector<ResidualModel>& coarser, JointProblem& problem) {
+  std::vector<ResidualModel> models = problem.models();
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    models[i].brightness = coarser[i].brightness;
+  }
+  problem.set_models(std::move(models));
 }
 
 }  // namespace
@@ -94,25 +146,44 @@ void AlignOptions::validate() const {
   require(max_iterations >= 1, "align.max_iterations: expected at least 1, got ", max_iterations);
   require(min_translation >= 0 && min_rotation_deg >= 0,
           "align: expected step limits of at least 0");
+  require(step_retries >= 0, "align.step_retries: expected at least 0, got ", step_retries);
+  require(min_loss_scale > 0, "align.min_loss_scale: expected above 0, got ", min_loss_scale);
+  require(depth_noise >= 0, "align.depth_noise: expected at least 0, got ", depth_noise);
+  require(max_depth_ratio == 0 || max_depth_ratio > 1,
+          "align.max_depth_ratio: expected 0 or above 1, got ", max_depth_ratio);
+  require(readout >= 0 && readout <= 0.1, "align.readout: expected 0 to 0.1 s, got ", readout);
   require(loss_scale > 0, "align.loss_scale: expected above 0, got ", loss_scale);
   require(min_points > kDegreesOfFreedom, "align.min_points: expected more than ",
           kDegreesOfFreedom, ", got ", min_points);
 }
 
-AlignResult align(const EdgePoints& reference, const FramePyramid& current,
+AlignResult align(std::span<const AlignReference> references, const AlignCurrent& current,
                   const SE3& T_cur_ref_guess, const AlignOptions& options) {
-  assert(reference.levels.size() == current.levels.size());
   AlignResult result;
   result.T_cur_ref = T_cur_ref_guess;
-  for (std::size_t l = reference.levels.size(); l-- > 0;) {
-    const LinearSystem system =
-        align_level(reference.levels[l], current.levels[l], options, result);
+  std::vector<ResidualModel> models;
+  for (std::size_t l = current.frame.levels.size(); l-- > 0;) {
+    JointProblem problem(references, current, l, options);
+    if (models.empty()) {
+      problem.match_brightness(result.T_cur_ref);
+    } else {
+      carry_brightness(models, problem);
+    }
+    problem.estimate_scales(result.T_cur_ref);
+    const JointSystem system = LevelAlignment(problem, result).run();
+    models = problem.models();
     if (l == 0) {
-      summarize(system, reference.levels[l].size(), result);
-      result.correlation = correlation(reference.levels[l], current.levels[l], result.T_cur_ref);
+      summarize(system, problem, result);
     }
   }
   return result;
+}
+
+AlignResult align(const EdgePoints& reference, const FramePyramid& current,
+                  const SE3& T_cur_ref_guess, const AlignOptions& options) {
+  assert(reference.levels.size() == current.levels.size());
+  const std::array references{AlignReference{reference, SE3()}};
+  return align(references, AlignCurrent{current}, T_cur_ref_guess, options);
 }
 
 }  // namespace vo

@@ -1,113 +1,137 @@
-#include "vo/tracking/align.h"
-#include "vo/tracking/warp.h"
+#include "vo/tracking/linearize.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace vo {
 namespace {
 
-constexpr float kMinDepth = 0.05F;  // m; nearer points are behind the lens or about to be
+PassOptions pass_options(const AlignOptions& options, const ResidualModel& model) {
+  const float reference_share = options.formulation == Formulation::forward   ? 0.0F
+                                : options.formulation == Formulation::inverse ? 1.0F
+                                                                              : 0.5F;
+  return {.loss = options.loss,
+          .loss_scale = static_cast<float>(model.scale),
+          .squared_weights = options.squared_weights,
+          .gain = static_cast<float>(model.brightness.gain),
+          .offset = static_cast<float>(model.brightness.offset),
+          .current_share = 1 - reference_share,
+          .reference_share = reference_share,
+          .inverse_variance = static_cast<float>(options.depth_noise * options.depth_noise /
+                                                 (model.scale * model.scale)),
+          .max_depth_ratio = static_cast<float>(options.max_depth_ratio),
+          .brightness = options.brightness == BrightnessModel::affine};
+}
 
-/// The points of a level as the current image sees them under one pose.
-class Viewer {
- public:
-  Viewer(const EdgePointLevel& reference, const PyramidLevel& current, const SE3& T_cur_ref)
-      : reference_(reference),
-        current_(current),
-        warp_(current.camera, T_cur_ref),
-        max_u_(static_cast<float>(current.camera.width - 1)),
-        max_v_(static_cast<float>(current.camera.height - 1)) {}
+/// First and second moments of pairs (reference, current).
+struct Moments {
+  double n = 0;
+  double ref = 0;
+  double cur = 0;
+  double ref_ref = 0;
+  double cur_cur = 0;
+  double ref_cur = 0;
 
-  /// False where point i is not seen.
-  bool warp(std::size_t i, WarpedPoint<float>& point) const {
-    point =
-        warp_point<float>(warp_, {reference_.x_ref[i], reference_.y_ref[i], reference_.z_ref[i]});
-    return point.p_cur.z() > kMinDepth && point.u >= 0 && point.u < max_u_ && point.v >= 0 &&
-           point.v < max_v_;
+  Moments(const std::vector<float>& reference, const std::vector<float>& current) {
+    for (std::size_t i = 0; i < reference.size(); ++i) {
+      if (std::isnan(current[i])) {
+        continue;
+      }
+      const double r = reference[i];
+      const double c = current[i];
+      n += 1;
+      ref += r;
+      cur += c;
+      ref_ref += r * r;
+      cur_cur += c * c;
+      ref_cur += r * c;
+    }
   }
 
-  float residual(std::size_t i, const BilinearWeights& at) const {
-    return at(current_.intensity) - reference_.intensity[i];
-  }
-
-  cv::Vec2f gradient(const BilinearWeights& at) const { return at(current_.gradient); }
-
- private:
-  const EdgePointLevel& reference_;
-  const PyramidLevel& current_;
-  Warp<float> warp_;
-  float max_u_;
-  float max_v_;
+  double ref_variance() const { return n * ref_ref - ref * ref; }  ///< times n^2
+  double cur_variance() const { return n * cur_cur - cur * cur; }
+  double covariance() const { return n * ref_cur - ref * cur; }
 };
 
 }  // namespace
 
-LinearSystem linearize(const EdgePointLevel& reference, const PyramidLevel& current,
-                       const SE3& T_cur_ref, const AlignOptions& options) {
-  const Viewer viewer(reference, current, T_cur_ref);
-  const auto scale = static_cast<float>(options.loss_scale);
+LinearSystem linearize(const PointView& view, const AlignOptions& options,
+                       const ResidualModel& model) {
+  const PassOptions pass = pass_options(options, model);
+  const PassSums sums = sum_points(view, pass, available_instruction_set());
   LinearSystem system;
-  double loss = 0;
-  WarpedPoint<float> point;
-  for (std::size_t i = 0; i < reference.size(); ++i) {
-    if (!viewer.warp(i, point)) {
-      continue;
+  std::size_t pair = 0;
+  for (Eigen::Index p = 0; p < system.b.size(); ++p) {
+    for (Eigen::Index q = p; q < system.b.size(); ++q, ++pair) {
+      system.H(p, q) = sums.H[pair];
+      system.H(q, p) = sums.H[pair];
     }
-    const BilinearWeights at(point.u, point.v);
-    const float r = viewer.residual(i, at);
-    const cv::Vec2f gradient = viewer.gradient(at);
-    const RobustValue robust = robust_value(options.loss, r, scale);
-    const Vector6d J = forward_jacobian(point, gradient[0], gradient[1]).cast<double>();
-    const Vector6d J_weighted = robust.weight * J;
-
-    system.H.noalias() += J_weighted * J.transpose();
-    system.b.noalias() += J_weighted * static_cast<double>(r);
-    system.squared_residuals += static_cast<double>(robust.weight * r * r);
-    loss += static_cast<double>(robust.loss);
-    ++system.points;
+    system.b(p) = sums.b[static_cast<std::size_t>(p)];
   }
-  const auto total = static_cast<double>(reference.size());
-  const auto unseen = static_cast<double>(reference.size() - system.points);
-  system.cost = total > 0 ? (loss + unseen * options.loss_scale * options.loss_scale) / total : 0;
+  system.points = sums.seen;
+  system.total = view.points.size();
+  const auto unseen = static_cast<double>(system.total - system.points);
+  system.cost =
+      sums.loss + unseen * robust_value(options.loss, pass.loss_scale, pass.loss_scale).loss;
   return system;
+}
+
+PointScores score_points(const PointView& view, const AlignOptions& options,
+                         const ResidualModel& model) {
+  return score_points(view, pass_options(options, model), available_instruction_set());
+}
+
+std::vector<float> sampled_intensities(const PointView& view) {
+  std::vector<float> intensities;
+  sample_points(view, available_instruction_set(), intensities);
+  return intensities;
 }
 
 std::vector<std::optional<float>> residuals(const EdgePointLevel& reference,
                                             const PyramidLevel& current, const SE3& T_cur_ref) {
-  const Viewer viewer(reference, current, T_cur_ref);
-  std::vector<std::optional<float>> result(reference.size());
-  WarpedPoint<float> point;
-  for (std::size_t i = 0; i < reference.size(); ++i) {
-    if (viewer.warp(i, point)) {
-      result[i] = viewer.residual(i, BilinearWeights(point.u, point.v));
+  const std::vector<float> seen = sampled_intensities({reference, current, T_cur_ref, {}, {}});
+  std::vector<std::optional<float>> result(seen.size());
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (!std::isnan(seen[i])) {
+      result[i] = seen[i] - reference.intensity[i];
     }
   }
   return result;
 }
 
-double correlation(const EdgePointLevel& reference, const PyramidLevel& current,
-                   const SE3& T_cur_ref) {
-  const std::vector<std::optional<float>> residual = residuals(reference, current, T_cur_ref);
-  double n = 0;
-  double sum_ref = 0;
-  double sum_cur = 0;
-  double sum_ref_ref = 0;
-  double sum_cur_cur = 0;
-  double sum_ref_cur = 0;
-  for (std::size_t i = 0; i < residual.size(); ++i) {
-    if (!residual[i]) {
-      continue;
-    }
-    const double ref = reference.intensity[i];
-    const double cur = ref + *residual[i];
-    n += 1;
-    sum_ref += ref;
-    sum_cur += cur;
-    sum_ref_ref += ref * ref;
-    sum_cur_cur += cur * cur;
-    sum_ref_cur += ref * cur;
+double correlation(const PointView& view) {
+  const Moments m(view.points.intensity, sampled_intensities(view));
+  const double variances = m.ref_variance() * m.cur_variance();
+  return variances > 0 ? m.covariance() / std::sqrt(variances) : 0;
+}
+
+Brightness matched_brightness(const PointView& view) {
+  const Moments m(view.points.intensity, sampled_intensities(view));
+  if (!(m.ref_variance() > 0) || !(m.cur_variance() > 0)) {
+    return {};
   }
-  const double variances =
-      (n * sum_ref_ref - sum_ref * sum_ref) * (n * sum_cur_cur - sum_cur * sum_cur);
-  return variances > 0 ? (n * sum_ref_cur - sum_ref * sum_cur) / std::sqrt(variances) : 0;
+  const double gain = std::sqrt(m.cur_variance() / m.ref_variance());
+  return {gain, (m.cur - gain * m.ref) / m.n};
+}
+
+double residual_spread(const PointView& view, const Brightness& brightness) {
+  constexpr double kMadToSigma = 1.4826;
+  const auto gain = static_cast<float>(brightness.gain);
+  const auto offset = static_cast<float>(brightness.offset);
+  std::vector<float> magnitudes = sampled_intensities(view);
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < magnitudes.size(); ++i) {
+    if (!std::isnan(magnitudes[i])) {
+      magnitudes[seen++] = std::abs(magnitudes[i] - (gain * view.points.intensity[i] + offset));
+    }
+  }
+  if (seen == 0) {
+    return 0;
+  }
+  const auto begin = magnitudes.begin();
+  const auto middle = begin + static_cast<std::ptrdiff_t>(seen / 2);
+  std::nth_element(begin, middle, begin + static_cast<std::ptrdiff_t>(seen));
+  return kMadToSigma * static_cast<double>(*middle);
 }
 
 }  // namespace vo

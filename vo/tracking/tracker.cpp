@@ -1,58 +1,71 @@
 #include "vo/tracking/tracker.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "vo/core/error.h"
+#include "vo/tracking/pose_search.h"
 
 namespace vo {
+namespace {
 
-void KeyframeOptions::validate() const {
-  require(every >= 1, "keyframes.every: expected at least 1, got ", every);
+constexpr double kDoubtfulCorrelation = 0.8;  ///< below it other starting points are tried
+constexpr double kClearlyBetter = 0.02;       ///< of two correlations
+
+/// The points of a frame's own edges, whatever else chooses points while tracking.
+std::shared_ptr<const EdgePoints> own_points(const FramePyramid& frame, EdgePointOptions options) {
+  options.source = EdgeSource::reference;
+  return std::make_shared<const EdgePoints>(edge_points(frame, frame, options));
 }
 
-void LostOptions::validate() const {
-  require(min_visible_fraction >= 0 && min_visible_fraction <= 1,
-          "lost.min_visible_fraction: expected 0 to 1, got ", min_visible_fraction);
-  require(min_correlation >= -1 && min_correlation <= 1,
-          "lost.min_correlation: expected -1 to 1, got ", min_correlation);
+/// Mean gradient of the intensity at the finest points, 1/px; falls as the camera shakes.
+double sharpness(const EdgePoints& points, const PinholeCamera& camera) {
+  const EdgePointLevel& level = points.levels.front();
+  double sum = 0;
+  for (std::size_t i = 0; i < level.size(); ++i) {
+    sum += std::hypot(level.dI_dx[i], level.dI_dy[i]) * level.z_ref[i];
+  }
+  return level.size() > 0 ? sum / (camera.fx * static_cast<double>(level.size())) : 0;
 }
 
-void TrackerOptions::validate() const {
-  pyramid.validate();
-  edges.validate();
-  points.validate();
-  align.validate();
-  keyframes.validate();
-  lost.validate();
+/// Whether the time between two frames says how fast the camera moved: a clock that stands still,
+/// or stamps out of order, say nothing.
+bool tells_velocity(double seconds) {
+  constexpr double kMinSeconds = 1e-3;
+  return seconds >= kMinSeconds;
 }
+
+}  // namespace
 
 Tracker::Tracker(const TrackerOptions& options, SE3 T_world_first)
-    : options_(options), T_world_last_(std::move(T_world_first)) {
+    : options_(options),
+      map_(options.map),
+      readout_(options.align.readout),
+      reference_points_(std::make_shared<const EdgePoints>()),
+      T_world_last_(std::move(T_world_first)) {
   options_.validate();
 }
 
 TrackingResult Tracker::track(const FramePyramid& current) {
-  TrackingResult result{.timestamp = current.timestamp, .T_world_camera = T_world_last_};
-  if (!reference_) {
-    result.status = can_be_reference(current) ? TrackingStatus::initialized : TrackingStatus::lost;
-    return result;
+  if (map_.empty()) {
+    const bool fit = can_be_reference(current);
+    last_timestamp_ = current.timestamp;
+    return {.timestamp = current.timestamp,
+            .T_world_camera = T_world_last_,
+            .status = fit ? TrackingStatus::initialized : TrackingStatus::lost,
+            .reason = fit ? LostReason::none : LostReason::too_few_points};
   }
-  if (options_.points.source != EdgeSource::reference || reference_is_new_) {
-    reference_points_ = edge_points(*reference_, current, options_.points);
-    reference_is_new_ = false;
-  }
-  result.T_cur_ref_guess = predicted_T_world_camera().inverse() * T_world_reference_;
-  result.alignment = align(reference_points_, current, result.T_cur_ref_guess, options_.align);
+  current_points_ = options_.symmetric ? own_points(current, options_.points) : nullptr;
   ++frames_since_keyframe_;
-
-  const AlignResult& alignment = result.alignment;
-  const bool believed = alignment.usable() &&
-                        alignment.visible_fraction >= options_.lost.min_visible_fraction &&
-                        alignment.correlation >= options_.lost.min_correlation;
-  if (believed) {
-    result.status = TrackingStatus::tracked;
-    result.T_world_camera = T_world_reference_ * alignment.T_cur_ref.inverse();
-    update_motion(result.T_world_camera);
+  TrackingResult result = aligned_from(current, starting_pose(current));
+  const bool doubtful =
+      result.status == TrackingStatus::lost || result.alignment.correlation < kDoubtfulCorrelation;
+  if (doubtful && options_.lost.recover) {
+    result = searched(current, result);
+  }
+  if (result.status == TrackingStatus::tracked) {
+    accept(current, result);
   } else {
     T_last_predicted_ = SE3();
     was_lost_ = true;
@@ -60,29 +73,162 @@ TrackingResult Tracker::track(const FramePyramid& current) {
   return result;
 }
 
+SE3 Tracker::starting_pose(const FramePyramid& current) const {
+  SE3 T_world_predicted = T_world_last_ * T_last_predicted_;
+  return options_.motion_model == MotionModel::best
+             ? best_guess(*map_.last(), current, {T_world_predicted, T_world_last_})
+             : T_world_predicted;
+}
+
+std::vector<AlignReference> Tracker::make_references(const FramePyramid& current,
+                                                     const SE3& T_world_guess) {
+  references_ = map_.references_for(T_world_guess);
+  points_of_references_.clear();
+  std::vector<AlignReference> references;
+  const SE3 T_first_world = references_.front()->T_world_keyframe.inverse();
+  for (const std::shared_ptr<const Keyframe>& keyframe : references_) {
+    points_of_references_.push_back(options_.points.source == EdgeSource::reference
+                                        ? keyframe->points
+                                        : std::make_shared<const EdgePoints>(edge_points(
+                                              keyframe->pyramid, current, options_.points)));
+    references.push_back({*points_of_references_.back(), T_first_world * keyframe->T_world_keyframe,
+                          options_.symmetric ? &keyframe->pyramid : nullptr,
+                          keyframe->velocity.value_or(Vector6d::Zero())});
+  }
+  reference_points_ = points_of_references_.front();
+  return references;
+}
+
+TrackingResult Tracker::aligned_from(const FramePyramid& current, const SE3& T_world_guess) {
+  const std::vector<AlignReference> references = make_references(current, T_world_guess);
+  const SE3 T_world_first = references_.front()->T_world_keyframe;
+  AlignCurrent frame{current, current_points_.get(), {}};
+  const double seconds = current.timestamp - last_timestamp_;
+  if (!was_lost_ && tells_velocity(seconds)) {
+    frame.previous = {T_world_last_.inverse() * T_world_first, seconds};
+  }
+  TrackingResult result{.timestamp = current.timestamp, .T_world_camera = T_world_last_};
+  result.readout_s = options_.align.readout;
+  result.reference_timestamp = references_.front()->pyramid.timestamp;
+  result.T_cur_ref_guess = T_world_guess.inverse() * T_world_first;
+  result.alignment = align(references, frame, result.T_cur_ref_guess, options_.align);
+  result.reason = judge(result.alignment);
+  if (result.reason == LostReason::none) {
+    result.status = TrackingStatus::tracked;
+    result.T_world_camera = T_world_first * result.alignment.T_cur_ref.inverse();
+    if (options_.shutter == ShutterModel::estimated && frame.previous && velocities_known()) {
+      readout_.update(references, frame, result.alignment.T_cur_ref, options_.align);
+      options_.align.readout = readout_.seconds();
+    }
+  }
+  return result;
+}
+
+/// Tries the last pose turned and the keyframes that look most alike, and believes the alignment
+/// Aligns from turned poses and from the keyframes that look most alike, too; the result with the
+/// highest correlation is believed. After a jump the motion model starts from rest.
+TrackingResult Tracker::searched(const FramePyramid& current, const TrackingResult& first) {
+  constexpr std::size_t kTurnsTried = 3;
+  constexpr std::size_t kKeyframesTried = 3;
+  std::vector<SE3> guesses =
+      best_guesses(*map_.last(), current, turned_guesses(T_world_last_), kTurnsTried);
+  for (const SE3& guess : similar_keyframes(map_, current, kKeyframesTried)) {
+    guesses.push_back(guess);
+  }
+  const bool knew_motion = !std::exchange(was_lost_, true);
+  bool jumped = false;
+  TrackingResult best = first;
+  std::shared_ptr<const EdgePoints> points_of_best = reference_points_;
+  for (const SE3& guess : guesses) {
+    TrackingResult result = aligned_from(current, guess);
+    if (result.status == TrackingStatus::tracked &&
+        (best.status != TrackingStatus::tracked ||
+         result.alignment.correlation > best.alignment.correlation + kClearlyBetter)) {
+      best = std::move(result);
+      points_of_best = reference_points_;
+      jumped = true;
+    }
+  }
+  reference_points_ = points_of_best;
+  was_lost_ = jumped || !knew_motion;
+  if (jumped) {
+    T_last_predicted_ = SE3();
+  }
+  return best;
+}
+
+LostReason Tracker::judge(const AlignResult& alignment) const {
+  if (alignment.termination == Termination::too_few_points) {
+    return LostReason::too_few_points;
+  }
+  if (alignment.termination == Termination::singular) {
+    return LostReason::undetermined;
+  }
+  if (!(alignment.visible_fraction >= options_.lost.min_visible_fraction)) {
+    return LostReason::out_of_view;
+  }
+  return alignment.correlation >= options_.lost.min_correlation ? LostReason::none
+                                                                : LostReason::images_disagree;
+}
+
+void Tracker::accept(const FramePyramid& current, TrackingResult& result) {
+  constexpr double kForgetting = 0.1;
+  const SE3 T_last_cur = T_world_last_.inverse() * result.T_world_camera;
+  const double seconds = current.timestamp - last_timestamp_;
+  velocity_.reset();
+  if (!was_lost_ && tells_velocity(seconds)) {
+    velocity_ = T_last_cur.log() / seconds;
+    if (frames_since_keyframe_ == 1 && !map_.last()->velocity) {
+      map_.set_last_velocity(*velocity_);
+    }
+  }
+  if (options_.motion_model != MotionModel::stationary && !was_lost_) {
+    T_last_predicted_ = T_last_cur;
+  }
+  if (current_points_ != nullptr) {
+    const double now = sharpness(*current_points_, current.levels.front().camera);
+    mean_sharpness_ =
+        mean_sharpness_ == 0 ? now : mean_sharpness_ + kForgetting * (now - mean_sharpness_);
+  }
+  T_world_last_ = result.T_world_camera;
+  last_timestamp_ = current.timestamp;
+  was_lost_ = false;
+}
+
 bool Tracker::needs_keyframe(const FramePyramid& current, const TrackingResult& result) const {
-  return result.status == TrackingStatus::initialized ||
-         (result.status == TrackingStatus::tracked &&
-          frames_since_keyframe_ >= options_.keyframes.every && can_be_reference(current));
+  if (result.status == TrackingStatus::initialized) {
+    return true;
+  }
+  if (result.status != TrackingStatus::tracked || !can_be_reference(current)) {
+    return false;
+  }
+  const KeyframeOptions& options = options_.keyframes;
+  if (options.every > 0) {
+    return frames_since_keyframe_ >= options.every;
+  }
+  const PinholeCamera& camera = current.levels.front().camera;
+  const SE3 T_cur_last = result.T_world_camera.inverse() * map_.last()->T_world_keyframe;
+  const ImageMotion motion = image_motion(*map_.last()->points, current, T_cur_last);
+  if (motion.flow_px <= options.max_flow * camera.width && motion.overlap >= options.min_overlap) {
+    return false;
+  }
+  const bool urgent = motion.overlap < options_.map.min_overlap;
+  const bool blurred = current_points_ != nullptr && sharpness(*current_points_, camera) <
+                                                         options.min_sharpness * mean_sharpness_;
+  return urgent || (!blurred && result.alignment.correlation >= options.min_correlation);
 }
 
 void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyframe) {
-  reference_ = keyframe;
-  reference_is_new_ = true;
-  T_world_reference_ = T_world_keyframe;
+  map_.add({keyframe,
+            current_points_ != nullptr ? current_points_ : own_points(keyframe, options_.points),
+            T_world_keyframe, velocity_});
   frames_since_keyframe_ = 0;
 }
 
-SE3 Tracker::predicted_T_world_camera() const {
-  return T_world_last_ * T_last_predicted_;
-}
-
-void Tracker::update_motion(const SE3& T_world_current) {
-  if (options_.motion_model == MotionModel::constant_velocity && !was_lost_) {
-    T_last_predicted_ = T_world_last_.inverse() * T_world_current;
-  }
-  T_world_last_ = T_world_current;
-  was_lost_ = false;
+/// Of all references of the frame that is tracked. The first keyframe's is known a frame later.
+bool Tracker::velocities_known() const {
+  return std::all_of(references_.begin(), references_.end(),
+                     [](const auto& keyframe) { return keyframe->velocity.has_value(); });
 }
 
 bool Tracker::can_be_reference(const FramePyramid& frame) const {

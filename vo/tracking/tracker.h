@@ -2,88 +2,19 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
 #include "vo/tracking/align.h"
+#include "vo/tracking/local_map.h"
+#include "vo/tracking/readout_estimate.h"
+#include "vo/tracking/tracker_options.h"
 
 namespace vo {
-
-/// Where the search for the next pose starts.
-enum class MotionModel {
-  stationary,         ///< at the last pose
-  constant_velocity,  ///< at the last pose moved on as between the last two frames
-};
-
-constexpr auto enum_names(MotionModel) {
-  return std::array{std::pair{MotionModel::stationary, "stationary"},
-                    std::pair{MotionModel::constant_velocity, "constant_velocity"}};
-}
-
-/// How the lens enters the warp.
-enum class LensModel {
-  ignore,      ///< as the paper: the pinhole part alone
-  distortion,  ///< rays are undistorted and projections distorted; images stay as they are
-};
-
-constexpr auto enum_names(LensModel) {
-  return std::array{std::pair{LensModel::ignore, "ignore"},
-                    std::pair{LensModel::distortion, "distortion"}};
-}
-
-struct KeyframeOptions {
-  int every = 1;  ///< frames; 1 aligns frame to frame
-
-  void validate() const;  ///< throws Error
-};
-
-template <typename Visitor>
-void visit_fields(Visitor& visit, KeyframeOptions& options) {
-  visit("every", options.every, "frames from keyframe to keyframe; 1 is frame to frame");
-}
-
-/// When an alignment is not believed.
-struct LostOptions {
-  double min_visible_fraction = 0.4;  ///< of the reference's edge points
-  double min_correlation = 0.5;       ///< of the intensities at the visible points
-
-  void validate() const;  ///< throws Error
-};
-
-template <typename Visitor>
-void visit_fields(Visitor& visit, LostOptions& options) {
-  visit("min_visible_fraction", options.min_visible_fraction,
-        "lost below this share of the reference's points in view");
-  visit("min_correlation", options.min_correlation,
-        "lost below this correlation of the intensities at the visible points");
-}
-
-struct TrackerOptions {
-  PyramidOptions pyramid;
-  EdgeOptions edges;
-  EdgePointOptions points;
-  AlignOptions align;
-  KeyframeOptions keyframes;
-  LostOptions lost;
-  MotionModel motion_model = MotionModel::constant_velocity;
-  LensModel lens = LensModel::distortion;
-
-  void validate() const;  ///< throws Error
-};
-
-template <typename Visitor>
-void visit_fields(Visitor& visit, TrackerOptions& options) {
-  visit("pyramid", options.pyramid, "");
-  visit("edges", options.edges, "");
-  visit("points", options.points, "");
-  visit("align", options.align, "");
-  visit("keyframes", options.keyframes, "");
-  visit("lost", options.lost, "");
-  visit("motion_model", options.motion_model, "where the search for the next pose starts");
-  visit("lens", options.lens, "how lens distortion enters the warp");
-}
 
 enum class TrackingStatus { initialized, tracked, lost };
 
@@ -93,45 +24,79 @@ constexpr auto enum_names(TrackingStatus) {
                     std::pair{TrackingStatus::lost, "lost"}};
 }
 
+/// Why a frame is lost.
+enum class LostReason {
+  none,             ///< it is not
+  too_few_points,   ///< too few edge pixels with depth, or too few of them in view
+  undetermined,     ///< the points leave a direction of motion open
+  out_of_view,      ///< too small a share of the reference is in view
+  images_disagree,  ///< the images do not look alike where they were brought to agree
+};
+
+constexpr auto enum_names(LostReason) {
+  return std::array{std::pair{LostReason::none, "none"},
+                    std::pair{LostReason::too_few_points, "too_few_points"},
+                    std::pair{LostReason::undetermined, "undetermined"},
+                    std::pair{LostReason::out_of_view, "out_of_view"},
+                    std::pair{LostReason::images_disagree, "images_disagree"}};
+}
+
 struct TrackingResult {
   double timestamp = 0;  ///< s
   SE3 T_world_camera;    ///< the last tracked pose when lost
   TrackingStatus status = TrackingStatus::lost;
+  LostReason reason = LostReason::none;
   bool is_keyframe = false;
-  AlignResult alignment;  ///< to the reference; meaningless when initialized
-  SE3 T_cur_ref_guess;    ///< where the alignment started
+  AlignResult alignment;           ///< to the first reference; meaningless when initialized
+  double reference_timestamp = 0;  ///< s, of the first reference
+  SE3 T_cur_ref_guess;             ///< where the alignment started
+  double readout_s = 0;            ///< of the rolling shutter, as this frame was aligned with
 };
 
-/// Tracks frames against a reference frame. Knows nothing of where the reference's depth came from.
+/// Tracks frames against keyframes. Knows nothing of where their depth came from.
 class Tracker {
  public:
   explicit Tracker(const TrackerOptions& options, SE3 T_world_first = {});
 
-  /// The first frame with enough edge pixels that have depth starts the reference at T_world_first;
+  /// The first frame with enough edge pixels that have depth starts the map at T_world_first;
   /// frames before it are lost. After a lost frame the motion model starts again from rest.
   TrackingResult track(const FramePyramid& current);
 
-  /// Whether the frame of this result should become the reference: it is time for one, and the
-  /// frame has enough edge pixels with depth to be one.
+  /// Whether the frame of this result should become a keyframe: it is time for one, and the frame
+  /// is fit to be one.
   bool needs_keyframe(const FramePyramid& current, const TrackingResult& result) const;
   void set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyframe);
 
-  /// The reference's points as they were aligned to the last frame; for pictures and tests.
-  const EdgePoints& reference_points() const { return reference_points_; }
+  /// The first reference's points as they were aligned to the last frame; for pictures and tests.
+  const EdgePoints& reference_points() const { return *reference_points_; }
 
  private:
-  SE3 predicted_T_world_camera() const;
-  void update_motion(const SE3& T_world_current);
+  SE3 starting_pose(const FramePyramid& current) const;
+  TrackingResult aligned_from(const FramePyramid& current, const SE3& T_world_guess);
+  TrackingResult searched(const FramePyramid& current, const TrackingResult& first);
+  std::vector<AlignReference> make_references(const FramePyramid& current,
+                                              const SE3& T_world_guess);
+  LostReason judge(const AlignResult& alignment) const;
+  void accept(const FramePyramid& current, TrackingResult& result);
+  bool velocities_known() const;
   bool can_be_reference(const FramePyramid& frame) const;
 
   TrackerOptions options_;
-  std::optional<FramePyramid> reference_;
-  EdgePoints reference_points_;
-  bool reference_is_new_ = true;
+  LocalMap map_;
+  ReadoutEstimate readout_;
+
+  /// Of the frame that is tracked: what it is aligned to, and with which points of its own.
+  std::vector<std::shared_ptr<const Keyframe>> references_;
+  std::vector<std::shared_ptr<const EdgePoints>> points_of_references_;
+  std::shared_ptr<const EdgePoints> reference_points_;
+  std::shared_ptr<const EdgePoints> current_points_;
+
   int frames_since_keyframe_ = 0;
-  SE3 T_world_reference_;
+  double last_timestamp_ = 0;  ///< s, of the last tracked frame
   SE3 T_world_last_;
-  SE3 T_last_predicted_;  ///< motion since the last frame, by the motion model
+  SE3 T_last_predicted_;              ///< motion since the last frame, by the motion model
+  std::optional<Vector6d> velocity_;  ///< of the last frame, m/s and rad/s; if known
+  double mean_sharpness_ = 0;         ///< intensity per px
   bool was_lost_ = false;
 };
 

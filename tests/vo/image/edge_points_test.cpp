@@ -1,8 +1,11 @@
 #include "vo/image/edge_points.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/textured_plane.h"
+#include "vo/core/error.h"
 
 namespace {
 
@@ -55,6 +58,135 @@ TEST(EdgePoints, PixelsWithoutDepthInRangeAreLeftOut) {
   }
   EXPECT_EQ(vo::edge_points(holes, reference, {}).levels[0].size(), 0U);
   EXPECT_EQ(vo::edge_points(reference, reference, {.max_depth = 1}).levels[0].size(), 0U);
+}
+
+std::size_t points_of(const vo::FramePyramid& reference, const vo::EdgePointOptions& options) {
+  return vo::edge_points(reference, reference, options).levels[0].size();
+}
+
+TEST(EdgePoints, RandomPixelsAreAsManyAsEdgePixelsWithDepth) {
+  vo::FramePyramid reference = pyramid_at({});
+  reference.levels[0].depth = reference.levels[0].depth.clone();
+  reference.levels[0].depth(cv::Rect(0, 0, 100, 240)).setTo(0);
+  const auto random =
+      vo::edge_points(reference, reference, {.selection = vo::PointSelection::random, .seed = 3});
+  EXPECT_EQ(random.levels[0].size(), points_of(reference, {}));
+  EXPECT_EQ(points_of(reference, {}), vo::edge_pixels_with_depth(reference.levels[0], {}));
+  std::size_t on_edges = 0;
+  for (const cv::Point& pixel : random.levels[0].pixel) {
+    EXPECT_GE(pixel.x, 100);
+    on_edges += reference.levels[0].edges(pixel) != 0 ? 1 : 0;
+  }
+  const double share = static_cast<double>(points_of(reference, {})) / (220 * 240);
+  EXPECT_NEAR(static_cast<double>(on_edges), share * static_cast<double>(random.levels[0].size()),
+              0.5 * share * static_cast<double>(random.levels[0].size()))
+      << "edge pixels by chance";
+}
+
+TEST(EdgePoints, AllPixelsAreDense) {
+  EXPECT_EQ(points_of(pyramid_at({}), {.selection = vo::PointSelection::all}), 320U * 240U);
+}
+
+/// A count of independent draws spreads by the root of n p (1 - p); five of those.
+TEST(EdgePoints, FractionAndMaxPointsThinOut) {
+  const vo::FramePyramid reference = pyramid_at({});
+  const auto all = static_cast<double>(points_of(reference, {}));
+  for (const double fraction : {0.1, 0.5}) {
+    EXPECT_NEAR(static_cast<double>(points_of(reference, {.fraction = fraction})), all * fraction,
+                5 * std::sqrt(all * fraction * (1 - fraction)));
+  }
+  EXPECT_NEAR(static_cast<double>(points_of(reference, {.max_points = 400})), 400, 5 * 20);
+  EXPECT_EQ(points_of(reference, {.max_points = 1000000}), points_of(reference, {}));
+}
+
+TEST(EdgePoints, AThinnedSetIsASubsetThatTheSeedChooses) {
+  const vo::FramePyramid reference = pyramid_at({});
+  const auto thinned = [&](std::uint64_t seed) {
+    return vo::edge_points(reference, reference, {.fraction = 0.3, .seed = seed}).levels[0];
+  };
+  const vo::EdgePointLevel points = thinned(1);
+  EXPECT_EQ(points.pixel, thinned(1).pixel);
+  EXPECT_NE(points.pixel, thinned(2).pixel);
+  const vo::PyramidLevel& level = reference.levels[0];
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_NE(level.edges(points.pixel[i]), 0);
+    EXPECT_EQ(points.intensity[i], level.intensity(points.pixel[i]));
+    EXPECT_EQ(points.z_ref[i], level.depth(points.pixel[i]));
+  }
+}
+
+/// Depth steps from 2 to 3 m between columns 159 and 160: within r px lie 2 r columns.
+TEST(EdgePoints, PointsNearADepthStepAreLeftOut) {
+  vo::FramePyramid reference = pyramid_at({});
+  vo::DepthImage step(240, 320, 2.0F);
+  step.colRange(160, 320).setTo(3);
+  step(100, 20) = 0;  // a hole is no step
+  reference.levels[0].depth = step;
+  for (const int radius : {1, 2, 5}) {
+    const vo::EdgePoints points =
+        vo::edge_points(reference, reference,
+                        {.selection = vo::PointSelection::all, .discontinuity_radius = radius});
+    EXPECT_EQ(points.levels[0].size(), 240U * (320U - 2U * static_cast<unsigned>(radius)) - 1U);
+    for (const cv::Point& pixel : points.levels[0].pixel) {
+      EXPECT_TRUE(pixel.x < 160 - radius || pixel.x >= 160 + radius) << pixel.x;
+    }
+  }
+  EXPECT_EQ(vo::edge_points(reference, reference,
+                            {.selection = vo::PointSelection::all,
+                             .discontinuity_radius = 2,
+                             .discontinuity_ratio = 1.6})
+                .levels[0]
+                .size(),
+            320U * 240U - 1U)
+      << "a step of 1.5 is none";
+}
+
+/// A smooth image over the pixels of a lens with distortion.
+double smooth_intensity(const vo::PinholeCamera& camera, const Eigen::Vector3d& p_camera) {
+  const Eigen::Vector2d pixel = camera.project(p_camera);
+  return 0.5 + 0.2 * std::sin(0.03 * pixel.x() + 0.01 * pixel.y()) +
+         0.1 * std::cos(0.02 * pixel.y());
+}
+
+/// Central differences over 2 px miss (0.03 px)^2 / 6 of a slope of 0.03 rad/px.
+TEST(EdgePoints, DerivativesAreThoseOfTheImageByThePointsPosition) {
+  vo::PinholeCamera camera = small_camera();
+  camera.distortion = {.k1 = 0.2, .k2 = -0.3, .p1 = -0.005, .p2 = 0.003};
+  vo::FramePyramid reference =
+      vo::build_pyramid(support::TexturedPlane().render(camera, vo::SE3()), camera, {.levels = 1});
+  vo::PyramidLevel& level = reference.levels[0];
+  for (int v = 0; v < 240; ++v) {
+    for (int u = 0; u < 320; ++u) {
+      level.intensity(v, u) =
+          static_cast<float>(smooth_intensity(camera, camera.unproject({u, v}, 1)));
+    }
+  }
+  level.edges = vo::EdgeMask(240, 320, uchar{0});
+  level.edges(cv::Rect(10, 10, 300, 220)).setTo(255);
+  const vo::EdgePointLevel points =
+      vo::edge_points(reference, reference, {.fraction = 0.02}).levels[0];
+  constexpr double kStep = 1e-5;  // m
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3d p_ref(points.x_ref[i], points.y_ref[i], points.z_ref[i]);
+    const Eigen::Vector3d found(points.dI_dx[i], points.dI_dy[i], points.dI_dz[i]);
+    Eigen::Vector3d expected;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Eigen::Vector3d step = kStep * Eigen::Vector3d::Unit(axis);
+      expected(axis) =
+          (smooth_intensity(camera, p_ref + step) - smooth_intensity(camera, p_ref - step)) /
+          (2 * kStep);
+    }
+    EXPECT_LT((found - expected).norm(), 2e-4 * camera.fx * 0.008 + 1e-3 * expected.norm()) << i;
+  }
+  EXPECT_GT(points.size(), 1000U);
+}
+
+TEST(EdgePoints, OptionsOutOfRangeAreErrors) {
+  EXPECT_THROW(vo::EdgePointOptions{.fraction = 0}.validate(), vo::Error);
+  EXPECT_THROW(vo::EdgePointOptions{.max_points = -1}.validate(), vo::Error);
+  EXPECT_THROW((vo::EdgePointOptions{.min_depth = 2, .max_depth = 1}.validate()), vo::Error);
+  EXPECT_THROW(vo::EdgePointOptions{.discontinuity_radius = 11}.validate(), vo::Error);
+  EXPECT_THROW(vo::EdgePointOptions{.discontinuity_ratio = 1}.validate(), vo::Error);
 }
 
 }  // namespace

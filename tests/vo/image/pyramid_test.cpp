@@ -30,10 +30,10 @@ TEST(Pyramid, GradientOfARampIsItsSlope) {
       ramp(v, u) = 0.01F * static_cast<float>(u) - 0.02F * static_cast<float>(v);
     }
   }
-  const vo::GradientImage gradient = vo::central_gradient(ramp);
-  EXPECT_NEAR(gradient(2, 3)[0], 0.01F, 1e-7);
-  EXPECT_NEAR(gradient(2, 3)[1], -0.02F, 1e-7);
-  EXPECT_EQ(gradient(0, 3), cv::Vec2f(0, 0)) << "border";
+  const cv::Vec2f gradient = vo::central_gradient(ramp, {3, 2});
+  EXPECT_NEAR(gradient[0], 0.01F, 1e-7);
+  EXPECT_NEAR(gradient[1], -0.02F, 1e-7);
+  EXPECT_EQ(vo::central_gradient(ramp, {3, 0}), cv::Vec2f(0, 0)) << "border";
 }
 
 TEST(Pyramid, DepthOfOneSurfaceIsTheMeanOfInverseDepths) {

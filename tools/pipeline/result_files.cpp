@@ -1,0 +1,25 @@
+#include "tools/pipeline/result_files.h"
+
+#include <system_error>
+
+#include "vo/core/error.h"
+
+namespace tools {
+
+void write_results(const std::filesystem::path& folder, const std::vector<NamedBytes>& files,
+                   vo::ExistingOutput existing) {
+  for (const auto& [name, bytes] : files) {
+    vo::require_no_conflict(folder / name, bytes, existing);
+  }
+  for (const auto& [name, bytes] : files) {
+    vo::write_file(folder / name, bytes, existing);
+  }
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  vo::require(!error, folder.string(), ": cannot be made: ", error.message());
+}
+
+}  // namespace tools

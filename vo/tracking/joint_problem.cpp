@@ -1,0 +1,204 @@
+#include "vo/tracking/joint_problem.h"
+
+#include <algorithm>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+namespace vo {
+namespace {
+
+/// H_bb of gain and offset, kept invertible where the images have no contrast.
+Eigen::Matrix2d brightness_block(const LinearSystem& part) {
+  constexpr double kPrior = 1e-3;  // times the points
+  return part.H.bottomRightCorner<2, 2>() +
+         kPrior * static_cast<double>(part.points + 1) * Eigen::Matrix2d::Identity();
+}
+
+/// Takes gain and offset out of the normal equations (Schur complement).
+void eliminate_brightness(const LinearSystem& part, Matrix6d& H, Vector6d& b) {
+  const Eigen::Matrix<double, 6, 2> coupling = part.H.topRightCorner<6, 2>();
+  const Eigen::Matrix<double, 6, 2> eliminated = coupling * brightness_block(part).inverse();
+  H -= eliminated * coupling.transpose();
+  b -= eliminated * part.b.tail<2>();
+}
+
+/// Where a backward pair's points are in the current image: they are the current frame's own.
+void place_at_pixels(const std::vector<cv::Point>& pixels, PointScores& scores) {
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    scores.u[i] = static_cast<float>(pixels[i].x);
+    scores.v[i] = static_cast<float>(pixels[i].y);
+  }
+}
+
+/// Sums over points.
+struct CurvatureSums {
+  double weight = 0;
+  double curvature = 0;
+
+  void add(const PointScores& scores, const AlignOptions& options, double scale) {
+    for (std::size_t i = 0; i < scores.weight.size(); ++i) {
+      const auto w = static_cast<double>(scores.weight[i]);
+      const double share = curvature_share(options.loss, scores.residual[i], scale);
+      weight += w;
+      curvature += w * (options.squared_weights ? 2 * share - 1 : share);
+    }
+  }
+};
+
+}  // namespace
+
+Vector6d AlignCurrent::velocity(const SE3& T_cur_first) const {
+  if (!previous) {
+    return Vector6d::Zero();
+  }
+  return (previous->T_last_first * T_cur_first.inverse()).log() / previous->seconds_ago;
+}
+
+double JointSystem::least_loss() const {
+  return cost * static_cast<double>(total) - b.dot(H.ldlt().solve(b));
+}
+
+JointProblem::JointProblem(std::span<const AlignReference> references, const AlignCurrent& current,
+                           std::size_t level, const AlignOptions& options)
+    : current_(current), level_(level), options_(options), readout_(options.readout) {
+  for (const AlignReference& reference : references) {
+    pairs_.push_back({&reference, /*backward=*/false});
+  }
+  for (const AlignReference& reference : references) {
+    if (reference.frame != nullptr && current.points != nullptr) {
+      pairs_.push_back({&reference, /*backward=*/true});
+    }
+  }
+  models_.resize(pairs_.size(), {options.loss_scale, {}});
+}
+
+PointView JointProblem::view(const ImagePair& pair, const SE3& T_cur_first) const {
+  const AlignReference& reference = *pair.reference;
+  const SE3 T_cur_ref = T_cur_first * reference.T_first_ref;
+  const RowMotion ref_motion(reference.velocity, readout_);
+  const RowMotion cur_motion =
+      readout_ != 0 ? RowMotion(current_.velocity(T_cur_first), readout_) : RowMotion();
+  if (pair.backward) {
+    return {current_.points->levels[level_], reference.frame->levels[level_], T_cur_ref.inverse(),
+            cur_motion, ref_motion};
+  }
+  return {reference.points.levels[level_], current_.frame.levels[level_], T_cur_ref, ref_motion,
+          cur_motion};
+}
+
+PointView JointProblem::first_view(const SE3& T_cur_first) const {
+  return view(pairs_.front(), T_cur_first);
+}
+
+/// d(left increment of the pair's transform) / d(left increment of T_cur_first). A backward pair's
+/// transform is the inverse: exp(-delta) on its right.
+Matrix6d JointProblem::increment_jacobian(const ImagePair& pair, const SE3& T_cur_first) const {
+  if (!pair.backward) {
+    return Matrix6d::Identity();
+  }
+  return -adjoint((T_cur_first * pair.reference->T_first_ref).inverse());
+}
+
+void JointProblem::add_part(std::size_t pair, const SE3& T_cur_first, JointSystem& system) const {
+  const LinearSystem& part = system.parts[pair];
+  Matrix6d H = part.H_pose();
+  Vector6d b = part.b_pose();
+  if (options_.brightness == BrightnessModel::affine) {
+    eliminate_brightness(part, H, b);
+  }
+  const double inverse_variance = 1 / (models_[pair].scale * models_[pair].scale);
+  const Matrix6d J = increment_jacobian(pairs_[pair], T_cur_first);
+  system.H += inverse_variance * J.transpose() * H * J;
+  system.b += inverse_variance * J.transpose() * b;
+  system.cost += inverse_variance * part.cost;
+  system.points += part.points;
+  system.total += part.total;
+}
+
+JointSystem JointProblem::linearize(const SE3& T_cur_first) const {
+  JointSystem system;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    system.parts.push_back(vo::linearize(view(pairs_[i], T_cur_first), options_, models_[i]));
+    add_part(i, T_cur_first, system);
+  }
+  system.cost /= static_cast<double>(std::max<std::size_t>(system.total, 1));
+  return system;
+}
+
+CellScores::Projection JointProblem::projection(std::size_t pair, const LinearSystem& part,
+                                                const SE3& T_cur_first) const {
+  CellScores::Projection eliminated = CellScores::Projection::Zero();
+  eliminated.leftCols<6>().setIdentity();
+  if (options_.brightness == BrightnessModel::affine) {
+    eliminated.rightCols<2>() = -part.H.topRightCorner<6, 2>() * brightness_block(part).inverse();
+  }
+  const Matrix6d J = increment_jacobian(pairs_[pair], T_cur_first);
+  return J.transpose() * eliminated / (models_[pair].scale * models_[pair].scale);
+}
+
+JointScores JointProblem::scores(const JointSystem& system, const SE3& T_cur_first) const {
+  JointScores result;
+  CurvatureSums sums;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const ImagePair& pair = pairs_[i];
+    const PointView seen = view(pair, T_cur_first);
+    PointScores scores = score_points(seen, options_, models_[i]);
+    if (pair.backward) {
+      place_at_pixels(seen.points.pixel, scores);
+    }
+    sums.add(scores, options_, models_[i].scale);
+    const auto reference = static_cast<std::size_t>(pair.reference - pairs_.front().reference);
+    result.references.resize(std::max(result.references.size(), reference + 1),
+                             CellScores(camera()));
+    result.references[reference].add(scores, projection(i, system.parts[i], T_cur_first));
+  }
+  result.curvature_share = sums.curvature / sums.weight;
+  return result;
+}
+
+void JointProblem::estimate_scales(const SE3& T_cur_first) {
+  if (options_.scale == LossScale::fixed) {
+    return;
+  }
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const double spread = residual_spread(view(pairs_[i], T_cur_first), models_[i].brightness);
+    models_[i].scale = std::max(efficient_scale(options_.loss) * spread, options_.min_loss_scale);
+  }
+}
+
+void JointProblem::match_brightness(const SE3& T_cur_first) {
+  if (options_.brightness == BrightnessModel::same) {
+    return;
+  }
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    models_[i].brightness = matched_brightness(view(pairs_[i], T_cur_first));
+  }
+}
+
+void JointProblem::update_brightness(const JointSystem& system, const Vector6d& delta,
+                                     const SE3& T_cur_first) {
+  if (options_.brightness == BrightnessModel::same) {
+    return;
+  }
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const LinearSystem& part = system.parts[i];
+    const Vector6d pair_delta = increment_jacobian(pairs_[i], T_cur_first) * delta;
+    const Eigen::Vector2d right =
+        part.b.tail<2>() + part.H.topRightCorner<6, 2>().transpose() * pair_delta;
+    const Eigen::Vector2d step = -brightness_block(part).inverse() * right;
+    models_[i].brightness.gain += step[0];
+    models_[i].brightness.offset += step[1];
+  }
+}
+
+Matrix6d adjoint(const SE3& T_a_b) {
+  const Eigen::Matrix3d R = T_a_b.rotation_matrix();
+  Matrix6d result = Matrix6d::Zero();
+  result.topLeftCorner<3, 3>() = R;
+  result.topRightCorner<3, 3>() = skew(T_a_b.translation()) * R;
+  result.bottomRightCorner<3, 3>() = R;
+  return result;
+}
+
+}  // namespace vo

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "vo/tracking/cell_scores.h"
+#include "vo/tracking/linearize.h"
+
+namespace vo {
+
+/// A frame of known pose that the current one is aligned to.
+struct AlignReference {
+  const EdgePoints& points;
+  SE3 T_first_ref;                       ///< first: the first reference
+  const FramePyramid* frame = nullptr;   ///< where the current frame's points are looked up, if any
+  Vector6d velocity = Vector6d::Zero();  ///< of the camera in its own frame, m/s and rad/s
+};
+
+/// Where the camera was one frame earlier: how fast it moves follows from the pose that is sought.
+struct PreviousFrame {
+  SE3 T_last_first;  ///< first: the first reference
+  double seconds_ago = 0;
+};
+
+/// The frame whose pose is sought.
+struct AlignCurrent {
+  const FramePyramid& frame;
+  const EdgePoints* points = nullptr;     ///< of its own edges, if references are looked up at them
+  std::optional<PreviousFrame> previous;  ///< for a rolling shutter
+
+  /// Of the camera in its own frame, m/s and rad/s; 0 when it is not known where it came from.
+  Vector6d velocity(const SE3& T_cur_first) const;
+};
+
+/// Normal equations of one left increment of T_cur_first, summed over pairs of images with the
+/// brightness of each eliminated. Each pair counts in squares of its own scale.
+struct JointSystem {
+  Matrix6d H = Matrix6d::Zero();
+  Vector6d b = Vector6d::Zero();
+  double cost = 0;                  ///< robust, per point
+  std::size_t points = 0;           ///< seen
+  std::size_t total = 0;            ///< seen or not
+  std::vector<LinearSystem> parts;  ///< of each pair: references forward, then backward
+
+  /// The sum of the loss that the best increment would leave, to second order.
+  double least_loss() const;
+};
+
+/// What the points add to the system's b, by the reference and the cell of the current image.
+struct JointScores {
+  std::vector<CellScores> references;
+  double curvature_share = 1;  ///< mean curvature of the loss over the mean weight
+};
+
+/// The current frame and all its references at one pyramid level: the references' points looked up
+/// in the current image and the current frame's points looked up in the references.
+class JointProblem {
+ public:
+  /// The arguments must outlive the problem.
+  JointProblem(std::span<const AlignReference> references, const AlignCurrent& current,
+               std::size_t level, const AlignOptions& options);
+
+  JointSystem linearize(const SE3& T_cur_first) const;
+
+  /// The system's b, linearized at this pose, taken apart.
+  JointScores scores(const JointSystem& system, const SE3& T_cur_first) const;
+
+  /// The first reference's points in the current image.
+  PointView first_view(const SE3& T_cur_first) const;
+
+  /// Scale and brightness of each pair as its images show them at this pose, where the options say
+  /// that they are estimated.
+  void estimate_scales(const SE3& T_cur_first);
+  void match_brightness(const SE3& T_cur_first);
+
+  /// Moves the brightness of each pair along with a pose increment of the system.
+  void update_brightness(const JointSystem& system, const Vector6d& delta, const SE3& T_cur_first);
+
+  const std::vector<ResidualModel>& models() const { return models_; }
+  void set_models(std::vector<ResidualModel> models) { models_ = std::move(models); }
+  void set_readout(double readout) { readout_ = readout; }  ///< s
+  const AlignOptions& options() const { return options_; }
+  const PinholeCamera& camera() const { return current_.frame.levels[level_].camera; }
+
+ private:
+  /// Points of one frame looked up in the image of another.
+  struct ImagePair {
+    const AlignReference* reference;
+    bool backward;  ///< the points are the current frame's and the image is the reference's
+  };
+
+  PointView view(const ImagePair& pair, const SE3& T_cur_first) const;
+  Matrix6d increment_jacobian(const ImagePair& pair, const SE3& T_cur_first) const;
+  void add_part(std::size_t pair, const SE3& T_cur_first, JointSystem& system) const;
+  CellScores::Projection projection(std::size_t pair, const LinearSystem& part,
+                                    const SE3& T_cur_first) const;
+
+  const AlignCurrent& current_;
+  std::size_t level_;
+  const AlignOptions& options_;
+  double readout_;
+  std::vector<ImagePair> pairs_;
+  std::vector<ResidualModel> models_;
+};
+
+/// The matrix Ad(T) with T exp(delta) = exp(Ad(T) delta) T.
+Matrix6d adjoint(const SE3& T_a_b);
+
+}  // namespace vo

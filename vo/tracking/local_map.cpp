@@ -1,0 +1,85 @@
+#include "vo/tracking/local_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "vo/core/error.h"
+#include "vo/tracking/warp.h"
+
+namespace vo {
+
+void MapOptions::validate() const {
+  require(references >= 1 && references <= 20, "map.references: expected 1 to 20, got ",
+          references);
+  require(max_keyframes >= references, "map.max_keyframes: expected at least map.references, got ",
+          max_keyframes);
+  require(min_overlap >= 0 && min_overlap <= 1, "map.min_overlap: expected 0 to 1, got ",
+          min_overlap);
+}
+
+ImageMotion image_motion(const EdgePoints& points, const FramePyramid& frame,
+                         const SE3& T_cur_ref) {
+  const EdgePointLevel& level = points.levels.back();
+  const PinholeCamera& camera = frame.levels.back().camera;
+  const Warp<float> warp(camera, T_cur_ref);
+  ImageMotion motion;
+  double seen = 0;
+  for (std::size_t i = 0; i < level.size(); ++i) {
+    const WarpedPoint<float> point =
+        warp_point<float>(warp, {level.x_ref[i], level.y_ref[i], level.z_ref[i]});
+    if (point.p_cur.z() > 0 && camera.contains({point.u, point.v})) {
+      seen += 1;
+      motion.flow_px += std::hypot(point.u - static_cast<float>(level.pixel[i].x),
+                                   point.v - static_cast<float>(level.pixel[i].y));
+    }
+  }
+  if (seen > 0) {
+    const double finest_px = frame.levels.front().camera.fx / camera.fx;
+    motion.flow_px *= finest_px / seen;
+    motion.overlap = seen / static_cast<double>(level.size());
+  }
+  return motion;
+}
+
+void LocalMap::add(Keyframe keyframe) {
+  keyframes_.push_back(std::make_shared<const Keyframe>(std::move(keyframe)));
+  if (keyframes_.size() > static_cast<std::size_t>(options_.max_keyframes)) {
+    keyframes_.pop_front();
+  }
+}
+
+void LocalMap::set_last_velocity(const Vector6d& velocity) {
+  Keyframe keyframe = *keyframes_.back();
+  keyframe.velocity = velocity;
+  keyframes_.back() = std::make_shared<const Keyframe>(std::move(keyframe));
+}
+
+std::vector<std::shared_ptr<const Keyframe>> LocalMap::references_for(
+    const SE3& T_world_camera) const {
+  if (options_.references == 1) {
+    return {keyframes_.back()};
+  }
+  std::vector<std::pair<double, std::shared_ptr<const Keyframe>>> ranked;
+  for (const std::shared_ptr<const Keyframe>& keyframe : keyframes_) {
+    const ImageMotion motion = image_motion(*keyframe->points, keyframe->pyramid,
+                                            T_world_camera.inverse() * keyframe->T_world_keyframe);
+    if (motion.overlap >= options_.min_overlap) {
+      ranked.emplace_back(motion.flow_px, keyframe);
+    }
+  }
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::shared_ptr<const Keyframe>> references;
+  for (const auto& [flow, keyframe] : ranked) {
+    if (references.size() < static_cast<std::size_t>(options_.references)) {
+      references.push_back(keyframe);
+    }
+  }
+  if (references.empty()) {
+    references.push_back(keyframes_.back());
+  }
+  return references;
+}
+
+}  // namespace vo

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "vo/core/se3.h"
+#include "vo/image/edge_points.h"
+#include "vo/image/pyramid.h"
+#include "vo/tracking/linearize.h"
+
+namespace vo {
+
+/// A frame that others are aligned to.
+struct Keyframe {
+  FramePyramid pyramid;
+  std::shared_ptr<const EdgePoints> points;  ///< of its own edges
+  SE3 T_world_keyframe;
+  std::optional<Vector6d> velocity;  ///< of the camera in its own frame, m/s and rad/s; if known
+};
+
+/// Which keyframes are kept, and which of them a frame is aligned to.
+struct MapOptions {
+  int references = 1;        ///< keyframes that a frame is aligned to at once
+  int max_keyframes = 40;    ///< kept; the oldest is forgotten
+  double min_overlap = 0.5;  ///< share of a keyframe's points that a reference must see
+
+  void validate() const;  ///< throws Error
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, MapOptions& options) {
+  visit("references", options.references, "keyframes that a frame is aligned to at once");
+  visit("max_keyframes", options.max_keyframes, "kept; the oldest is forgotten");
+  visit("min_overlap", options.min_overlap,
+        "share of a keyframe's points in view for it to be aligned to");
+}
+
+/// How the points of one frame move in the image of another.
+struct ImageMotion {
+  double overlap = 0;  ///< share of the points that is seen
+  double flow_px = 0;  ///< mean displacement of those, px of the finest level
+};
+
+/// Measured on the points of the coarsest level.
+ImageMotion image_motion(const EdgePoints& points, const FramePyramid& frame, const SE3& T_cur_ref);
+
+/// The keyframes around the camera.
+class LocalMap {
+ public:
+  explicit LocalMap(const MapOptions& options) : options_(options) {}
+
+  bool empty() const { return keyframes_.empty(); }
+  const std::shared_ptr<const Keyframe>& last() const { return keyframes_.back(); }
+  const std::deque<std::shared_ptr<const Keyframe>>& keyframes() const { return keyframes_; }
+  void add(Keyframe keyframe);
+  void set_last_velocity(const Vector6d& velocity);  ///< once the next frame has told
+
+  /// The keyframe that the camera sees most alike, then the next, at most `references`; the last
+  /// keyframe where none has enough in common.
+  std::vector<std::shared_ptr<const Keyframe>> references_for(const SE3& T_world_camera) const;
+
+ private:
+  MapOptions options_;
+  std::deque<std::shared_ptr<const Keyframe>> keyframes_;  ///< oldest first
+};
+
+}  // namespace vo

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+
+#include "vo/tracking/joint_problem.h"
+
+namespace vo {
+
+/// The read-out time of a rolling shutter, found while tracking: the images themselves say at which
+/// one the frames agree best. A wrong one bends every image that is taken in motion; 10 ms at 20
+/// deg/s is 1.7 px between the first and the last row of a Kinect's.
+///
+/// Every frame gives the derivatives of its least cost by the read-out time; their quadratic models
+/// are summed, starting from one that holds the time at its first value.
+class ReadoutEstimate {
+ public:
+  explicit ReadoutEstimate(double first_s);
+
+  double seconds() const;
+
+  /// Takes in an aligned frame, whose options hold the present estimate.
+  void update(std::span<const AlignReference> references, const AlignCurrent& current,
+              const SE3& T_cur_first, const AlignOptions& options);
+
+ private:
+  double information_;  ///< 1/s^2
+  double weighted_;     ///< information times its best time, 1/s
+};
+
+}  // namespace vo

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <array>
+#include <utility>
+
+#include "vo/image/edge_points.h"
+#include "vo/image/edges.h"
+#include "vo/image/pyramid.h"
+#include "vo/tracking/align_options.h"
+#include "vo/tracking/local_map.h"
+
+namespace vo {
+
+/// Where the search for the next pose starts.
+enum class MotionModel {
+  stationary,         ///< at the last pose
+  constant_velocity,  ///< at the last pose moved on as between the last two frames
+  best,               ///< at whichever of these agrees better with the keyframe
+};
+
+constexpr auto enum_names(MotionModel) {
+  return std::array{std::pair{MotionModel::stationary, "stationary"},
+                    std::pair{MotionModel::constant_velocity, "constant_velocity"},
+                    std::pair{MotionModel::best, "best"}};
+}
+
+/// How the lens enters the warp.
+enum class LensModel {
+  ignore,      ///< as the paper: the pinhole part alone
+  distortion,  ///< rays are undistorted and projections distorted; images stay as they are
+};
+
+constexpr auto enum_names(LensModel) {
+  return std::array{std::pair{LensModel::ignore, "ignore"},
+                    std::pair{LensModel::distortion, "distortion"}};
+}
+
+/// How the shutter enters the warp.
+enum class ShutterModel {
+  given,      ///< read out in `align.readout`; 0 is a global shutter
+  estimated,  ///< starting there, the read-out time is found while tracking
+};
+
+constexpr auto enum_names(ShutterModel) {
+  return std::array{std::pair{ShutterModel::given, "given"},
+                    std::pair{ShutterModel::estimated, "estimated"}};
+}
+
+/// When a frame becomes a keyframe.
+struct KeyframeOptions {
+  int every = 1;               ///< frames; 1 aligns frame to frame, 0 goes by what the image shows:
+  double max_flow = 0.04;      ///< mean displacement since the last one, image widths
+  double min_overlap = 0.75;   ///< share of the last one's points in view
+  double min_sharpness = 0;    ///< gradient at edges, over its running mean; blurred frames wait
+  double min_correlation = 0;  ///< of an alignment that makes a keyframe
+
+  void validate() const;  ///< throws Error
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, KeyframeOptions& options) {
+  visit("every", options.every, "frames from keyframe to keyframe; 1 is frame to frame, 0 by view");
+  visit("max_flow", options.max_flow, "a new one beyond this mean displacement, image widths");
+  visit("min_overlap", options.min_overlap, "a new one below this share of points in view");
+  visit("min_sharpness", options.min_sharpness,
+        "not yet where edges are weaker than this share of their running mean");
+  visit("min_correlation", options.min_correlation, "not yet where images agree less");
+}
+
+/// When an alignment is not believed.
+struct LostOptions {
+  double min_visible_fraction = 0.4;  ///< of the reference's edge points
+  double min_correlation = 0.5;       ///< of the intensities at the visible points
+  bool recover = false;               ///< whether other starting points are tried
+
+  void validate() const;  ///< throws Error
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, LostOptions& options) {
+  visit("min_visible_fraction", options.min_visible_fraction,
+        "lost below this share of the reference's points in view");
+  visit("min_correlation", options.min_correlation,
+        "lost below this correlation of the intensities at the visible points");
+  visit("recover", options.recover,
+        "whether turned poses and all keyframes are tried before a frame is lost");
+}
+
+struct TrackerOptions {
+  PyramidOptions pyramid;
+  EdgeOptions edges;
+  EdgePointOptions points;
+  AlignOptions align;
+  KeyframeOptions keyframes;
+  MapOptions map;
+  LostOptions lost;
+  bool symmetric = false;  ///< whether references are looked up at the current frame's points, too
+  MotionModel motion_model = MotionModel::constant_velocity;
+  LensModel lens = LensModel::distortion;
+  ShutterModel shutter = ShutterModel::given;
+
+  void validate() const;  ///< throws Error
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, TrackerOptions& options) {
+  visit("pyramid", options.pyramid, "");
+  visit("edges", options.edges, "");
+  visit("points", options.points, "");
+  visit("align", options.align, "");
+  visit("keyframes", options.keyframes, "");
+  visit("map", options.map, "");
+  visit("lost", options.lost, "");
+  visit("symmetric", options.symmetric,
+        "whether references are looked up at the current frame's points, too");
+  visit("motion_model", options.motion_model, "where the search for the next pose starts");
+  visit("lens", options.lens, "how lens distortion enters the warp");
+  visit("shutter", options.shutter, "how a rolling shutter enters the warp");
+}
+
+}  // namespace vo
