@@ -19,7 +19,8 @@ constexpr const char* kDescription =
     "  edvo render       a glTF scene and a camera path -> an RGB-D sequence with exact poses\n"
     "  edvo track        an RGB-D sequence -> a trajectory\n"
     "  edvo evaluate     two trajectories -> their errors\n"
-    "  edvo run          a scenario: all three, and a verdict\n\n"
+    "  edvo run          a scenario: all three, and a verdict\n"
+    "  edvo train-edges  glTF scenes -> a learnt edge detector, or a detector's precision\n\n"
     "`edvo COMMAND --help` explains each with examples.";
 
 constexpr const char* kFooter =
@@ -37,6 +38,7 @@ int run(int argc, char** argv) {
   tools::add_track_command(program, exit_code);
   tools::add_evaluate_command(program, exit_code);
   tools::add_run_command(program, exit_code);
+  tools::add_train_edges_command(program, exit_code);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
