@@ -20,7 +20,8 @@ constexpr const char* kDescription =
     "  edvo track        an RGB-D sequence -> a trajectory\n"
     "  edvo evaluate     two trajectories -> their errors\n"
     "  edvo run          a scenario: all three, and a verdict\n"
-    "  edvo train-edges  glTF scenes -> a learnt edge detector, or a detector's precision\n\n"
+    "  edvo train-edges  glTF scenes -> a learnt edge detector, or a detector's precision\n"
+    "  edvo ablate       the paper's experiments on a sequence or scenario\n\n"
     "`edvo COMMAND --help` explains each with examples.";
 
 constexpr const char* kFooter =
@@ -38,6 +39,7 @@ int run(int argc, char** argv) {
   tools::add_track_command(program, exit_code);
   tools::add_evaluate_command(program, exit_code);
   tools::add_run_command(program, exit_code);
+  tools::add_ablate_command(program, exit_code);
   tools::add_train_edges_command(program, exit_code);
   try {
     program.parse(argc, argv);

@@ -1,0 +1,159 @@
+#include "tools/ablate/pose_pairs.h"
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <random>
+
+#include <Eigen/Geometry>
+
+#include "synth/flat_scene.h"
+#include "synth/renderer.h"
+#include "tools/ablate/clip.h"
+#include "vo/core/error.h"
+
+namespace tools {
+namespace {
+
+/// Uniform numbers that are the same with every standard library.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+
+  double between(double low, double high) {
+    constexpr double kOneOver2To53 = 1.0 / 9007199254740992.0;
+    return low + (high - low) * static_cast<double>(engine_() >> 11U) * kOneOver2To53;
+  }
+
+  Eigen::Vector3d direction() {
+    while (true) {
+      const Eigen::Vector3d v(between(-1, 1), between(-1, 1), between(-1, 1));
+      if (v.norm() > 0.1 && v.norm() <= 1) {
+        return v.normalized();
+      }
+    }
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// A view at an eighth of the resolution: enough to judge depths and flow.
+struct SmallView {
+  vo::SE3 T_world_camera;
+  vo::DepthImage depth;
+  double mean_depth = 0;  ///< m
+};
+
+constexpr int kHalvings = 3;
+
+vo::PinholeCamera small_camera(vo::PinholeCamera camera) {
+  for (int i = 0; i < kHalvings; ++i) {
+    camera = camera.halved();
+  }
+  return camera;
+}
+
+/// In the middle of the lit box, at about eye level, looking anywhere but far up or down.
+vo::SE3 random_view(const Eigen::AlignedBox3d& box, Random& random) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  const Eigen::Vector3d eye = box.min() + box.sizes().cwiseProduct(Eigen::Vector3d(
+                                              random.between(0.25, 0.75), random.between(0.4, 0.7),
+                                              random.between(0.25, 0.75)));
+  const double yaw = random.between(0, 2 * std::numbers::pi);
+  const double pitch = kDegree * random.between(-25, 20);
+  const double roll = kDegree * random.between(-15, 15);
+  const Eigen::Vector3d forward(std::cos(yaw) * std::cos(pitch), std::sin(pitch),
+                                std::sin(yaw) * std::cos(pitch));
+  const vo::SE3 T_view_rolled(Eigen::Quaterniond(Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ())),
+                              {0, 0, 0});
+  return vo::look_at(eye, eye + forward, Eigen::Vector3d::UnitY()) * T_view_rolled;
+}
+
+/// In how many of 4x3 blocks the brightness varies by more than shading alone makes it.
+int textured_blocks(const cv::Mat_<cv::Vec3f>& radiance) {
+  constexpr int kColumns = 4;
+  constexpr int kRows = 3;
+  constexpr double kMinContrast = 0.15;  // standard deviation over mean
+  int textured = 0;
+  for (int row = 0; row < kRows; ++row) {
+    for (int column = 0; column < kColumns; ++column) {
+      const cv::Range rows(radiance.rows * row / kRows, radiance.rows * (row + 1) / kRows);
+      const cv::Range columns(radiance.cols * column / kColumns,
+                              radiance.cols * (column + 1) / kColumns);
+      cv::Scalar mean;
+      cv::Scalar deviation;
+      cv::meanStdDev(radiance(rows, columns), mean, deviation);
+      textured += deviation[1] > kMinContrast * mean[1] ? 1 : 0;
+    }
+  }
+  return textured;
+}
+
+SmallView find_view(const synth::Renderer& renderer, const vo::PinholeCamera& camera,
+                    const Eigen::AlignedBox3d& box, const PosePairOptions& options,
+                    Random& random) {
+  constexpr int kAttempts = 1000;
+  for (int i = 0; i < kAttempts; ++i) {
+    SmallView view{.T_world_camera = random_view(box, random)};
+    const synth::RenderedFrame rendered = renderer.render(camera, view.T_world_camera);
+    view.depth = rendered.depth;
+    double nearest = 0;
+    cv::minMaxLoc(view.depth, &nearest);
+    view.mean_depth = cv::mean(view.depth)[0];
+    if (nearest >= options.min_depth && view.mean_depth >= options.min_mean_depth &&
+        textured_blocks(rendered.radiance) >= options.min_textured_blocks) {
+      return view;
+    }
+  }
+  vo::fail("pairs: no textured view of the scene in which every pixel has a depth of at least ",
+           options.min_depth, " m was found");
+}
+
+/// The motion along a twist whose mean flow is `flow_px` pixels of the full resolution.
+vo::SE3 scaled_motion(const SmallView& view, const vo::PinholeCamera& camera,
+                      const vo::Vector6d& twist, double flow_px) {
+  constexpr int kIterations = 12;
+  const double wanted = flow_px / (1 << kHalvings);
+  double scale = wanted / camera.fx;
+  for (int i = 0; i < kIterations; ++i) {
+    scale *= wanted / mean_flow_px(view.depth, camera, vo::SE3::exp(scale * twist), 1);
+  }
+  return vo::SE3::exp(scale * twist);
+}
+
+}  // namespace
+
+void PosePairOptions::validate() const {
+  vo::require(views >= 1, "pairs: expected at least one view, got ", views);
+  for (const double flow : flows_px) {
+    vo::require(flow > 0, "pairs: expected a flow above 0 px, got ", flow);
+  }
+}
+
+vo::Trajectory pose_pairs(const synth::Scene& scene, const vo::PinholeCamera& camera,
+                          const PosePairOptions& options) {
+  options.validate();
+  const Eigen::AlignedBox3d box = synth::lit_bounds(synth::flatten(scene));
+  vo::require(!box.isEmpty(), "pairs: the scene has no lit surfaces to look at");
+  const std::unique_ptr<synth::Renderer> renderer = synth::make_renderer(scene, {.samples = 1});
+  const vo::PinholeCamera small = small_camera(camera);
+  Random random(options.seed);
+  vo::Trajectory poses;
+  const auto append = [&](const vo::SE3& T_world_camera) {
+    poses.push_back({static_cast<double>(poses.size()), T_world_camera});
+  };
+  for (int i = 0; i < options.views; ++i) {
+    const SmallView view = find_view(*renderer, small, box, options, random);
+    append(view.T_world_camera);
+    for (const double flow_px : options.flows_px) {
+      vo::Vector6d twist;
+      twist << view.mean_depth * random.direction(), random.direction();
+      const vo::SE3 T_cur_ref = scaled_motion(view, small, twist, flow_px);
+      append(view.T_world_camera * T_cur_ref.inverse());
+    }
+  }
+  return poses;
+}
+
+}  // namespace tools

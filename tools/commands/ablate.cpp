@@ -1,0 +1,248 @@
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+#include <tbb/global_control.h>
+
+#include "synth/gltf.h"
+#include "tools/ablate/pose_pairs.h"
+#include "tools/ablate/study.h"
+#include "tools/cli/options.h"
+#include "tools/cli/progress_bar.h"
+#include "tools/commands/commands.h"
+#include "tools/pipeline/render_sequence.h"
+#include "tools/pipeline/result_files.h"
+#include "tools/scenario/run_scenario.h"
+#include "tools/scenario/scenario.h"
+#include "vo/core/error.h"
+#include "vo/io/camera_file.h"
+
+namespace tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kHelp =
+    "Repeats the experiments of the paper (Christensen & Hebert, Edge-Direct Visual Odometry) on "
+    "a\n"
+    "sequence with ground truth or on a scenario, which is rendered into DIR/sequence first:\n"
+    "  points     edges, as many random pixels, all pixels, over the share of them kept (Figure "
+    "8)\n"
+    "  detectors  edge detectors, frame to frame and with keyframes (Table 1)\n"
+    "  residuals  residuals of all pixels before and after aligning edges only (Figure 4)\n"
+    "  levels     depth of the pyramid against convergence from identity (Figure 3)\n"
+    "  time       time of an alignment against its number of points, with a linear fit\n"
+    "  pairs      random pairs of views of a glTF scene: accuracy and basin of convergence\n"
+    "Writes DIR/STUDY.csv, .svg and .md and prints the table. Columns in ms differ from run to "
+    "run:\n"
+    "to measure again into the same DIR, --force.";
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  edvo ablate scenarios/room_orbit.toml --study points --out ablation\n"
+    "  edvo ablate rgbd_dataset_freiburg1_xyz --camera tum-fr1 --study levels \\\n"
+    "       --max-error 0.02 --max-error-deg 1 --out ablation\n"
+    "  edvo ablate --pairs --preset default --out ablation    # of assets/room/room.gltf";
+
+struct AblateArguments {
+  CommonOptions common;
+  std::string input;
+  std::string study;
+  bool pairs = false;
+  std::string camera;
+  std::string preset_name = "paper";
+  std::vector<std::string> assignments;
+  std::string name;
+  std::size_t max_frames = 0;
+  StudySettings settings;
+  std::string out;
+};
+
+using Study = StudyReport (*)(const Clip&, const StudySettings&, const vo::Progress&);
+
+constexpr std::array<std::pair<const char*, Study>, 6> kStudies{{{"points", study_points},
+                                                                 {"detectors", study_detectors},
+                                                                 {"residuals", study_residuals},
+                                                                 {"levels", study_levels},
+                                                                 {"time", study_time},
+                                                                 {"pairs", study_pairs}}};
+
+std::vector<std::string> study_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, study] : kStudies) {
+    names.emplace_back(name);
+  }
+  return names;
+}
+
+Study find_study(const std::string& name) {
+  return std::find_if(kStudies.begin(), kStudies.end(),
+                      [&](const auto& study) { return study.first == name; })
+      ->second;
+}
+
+void complete(AblateArguments& arguments) {
+  constexpr const char* kOurRoom = "assets/room/room.gltf";
+  if (arguments.pairs && !arguments.study.empty() && arguments.study != "pairs") {
+    vo::fail_as(vo::ErrorKind::usage, "--pairs: cannot be together with --study ", arguments.study);
+  }
+  if (arguments.pairs) {
+    arguments.study = "pairs";
+  }
+  if (arguments.input.empty() && arguments.study == "pairs") {
+    arguments.input = kOurRoom;
+  }
+  if (arguments.input.empty() || arguments.study.empty()) {
+    vo::fail_as(vo::ErrorKind::usage, "ablate: expected INPUT and --study NAME, or --pairs");
+  }
+  StudySettings& settings = arguments.settings;
+  settings.preset = vo::parse_enum<vo::TrackerPreset>(arguments.preset_name);
+  for (const std::string& assignment : arguments.assignments) {
+    settings.assignments.push_back(split_assignment(assignment));
+  }
+  check_usage([&] {
+    settings.validate();
+    settings.options({}, {});
+  });
+}
+
+/// Views of the scene as a sequence, whose frames pair up.
+fs::path render_pairs(const AblateArguments& arguments) {
+  constexpr int kWidth = 640;           // px
+  constexpr int kHeight = 480;          // px
+  constexpr double kFocalLength = 525;  // px
+  const vo::PinholeCamera camera{
+      kWidth, kHeight, kFocalLength, kFocalLength, (kWidth - 1) / 2.0, (kHeight - 1) / 2.0, {}};
+  constexpr int kSamples = 9;
+  const RenderJob job{.scene = arguments.input,
+                      .recipe = {.truth = pose_pairs(synth::load_gltf(arguments.input), camera, {}),
+                                 .camera = {camera},
+                                 .render = {.samples = kSamples}}};
+  fs::path folder = fs::path(arguments.out) / "pairs";
+  ProgressBar bar("rendering", arguments.common.verbosity());
+  render_sequence(job, folder, arguments.common.existing(), bar.callback());
+  return folder;
+}
+
+fs::path render_scenario(const AblateArguments& arguments) {
+  fs::path folder = fs::path(arguments.out) / "sequence";
+  ProgressBar bar("rendering", arguments.common.verbosity());
+  render_sequence(render_job(load_scenario(arguments.input)), folder, arguments.common.existing(),
+                  bar.callback());
+  return folder;
+}
+
+fs::path sequence_folder(const AblateArguments& arguments) {
+  if (arguments.study == "pairs") {
+    return render_pairs(arguments);
+  }
+  return fs::path(arguments.input).extension() == ".toml" ? render_scenario(arguments)
+                                                          : fs::path(arguments.input);
+}
+
+std::string clip_name(const AblateArguments& arguments) {
+  if (!arguments.name.empty()) {
+    return arguments.name;
+  }
+  const fs::path input = arguments.input;
+  return (input.has_filename() ? input : input.parent_path()).stem().string();
+}
+
+Clip load(const AblateArguments& arguments) {
+  std::optional<vo::RgbdCamera> camera;
+  if (!arguments.camera.empty()) {
+    camera = vo::load_camera(arguments.camera);
+  }
+  const vo::SequenceReader sequence(sequence_folder(arguments), camera);
+  ProgressBar bar("reading", arguments.common.verbosity());
+  return load_clip(sequence, clip_name(arguments), arguments.max_frames, bar.callback());
+}
+
+/// The command that made the report, without the places of files.
+std::string command_line(const AblateArguments& arguments) {
+  std::string text = "edvo ablate " + fs::path(arguments.input).filename().string();
+  text += arguments.camera.empty() ? "" : " --camera " + arguments.camera;
+  text += arguments.name.empty() ? "" : " --name '" + arguments.name + "'";
+  text += " --study " + arguments.study + " --preset " + arguments.preset_name;
+  for (const std::string& assignment : arguments.assignments) {
+    text += " --set " + assignment;
+  }
+  const StudySettings defaults;
+  const StudySettings& settings = arguments.settings;
+  text += arguments.max_frames > 0 ? vo::concat(" --max-frames ", arguments.max_frames) : "";
+  text += settings.seeds != defaults.seeds ? vo::concat(" --seeds ", settings.seeds) : "";
+  if (settings.max_error != defaults.max_error ||
+      settings.max_error_deg != defaults.max_error_deg) {
+    text += vo::concat(" --max-error ", settings.max_error, " --max-error-deg ",
+                       settings.max_error_deg);
+  }
+  return text + " --out DIR";
+}
+
+void write(const AblateArguments& arguments, const StudyReport& report) {
+  std::vector<NamedBytes> files = {
+      {report.name + ".csv", as_csv(report.table)},
+      {report.name + ".svg", report.plot},
+      {report.name + ".md", as_markdown(report, command_line(arguments))}};
+  files.insert(files.end(), report.more.begin(), report.more.end());
+  write_results(arguments.out, files, arguments.common.existing());
+}
+
+void ablate(AblateArguments& arguments) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  arguments.common.max_threads());
+  complete(arguments);
+  const Study study = find_study(arguments.study);
+  make_folder(arguments.out);
+  const Clip clip = load(arguments);
+  ProgressBar bar(arguments.study, arguments.common.verbosity());
+  const StudyReport report = study(clip, arguments.settings, bar.callback());
+  write(arguments, report);
+  if (arguments.common.json) {
+    std::cout << as_json(report).dump(2) << "\n";
+  } else {
+    const std::string stem = arguments.out + "/" + report.name;
+    std::cout << as_text(report) << "\nreport   " << stem << ".md\nplot     " << stem
+              << ".svg\ntable    " << stem << ".csv\n";
+  }
+}
+
+}  // namespace
+
+void add_ablate_command(CLI::App& program, int& /*exit_code*/) {
+  CLI::App& command = *program.add_subcommand("ablate", kHelp);
+  const auto arguments = std::make_shared<AblateArguments>();
+  command.footer(kExamples);
+  command.add_option("INPUT", arguments->input,
+                     "sequence folder or scenario .toml; for pairs a glTF scene");
+  command.add_option("--study", arguments->study, "what to measure, one of those above")
+      ->check(CLI::IsMember(study_names()));
+  command.add_flag("--pairs", arguments->pairs, "--study pairs");
+  command.add_option("--out", arguments->out, "folder for all results")->required();
+  command.add_option("--camera", arguments->camera,
+                     "preset or FILE.toml; otherwise the sequence's camera.toml");
+  command.add_option("--preset", arguments->preset_name, "paper | default [paper]")
+      ->check(CLI::IsMember({"paper", "default"}));
+  command
+      .add_option("--set", arguments->assignments,
+                  "key=value of the tracker's options, may be repeated (edvo track --help)")
+      ->allow_extra_args(false);
+  command.add_option("--name", arguments->name, "of the input in titles [its file name]");
+  command.add_option("--seeds", arguments->settings.seeds, "repetitions of what is random [5]");
+  command.add_option("--max-frames", arguments->max_frames, "frames used at most; 0 = all [0]");
+  command.add_option("--max-error", arguments->settings.max_error,
+                     "of an alignment that converged (levels, pairs), m [0.005]");
+  command.add_option("--max-error-deg", arguments->settings.max_error_deg,
+                     "of an alignment that converged (levels, pairs), deg [0.15]");
+  add_common_options(command, arguments->common);
+  command.callback([arguments] { ablate(*arguments); });
+}
+
+}  // namespace tools
