@@ -3,6 +3,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "tests/support/textured_plane.h"
+#include "tools/bench/opencv_peer.h"
 #include "vo/odometry.h"
 
 namespace {
@@ -59,8 +60,9 @@ void linearize(benchmark::State& state) {
       vo::edge_points(pair.pyramid(pair.first), current, pair.options.points);
   const vo::SE3 T_cur_ref = pair.T_world_current.inverse();
   for (auto _ : state) {
-    benchmark::DoNotOptimize(
-        vo::linearize(points.levels[0], current.levels[0], T_cur_ref, pair.options.align));
+    benchmark::DoNotOptimize(vo::linearize({points.levels[0], current.levels[0], T_cur_ref, {}, {}},
+                                           pair.options.align,
+                                           {pair.options.align.loss_scale, {}}));
   }
   const auto evaluated =
       static_cast<double>(state.iterations()) * static_cast<double>(points.levels[0].size());
@@ -78,5 +80,31 @@ void align(benchmark::State& state) {
   }
 }
 BENCHMARK(align)->Unit(benchmark::kMillisecond);
+
+/// A whole frame of preset default; the counter says how many times as long OpenCV's dense odometry
+/// takes for the same frame in the same run.
+void track_beside_opencv(benchmark::State& state) {
+  const Pair pair;
+  const auto opencv = tools::opencv_contestant(tools::OpencvOdometry::rgbd);
+  if (!opencv) {
+    state.SkipWithError("OpenCV's rgbd module is not built in");
+    return;
+  }
+  const auto options = vo::preset_options(vo::TrackerPreset::best_measured);
+  const tools::FrameTracker ours = tools::edvo_contestant("default", options).start(pair.camera);
+  const tools::FrameTracker theirs = opencv->start(pair.camera);
+  double our_ms = 0;
+  double their_ms = 0;
+  int count = 0;
+  for (auto _ : state) {
+    const vo::RgbdFrame& frame = count++ % 2 == 0 ? pair.first : pair.second;
+    const double ms = ours(frame).cpu_ms;
+    our_ms += ms;
+    their_ms += theirs(frame).cpu_ms;
+    state.SetIterationTime(ms / 1e3);
+  }
+  state.counters["opencv/edvo"] = their_ms / our_ms;
+}
+BENCHMARK(track_beside_opencv)->Unit(benchmark::kMillisecond)->UseManualTime();
 
 }  // namespace

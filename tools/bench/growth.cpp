@@ -1,0 +1,113 @@
+#include "tools/bench/growth.h"
+
+#include <cstddef>
+#include <functional>
+#include <utility>
+
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+
+namespace tools {
+namespace {
+
+/// One table before the race: who runs, and what is read from the results.
+struct Sweep {
+  std::string quantity;
+  std::string timed;
+  std::vector<Contestant> contestants;
+  std::function<double(std::size_t row, const Summary& summary)> x;
+  std::function<double(const Summary& summary)> ms;
+};
+
+Contestant with_option(vo::TrackerOptions options, const std::string& key,
+                       const std::string& value) {
+  std::vector<vo::Field> fields = vo::fields_of(options);
+  vo::set_field(fields, key, value);
+  return edvo_contestant(vo::concat(key, "=", value), options);
+}
+
+std::vector<Contestant> with_options(const vo::TrackerOptions& base, const std::string& key,
+                                     const std::vector<std::string>& values) {
+  std::vector<Contestant> contestants;
+  contestants.reserve(values.size());
+  for (const std::string& value : values) {
+    contestants.push_back(with_option(base, key, value));
+  }
+  return contestants;
+}
+
+/// The tracker on frames of that size; making them is not timed.
+Contestant at_size(const vo::TrackerOptions& base, cv::Size size) {
+  const std::string name = vo::concat(size.width, "x", size.height);
+  const Contestant full = edvo_contestant(name, base);
+  return {name, [full, size](const vo::PinholeCamera& camera) {
+            const FrameTracker track = full.start(resized(camera, size));
+            return
+                [track, size](const vo::RgbdFrame& frame) { return track(resized(frame, size)); };
+          }};
+}
+
+double cpu_ms(const Summary& summary) {
+  return summary.cpu_ms;
+}
+
+Sweep point_sweep(const vo::TrackerOptions& base) {
+  return {"points", "cpu",
+          with_options(base, "edges.percentile", {"98", "96", "93", "88", "80", "65"}),
+          [](std::size_t, const Summary& summary) { return summary.points; }, cpu_ms};
+}
+
+/// No line is fitted: coarse levels cost little and save iterations of the fine ones.
+Sweep level_sweep(const vo::TrackerOptions& base) {
+  return {"levels", "", with_options(base, "pyramid.levels", {"1", "2", "3", "4", "5"}),
+          [](std::size_t row, const Summary&) { return static_cast<double>(row + 1); }, cpu_ms};
+}
+
+Sweep size_sweep(const vo::TrackerOptions& base, const vo::PinholeCamera& camera) {
+  Sweep sweep{"pixels", "cpu", {}, {}, cpu_ms};
+  std::vector<double> pixels;
+  for (const int quarters : {1, 2, 4, 8}) {
+    const cv::Size size(camera.width * quarters / 4, camera.height * quarters / 4);
+    sweep.contestants.push_back(at_size(base, size));
+    pixels.push_back(size.area());
+  }
+  sweep.x = [pixels](std::size_t row, const Summary&) { return pixels[row]; };
+  return sweep;
+}
+
+GrowthTable make_table(const Sweep& sweep, std::vector<Summary> rows) {
+  GrowthTable table{.quantity = sweep.quantity, .timed = sweep.timed, .rows = std::move(rows)};
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    table.x.push_back(sweep.x(row, table.rows[row]));
+    table.ms.push_back(sweep.ms(table.rows[row]));
+  }
+  if (!table.timed.empty()) {
+    table.fit = fit_line(table.x, table.ms);
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<GrowthTable> measure_growth(const Frames& input, const vo::TrackerOptions& base,
+                                        const RaceOptions& options, const vo::Progress& progress) {
+  const std::vector<Sweep> sweeps = {point_sweep(base), level_sweep(base),
+                                     size_sweep(base, input.camera)};
+  std::vector<Contestant> contestants;
+  for (const Sweep& sweep : sweeps) {
+    contestants.insert(contestants.end(), sweep.contestants.begin(), sweep.contestants.end());
+  }
+  const std::vector<RaceResult> results = race(input, contestants, options, progress);
+  std::vector<GrowthTable> tables;
+  auto next = results.begin();
+  for (const Sweep& sweep : sweeps) {
+    std::vector<Summary> rows;
+    for (std::size_t row = 0; row < sweep.contestants.size(); ++row) {
+      rows.push_back(summarize(*next++, input, options));
+    }
+    tables.push_back(make_table(sweep, std::move(rows)));
+  }
+  return tables;
+}
+
+}  // namespace tools

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/bench/contestant.h"
+#include "tools/bench/frames.h"
+#include "vo/core/progress.h"
+#include "vo/core/trajectory.h"
+
+namespace tools {
+
+struct RaceOptions {
+  int warm_up = 5;  ///< frames at the start that are tracked and not counted
+  int repeats = 3;  ///< of the whole sequence; a frame's time is the median over them
+
+  void validate() const;  ///< throws vo::Error
+};
+
+/// All samples of one contestant.
+struct RaceResult {
+  std::string name;
+  std::vector<std::vector<FrameSample>> samples;  ///< [repeat][frame], with those of the warm-up
+  double held_mib = 0;  ///< heap that its state holds after the last frame
+};
+
+/// Every contestant tracks every frame, one thread, blocks of frames in turn, so that a machine
+/// that is slow for a while is slow for all. Contestants do not see each other's state.
+std::vector<RaceResult> race(const Frames& input, const std::vector<Contestant>& contestants,
+                             const RaceOptions& options, const vo::Progress& progress);
+
+/// The trajectory that the contestant found.
+vo::Trajectory trajectory(const RaceResult& result, const Frames& input);
+
+}  // namespace tools
