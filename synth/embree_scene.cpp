@@ -103,7 +103,7 @@ SurfaceHit surface_hit(const RTCHit& hit) {
 void aim_at_light(RTCRay& ray, const SurfacePoint& point, const DirectLight& direct,
                   const Light& light) {
   const Eigen::Vector3f start = point.position + point.rounding * point.face_normal;
-  aim(ray, start, direct.to_light, 0, light.kind == LightKind::point ? 1 : kInfinity);
+  aim(ray, start, direct.to_light, 0, light.kind == LightKind::directional ? kInfinity : 1);
 }
 
 View::View(const FlatScene& flat, const vo::PinholeCamera& camera, const vo::SE3& T_world_camera)

@@ -13,6 +13,7 @@
 #include "synth/gltf_mesh.h"
 #include "synth/gltf_model.h"
 #include "synth/gltf_notes.h"
+#include "synth/gltf_placed.h"
 #include "vo/core/error.h"
 
 namespace synth {
@@ -105,6 +106,12 @@ class SceneReader {
     if (light != node.extensions.end()) {
       add_light(light->second.Get("light").GetNumberAsInt(), T_world_node);
     }
+    if (node.camera != kNone) {
+      scene_.cameras.push_back(place_camera(model_.content.cameras[at(node.camera)], T_world_node));
+      if (scene_.cameras.back().name.empty()) {
+        scene_.cameras.back().name = node.name;
+      }
+    }
     if (node.skin != kNone) {
       add_note(notes_, "skinned meshes are left in their bind pose");
     }
@@ -139,22 +146,9 @@ class SceneReader {
   }
 
   void add_light(int index, const Eigen::Affine3d& T_world_light) {
-    const tinygltf::Light& source = model_.content.lights[at(index)];
-    Light light;
-    light.position = T_world_light.translation();
-    if (!source.color.empty()) {
-      light.intensity = Eigen::Map<const Eigen::Vector3d>(source.color.data()).cast<float>();
-    }
-    light.intensity *= static_cast<float>(source.intensity);
-    if (source.type == "spot") {
-      add_note(notes_, "spot lights shine to all sides");
-    } else if (source.type == "directional") {
-      light.kind = LightKind::directional;
-      light.direction = -T_world_light.linear().col(2).stableNormalized();
-      vo::require(light.direction.squaredNorm() > 0, model_.path.string(),
-                  ": a directional light is on a node of scale zero, expected a direction");
-    }
-    scene_.lights.push_back(light);
+    scene_.lights.push_back(place_light(model_.content.lights[at(index)], T_world_light));
+    vo::require(scene_.lights.back().direction.squaredNorm() > 0, model_.path.string(),
+                ": a light that has a direction is on a node of scale zero, expected a direction");
   }
 
   const GltfModel& model_;
@@ -167,9 +161,6 @@ class SceneReader {
 void note_what_is_left_out(const nlohmann::json& document, Notes& notes) {
   if (document.contains("animations")) {
     add_note(notes, "animations are left out");
-  }
-  if (document.contains("cameras")) {
-    add_note(notes, "cameras are left out");
   }
   for (const std::string& name : document.value("extensionsUsed", std::vector<std::string>())) {
     if (!is_supported_extension(name)) {

@@ -96,13 +96,31 @@ void check_texture_info(const JsonObject& parent, const std::string& key, std::s
   }
 }
 
+void check_alpha(const JsonObject& material) {
+  const std::string mode = material.text("alphaMode").value_or("OPAQUE");
+  require(mode == "OPAQUE" || mode == "MASK" || mode == "BLEND", material.place(),
+          ": alphaMode is ", mode, ", expected OPAQUE, MASK or BLEND");
+  require(material.number("alphaCutoff").value_or(0.5) >= 0, material.place(),
+          ": alphaCutoff is negative, expected 0 or more");
+  material.flag("doubleSided");
+}
+
 void check_material(const JsonObject& material, std::size_t textures) {
   material.numbers("emissiveFactor", 3);
   for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture"}) {
     check_texture_info(material, key, textures);
   }
+  if (const auto normal = material.object("normalTexture")) {
+    normal->number("scale");
+  }
+  if (const auto occlusion = material.object("occlusionTexture")) {
+    occlusion->number("strength");
+  }
+  check_alpha(material);
   if (const auto pbr = material.object("pbrMetallicRoughness")) {
     pbr->numbers("baseColorFactor", 4);
+    pbr->number("metallicFactor");
+    pbr->number("roughnessFactor");
     check_texture_info(*pbr, "baseColorTexture", textures);
     check_texture_info(*pbr, "metallicRoughnessTexture", textures);
   }
@@ -118,6 +136,9 @@ std::vector<std::string> attribute_types(const std::string& name) {
   }
   if (name.compare(0, 9, "TEXCOORD_") == 0) {
     return {"VEC2"};
+  }
+  if (name == "TANGENT") {
+    return {"VEC4"};
   }
   if (name == "COLOR_0") {
     return {"VEC3", "VEC4"};

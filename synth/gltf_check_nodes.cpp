@@ -1,6 +1,7 @@
 #include "synth/gltf_check_nodes.h"
 
 #include <algorithm>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,7 +31,16 @@ void check_transform(const JsonObject& node) {
           node.place(), ": rotation is zero, expected a unit quaternion");
 }
 
-std::size_t light_count(const JsonObject& root) {
+void check_spot(const JsonObject& light) {
+  const JsonObject spot = light.required_object("spot");
+  const double outer = spot.number("outerConeAngle").value_or(std::numbers::pi / 4);
+  const double inner = spot.number("innerConeAngle").value_or(0);
+  require(inner >= 0 && inner < outer && outer <= std::numbers::pi / 2, spot.place(),
+          ": its cone angles are ", inner, " and ", outer,
+          ", expected 0 <= innerConeAngle < outerConeAngle <= pi / 2");
+}
+
+std::size_t check_lights(const JsonObject& root) {
   const std::optional<JsonObject> extension = root.extension("KHR_lights_punctual");
   if (!extension) {
     return 0;
@@ -42,15 +52,52 @@ std::size_t light_count(const JsonObject& root) {
             type, ", expected point, directional or spot");
     light.numbers("color", 3);
     light.number("intensity");
+    const double range = light.number("range").value_or(1);
+    require(range > 0, light.place(), ": range is ", range, ", expected more than 0");
+    if (type == "spot") {
+      check_spot(light);
+    }
   }
   return lights.size();
+}
+
+double required_positive(const JsonObject& object, const std::string& key) {
+  const std::optional<double> number = object.number(key);
+  require(number.value_or(0) > 0, object.place(), ": ", key, " is ", number.value_or(0),
+          ", expected more than 0");
+  return *number;
+}
+
+std::size_t check_cameras(const JsonObject& root) {
+  const std::vector<JsonObject> cameras = root.objects("cameras");
+  for (const JsonObject& camera : cameras) {
+    const std::string type = camera.required_text("type");
+    require(type == "perspective" || type == "orthographic", camera.place(), ": type is ", type,
+            ", expected perspective or orthographic");
+    const JsonObject lens = camera.required_object(type);
+    const double near = lens.number("znear").value_or(-1);
+    if (type == "perspective") {
+      required_positive(lens, "yfov");
+      required_positive(lens, "znear");
+      require(lens.number("aspectRatio").value_or(1) > 0, lens.place(),
+              ": aspectRatio is not positive, expected more than 0");
+      require(lens.number("zfar").value_or(near + 1) > near, lens.place(),
+              ": zfar is not beyond znear, expected a larger one");
+    } else {
+      require(near >= 0 && required_positive(lens, "zfar") > near, lens.place(), ": znear is ",
+              near, ", expected 0 or more and less than zfar");
+      require(lens.number("xmag").value_or(0) != 0 && lens.number("ymag").value_or(0) != 0,
+              lens.place(), ": xmag or ymag is 0, expected the half width and height");
+    }
+  }
+  return cameras.size();
 }
 
 void check_nodes(const JsonObject& root, const std::vector<JsonObject>& nodes) {
   const std::size_t meshes = root.objects("meshes").size();
   const std::size_t skins = root.objects("skins").size();
-  const std::size_t cameras = root.objects("cameras").size();
-  const std::size_t lights = light_count(root);
+  const std::size_t cameras = check_cameras(root);
+  const std::size_t lights = check_lights(root);
   for (const JsonObject& node : nodes) {
     node.index("mesh", meshes);
     node.index("skin", skins);

@@ -68,6 +68,17 @@ std::optional<double> JsonObject::number(const std::string& key) const {
   return value->get<double>();
 }
 
+std::optional<bool> JsonObject::flag(const std::string& key) const {
+  const json* value = find(key);
+  if (value == nullptr) {
+    return std::nullopt;
+  }
+  if (!value->is_boolean()) {
+    reject(key, *value, "true or false");
+  }
+  return value->get<bool>();
+}
+
 std::optional<std::string> JsonObject::text(const std::string& key) const {
   const json* value = find(key);
   if (value == nullptr) {

@@ -24,6 +24,7 @@ class JsonObject {
   std::optional<std::size_t> whole_number(const std::string& key) const;
   std::size_t required_whole_number(const std::string& key) const;
   std::optional<double> number(const std::string& key) const;
+  std::optional<bool> flag(const std::string& key) const;
   std::optional<std::string> text(const std::string& key) const;
   std::string required_text(const std::string& key) const;
   /// Exactly `size` numbers, or none if absent.

@@ -11,9 +11,6 @@
 namespace synth {
 namespace {
 
-/// A lod above that of any image, whose last level is its mean.
-constexpr float kMeanLod = 64;
-
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
@@ -87,33 +84,28 @@ Texture read_sampler(const tinygltf::Sampler& sampler) {
   return texture;
 }
 
-}  // namespace
-
-TexcoordMapping texcoord_mapping(const GltfModel& model, int material) {
-  TexcoordMapping mapping;
-  if (material == kNone) {
-    return mapping;
-  }
-  const tinygltf::TextureInfo& info =
-      model.content.materials[at(material)].pbrMetallicRoughness.baseColorTexture;
-  mapping.set = info.texCoord;
-  const auto transform = info.extensions.find("KHR_texture_transform");
-  if (transform != info.extensions.end()) {
-    mapping.T_image_texcoord = read_texture_transform(transform->second);
-    if (transform->second.Has("texCoord")) {
-      mapping.set = transform->second.Get("texCoord").GetNumberAsInt();
-    }
-  }
-  return mapping;
+AlphaMode read_alpha_mode(const std::string& name) {
+  return name == "MASK" ? AlphaMode::mask : name == "BLEND" ? AlphaMode::blend : AlphaMode::opaque;
 }
+
+/// The factor times its strength.
+Eigen::Vector3f read_emission(const tinygltf::Material& source) {
+  Eigen::Vector3f emission =
+      Eigen::Map<const Eigen::Vector3d>(source.emissiveFactor.data()).cast<float>();
+  const auto extension = source.extensions.find("KHR_materials_emissive_strength");
+  if (extension != source.extensions.end() && extension->second.Has("emissiveStrength")) {
+    emission *= static_cast<float>(extension->second.Get("emissiveStrength").GetNumberAsDouble());
+  }
+  return emission;
+}
+
+}  // namespace
 
 MaterialReader::MaterialReader(const GltfModel& model, Scene& scene, Notes& notes)
     : model_(model),
       scene_(scene),
       notes_(notes),
-      materials_(model.content.materials.size(), kNone),
-      textures_(model.content.textures.size(), kNone),
-      images_(model.content.images.size(), kNone) {}
+      materials_(model.content.materials.size(), kNone) {}
 
 int MaterialReader::material(int gltf_index) {
   if (gltf_index == kNone) {
@@ -129,40 +121,63 @@ int MaterialReader::material(int gltf_index) {
 }
 
 Material MaterialReader::read_material(const tinygltf::Material& source) {
-  const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
   Material material;
-  material.base_color = Eigen::Map<const Eigen::Vector4d>(pbr.baseColorFactor.data()).cast<float>();
-  material.base_color_texture = texture(pbr.baseColorTexture.index);
+  material.name = source.name;
+  read_surface(source.pbrMetallicRoughness, material);
+  material.alpha_mode = read_alpha_mode(source.alphaMode);
+  material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
+  material.double_sided = source.doubleSided;
   material.unlit = source.extensions.count("KHR_materials_unlit") > 0;
   if (!material.unlit) {
-    material.emission = read_emission(source);
+    read_maps(source, material);
   }
   note_what_is_left_out(source);
   return material;
 }
 
-/// The factor times its strength times the mean of the texture, which the scene has no place for.
-Eigen::Vector3f MaterialReader::read_emission(const tinygltf::Material& source) {
-  Eigen::Vector3f emission =
-      Eigen::Map<const Eigen::Vector3d>(source.emissiveFactor.data()).cast<float>();
-  const auto extension = source.extensions.find("KHR_materials_emissive_strength");
-  if (extension != source.extensions.end() && extension->second.Has("emissiveStrength")) {
-    emission *= static_cast<float>(extension->second.Get("emissiveStrength").GetNumberAsDouble());
-  }
-  if (emission.isZero(0) || source.emissiveTexture.index == kNone) {
-    return emission;
-  }
-  const int map = texture(source.emissiveTexture.index);
-  if (map != kNone) {
-    add_note(notes_, "emissive textures are replaced by their mean colour");
-    const TextureImage& image = scene_.images[at(scene_.textures[at(map)].image)];
-    emission.array() *=
-        sample(image, Texture{}, Eigen::Vector2f::Zero(), kMeanLod).head<3>().array();
-  }
-  return emission;
+void MaterialReader::read_surface(const tinygltf::PbrMetallicRoughness& source,
+                                  Material& material) {
+  material.base_color =
+      Eigen::Map<const Eigen::Vector4d>(source.baseColorFactor.data()).cast<float>();
+  material.base_color_texture = slot(source.baseColorTexture, TexelEncoding::srgb);
+  material.metallic = static_cast<float>(source.metallicFactor);
+  material.roughness = static_cast<float>(source.roughnessFactor);
 }
 
-int MaterialReader::texture(int gltf_index) {
+/// What an unlit material does without.
+void MaterialReader::read_maps(const tinygltf::Material& source, Material& material) {
+  material.metallic_roughness_texture =
+      slot(source.pbrMetallicRoughness.metallicRoughnessTexture, TexelEncoding::linear);
+  material.normal_texture = slot(source.normalTexture, TexelEncoding::linear);
+  material.normal_scale = static_cast<float>(source.normalTexture.scale);
+  material.occlusion_texture = slot(source.occlusionTexture, TexelEncoding::linear);
+  material.occlusion_strength = static_cast<float>(source.occlusionTexture.strength);
+  material.emission = read_emission(source);
+  if (!material.emission.isZero(0)) {
+    material.emissive_texture = slot(source.emissiveTexture, TexelEncoding::srgb);
+  }
+}
+
+template <typename TextureInfo>
+TextureSlot MaterialReader::slot(const TextureInfo& info, TexelEncoding encoding) {
+  TextureSlot slot;
+  slot.texcoord_set = info.texCoord;
+  const auto transform = info.extensions.find("KHR_texture_transform");
+  if (transform != info.extensions.end()) {
+    slot.T_image_texcoord = read_texture_transform(transform->second);
+    if (transform->second.Has("texCoord")) {
+      slot.texcoord_set = transform->second.Get("texCoord").GetNumberAsInt();
+    }
+  }
+  if (slot.texcoord_set >= kTexcoordSets) {
+    add_note(notes_, "textures that use texture coordinates beyond TEXCOORD_1 are left out");
+    return {};
+  }
+  slot.texture = texture(info.index, encoding);
+  return slot;
+}
+
+int MaterialReader::texture(int gltf_index, TexelEncoding encoding) {
   if (gltf_index == kNone) {
     return kNone;
   }
@@ -171,28 +186,28 @@ int MaterialReader::texture(int gltf_index) {
     add_note(notes_, "textures without PNG or JPEG image are left out");
     return kNone;
   }
-  int& index = textures_[at(gltf_index)];
-  if (index == kNone) {
+  const auto [entry, is_new] = textures_.try_emplace({gltf_index, encoding});
+  if (is_new) {
     Texture texture;
     if (source.sampler != kNone) {
       texture = read_sampler(model_.content.samplers[at(source.sampler)]);
     }
-    texture.image = image(source.source);
-    index = static_cast<int>(scene_.textures.size());
+    texture.image = image(source.source, encoding);
+    entry->second = static_cast<int>(scene_.textures.size());
     scene_.textures.push_back(texture);
   }
-  return index;
+  return entry->second;
 }
 
-int MaterialReader::image(int gltf_index) {
-  int& index = images_[at(gltf_index)];
-  if (index == kNone) {
+int MaterialReader::image(int gltf_index, TexelEncoding encoding) {
+  const auto [entry, is_new] = images_.try_emplace({gltf_index, encoding});
+  if (is_new) {
     const std::string place = model_.place("images", gltf_index);
     const cv::Mat_<cv::Vec4b> image = decode_image(read_encoded_image(model_, gltf_index), place);
-    index = static_cast<int>(scene_.images.size());
-    scene_.images.push_back(build_mip_levels(image));
+    entry->second = static_cast<int>(scene_.images.size());
+    scene_.images.push_back(build_mip_levels(image, encoding));
   }
-  return index;
+  return entry->second;
 }
 
 void MaterialReader::note_what_is_left_out(const tinygltf::Material& source) {

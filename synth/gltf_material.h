@@ -1,23 +1,14 @@
 #pragma once
 
+#include <map>
+#include <utility>
 #include <vector>
-
-#include <Eigen/Geometry>
 
 #include "synth/gltf.h"
 #include "synth/gltf_model.h"
 #include "synth/scene.h"
 
 namespace synth {
-
-/// Which texture coordinates a material's base colour uses, and how they map to the image.
-struct TexcoordMapping {
-  int set = 0;  ///< n of TEXCOORD_n
-  Eigen::Affine2f T_image_texcoord = Eigen::Affine2f::Identity();
-};
-
-/// The mapping of a glTF material; the default for kNone.
-TexcoordMapping texcoord_mapping(const GltfModel& model, int material);
 
 /// Puts those materials, textures and images of a model into a scene that are asked for.
 class MaterialReader {
@@ -31,15 +22,22 @@ class MaterialReader {
 
  private:
   Material read_material(const tinygltf::Material& source);
-  Eigen::Vector3f read_emission(const tinygltf::Material& source);
-  int texture(int gltf_index);
-  int image(int gltf_index);
+  void read_surface(const tinygltf::PbrMetallicRoughness& source, Material& material);
+  void read_maps(const tinygltf::Material& source, Material& material);
+  template <typename TextureInfo>
+  TextureSlot slot(const TextureInfo& info, TexelEncoding encoding);
+  int texture(int gltf_index, TexelEncoding encoding);
+  int image(int gltf_index, TexelEncoding encoding);
   void note_what_is_left_out(const tinygltf::Material& source);
+
+  /// What was read already: the scene's index by glTF's and by what its channels mean.
+  using Read = std::map<std::pair<int, TexelEncoding>, int>;
 
   const GltfModel& model_;
   Scene& scene_;
   Notes& notes_;
-  std::vector<int> materials_, textures_, images_;  ///< scene indices, kNone where not read yet
+  std::vector<int> materials_;  ///< scene indices, kNone where not read yet
+  Read textures_, images_;
 };
 
 }  // namespace synth

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -91,20 +92,20 @@ std::vector<Eigen::Vector4f> read_colors(const tinygltf::Model& model, int acces
   return colors;
 }
 
-std::vector<Eigen::Vector2f> read_texcoords(const GltfModel& model,
-                                            const tinygltf::Primitive& primitive,
-                                            const std::string& place) {
-  const TexcoordMapping mapping = texcoord_mapping(model, primitive.material);
-  const std::string name = "TEXCOORD_" + std::to_string(mapping.set);
-  const int accessor = find_attribute(primitive, name);
-  if (accessor == kNone) {
-    return {};
+/// Unit, each with its handedness; none if one has no direction or no handedness.
+std::vector<Eigen::Vector4f> read_tangents(const tinygltf::Model& model, int accessor,
+                                           const std::string& place, Notes& notes) {
+  auto tangents = read_vectors<Eigen::Vector4f>(model, accessor, place);
+  for (Eigen::Vector4f& tangent : tangents) {
+    const float length = tangent.head<3>().stableNorm();
+    if (!(length > 0) || tangent.w() == 0) {
+      add_note(notes, "tangents of meshes with zero tangents are left out");
+      return {};
+    }
+    tangent.head<3>() /= length;
+    tangent.w() = std::copysign(1.0F, tangent.w());
   }
-  auto texcoords = read_vectors<Eigen::Vector2f>(model.content, accessor, place + ": " + name);
-  for (Eigen::Vector2f& uv : texcoords) {
-    uv = mapping.T_image_texcoord * uv;
-  }
-  return texcoords;
+  return tangents;
 }
 
 void read_attributes(const GltfModel& model, const tinygltf::Primitive& primitive,
@@ -117,7 +118,18 @@ void read_attributes(const GltfModel& model, const tinygltf::Primitive& primitiv
   if (color != kNone) {
     mesh.colors = read_colors(model.content, color, place + ": COLOR_0");
   }
-  mesh.texcoords = read_texcoords(model, primitive, place);
+  const int tangent = find_attribute(primitive, "TANGENT");
+  if (tangent != kNone && !mesh.normals.empty()) {
+    mesh.tangents = read_tangents(model.content, tangent, place + ": TANGENT", notes);
+  }
+  for (std::size_t set = 0; set < mesh.texcoords.size(); ++set) {
+    const std::string name = "TEXCOORD_" + std::to_string(set);
+    const int texcoords = find_attribute(primitive, name);
+    if (texcoords != kNone) {
+      mesh.texcoords[set] =
+          read_vectors<Eigen::Vector2f>(model.content, texcoords, place + ": " + name);
+    }
+  }
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "synth/gltf.h"
-#include "synth/gltf_material.h"
 #include "synth/gltf_model.h"
 #include "synth/scene.h"
 

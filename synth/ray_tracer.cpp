@@ -152,7 +152,7 @@ void RayTracer::shade(const View& view, Samples& samples) const {
       samples.radiance[i] = point.base_color;
       continue;
     }
-    samples.radiance[i] = material.emission + lambert(point, ambient_.irradiance(point.normal));
+    samples.radiance[i] = point.emission + lambert(point, ambient_.irradiance(point.normal));
     samples.lit.push_back(point);
     samples.lit_rays.push_back(i);
   }

@@ -52,33 +52,57 @@ Eigen::Vector3f shading_normal(const FlatMesh& mesh, const std::array<int, 3>& t
 }
 
 /// Level of detail at which a texel is as wide as the sample, for an even mapping of the triangle.
-float texture_lod(const Mesh& mesh, const std::array<int, 3>& triangle, const cv::Size& texels,
+float texture_lod(const std::array<Eigen::Vector2f, 3>& uv, const cv::Size& texels,
                   float double_area, float footprint) {
-  const Eigen::Vector2f a = mesh.texcoords[triangle[1]] - mesh.texcoords[triangle[0]];
-  const Eigen::Vector2f b = mesh.texcoords[triangle[2]] - mesh.texcoords[triangle[0]];
+  const Eigen::Vector2f a = uv[1] - uv[0];
+  const Eigen::Vector2f b = uv[2] - uv[0];
   const float texel_area = std::abs(a.x() * b.y() - a.y() * b.x()) *
                            static_cast<float>(texels.width) * static_cast<float>(texels.height);
   return 0.5F * std::log2(texel_area / double_area * footprint * footprint);
 }
 
+/// One where there is no texture.
+Eigen::Vector4f texture_color(const Scene& scene, const Mesh& mesh, const TextureSlot& slot,
+                              const SurfaceHit& hit, float double_area, float footprint) {
+  if (slot.texture == kNone || scene.textures[slot.texture].image == kNone ||
+      mesh.texcoords[slot.texcoord_set].empty()) {
+    return Eigen::Vector4f::Ones();
+  }
+  const std::array<int, 3>& triangle = mesh.triangles[hit.triangle];
+  std::array<Eigen::Vector2f, 3> uv;
+  for (int i = 0; i < 3; ++i) {
+    uv[i] = slot.T_image_texcoord * mesh.texcoords[slot.texcoord_set][triangle[i]];
+  }
+  const Texture& texture = scene.textures[slot.texture];
+  const TextureImage& image = scene.images[texture.image];
+  const Eigen::Vector2f middle =
+      uv[0] * hit.weights[0] + uv[1] * hit.weights[1] + uv[2] * hit.weights[2];
+  return sample(image, texture, middle,
+                texture_lod(uv, image.levels[0].size(), double_area, footprint));
+}
+
 Eigen::Vector3f base_color(const Scene& scene, const FlatMesh& flat, const SurfaceHit& hit,
                            float double_area, float footprint) {
   const Mesh& mesh = *flat.mesh;
-  const std::array<int, 3>& triangle = mesh.triangles[hit.triangle];
   Eigen::Vector4f color = flat.material->base_color;
-  const int texture_index = flat.material->base_color_texture;
-  if (texture_index != kNone && scene.textures[texture_index].image != kNone &&
-      !mesh.texcoords.empty()) {
-    const Texture& texture = scene.textures[texture_index];
-    const TextureImage& image = scene.images[texture.image];
-    const float lod = texture_lod(mesh, triangle, image.levels[0].size(), double_area, footprint);
-    color.array() *=
-        sample(image, texture, interpolate(mesh.texcoords, triangle, hit.weights), lod).array();
-  }
+  color.array() *=
+      texture_color(scene, mesh, flat.material->base_color_texture, hit, double_area, footprint)
+          .array();
   if (!mesh.colors.empty()) {
-    color.array() *= interpolate(mesh.colors, triangle, hit.weights).array();
+    color.array() *= interpolate(mesh.colors, mesh.triangles[hit.triangle], hit.weights).array();
   }
   return color.head<3>();
+}
+
+Eigen::Vector3f emission(const Scene& scene, const FlatMesh& flat, const SurfaceHit& hit,
+                         float double_area, float footprint) {
+  const Material& material = *flat.material;
+  if (material.emission.isZero(0)) {
+    return material.emission;
+  }
+  const Eigen::Vector4f texel =
+      texture_color(scene, *flat.mesh, material.emissive_texture, hit, double_area, footprint);
+  return material.emission.cwiseProduct(texel.head<3>());
 }
 
 /// The share of a point light's flux that meets the box, outside of it taken as a sphere of the
@@ -137,6 +161,7 @@ SurfacePoint surface_point(const FlatScene& flat, const SurfaceHit& hit,
   point.normal = shading_normal(mesh, triangle, hit.weights, face.normal);
   const float cosine = std::max(kMinCosine, -view.dot(face.normal));
   point.base_color = base_color(*flat.scene, mesh, hit, face.double_area, footprint / cosine);
+  point.emission = emission(*flat.scene, mesh, hit, face.double_area, footprint / cosine);
   const Eigen::Array3f extent =
       corners[0].array().abs().max(corners[1].array().abs()).max(corners[2].array().abs());
   point.rounding = 16 * std::numeric_limits<float>::epsilon() * extent.maxCoeff();
@@ -161,7 +186,7 @@ AmbientLight ambient_light(const FlatScene& flat, double share) {
 
 DirectLight direct_light(const Light& light, const Eigen::Vector3f& position,
                          const SurfacePoint& point) {
-  const bool is_point = light.kind == LightKind::point;
+  const bool is_point = light.kind != LightKind::directional;
   const Eigen::Vector3f to_light =
       is_point ? Eigen::Vector3f(position - point.position) : -light.direction.cast<float>();
   const float along_normal = to_light.dot(point.normal);

@@ -23,6 +23,7 @@ struct SurfacePoint {
   Eigen::Vector3f face_normal;  ///< of the triangle
   Eigen::Vector3f normal;       ///< interpolated between the vertices
   Eigen::Vector3f base_color;   ///< linear RGB
+  Eigen::Vector3f emission;     ///< linear RGB
   float rounding = 0;           ///< m, how far the position may be off the triangle
 };
 

@@ -13,20 +13,32 @@
 namespace synth {
 namespace {
 
-cv::Mat_<cv::Vec4f> decode_image(const cv::Mat_<cv::Vec4b>& image) {
+constexpr float kCodeStep = 1.0F / 255.0F;
+
+float decode(std::uint8_t code, TexelEncoding encoding) {
+  return encoding == TexelEncoding::srgb ? decode_srgb_8bit(code)
+                                         : static_cast<float>(code) * kCodeStep;
+}
+
+std::uint8_t encode(float value, TexelEncoding encoding) {
+  return encoding == TexelEncoding::srgb ? encode_srgb_8bit(value)
+                                         : cv::saturate_cast<std::uint8_t>(value * 255.0F);
+}
+
+cv::Mat_<cv::Vec4f> decode_image(const cv::Mat_<cv::Vec4b>& image, TexelEncoding encoding) {
   cv::Mat_<cv::Vec4f> linear(image.size());
-  std::transform(image.begin(), image.end(), linear.begin(), [](const cv::Vec4b& texel) {
-    return cv::Vec4f(decode_srgb_8bit(texel[0]), decode_srgb_8bit(texel[1]),
-                     decode_srgb_8bit(texel[2]), static_cast<float>(texel[3]) / 255.0F);
+  std::transform(image.begin(), image.end(), linear.begin(), [&](const cv::Vec4b& texel) {
+    return cv::Vec4f(decode(texel[0], encoding), decode(texel[1], encoding),
+                     decode(texel[2], encoding), static_cast<float>(texel[3]) / 255.0F);
   });
   return linear;
 }
 
-cv::Mat_<cv::Vec4b> encode_image(const cv::Mat_<cv::Vec4f>& linear) {
+cv::Mat_<cv::Vec4b> encode_image(const cv::Mat_<cv::Vec4f>& linear, TexelEncoding encoding) {
   cv::Mat_<cv::Vec4b> image(linear.size());
-  std::transform(linear.begin(), linear.end(), image.begin(), [](const cv::Vec4f& texel) {
-    return cv::Vec4b(encode_srgb_8bit(texel[0]), encode_srgb_8bit(texel[1]),
-                     encode_srgb_8bit(texel[2]),
+  std::transform(linear.begin(), linear.end(), image.begin(), [&](const cv::Vec4f& texel) {
+    return cv::Vec4b(encode(texel[0], encoding), encode(texel[1], encoding),
+                     encode(texel[2], encoding),
                      cv::saturate_cast<std::uint8_t>(texel[3] * 255.0F));
   });
   return image;
@@ -62,15 +74,21 @@ inline int wrap_texel(int index, int size, Wrap wrap) {
   return index;
 }
 
-inline Eigen::Vector4f texel_at(const cv::Mat_<cv::Vec4b>& level, int row, int column) {
-  const cv::Vec4b& texel = level(row, column);
-  return {decode_srgb_8bit(texel[0]), decode_srgb_8bit(texel[1]), decode_srgb_8bit(texel[2]),
-          static_cast<float>(texel[3]) * (1.0F / 255.0F)};
+struct Level {
+  const cv::Mat_<cv::Vec4b>& texels;
+  TexelEncoding encoding;
+};
+
+inline Eigen::Vector4f texel_at(const Level& level, int row, int column) {
+  const cv::Vec4b& texel = level.texels(row, column);
+  return {decode(texel[0], level.encoding), decode(texel[1], level.encoding),
+          decode(texel[2], level.encoding), static_cast<float>(texel[3]) * kCodeStep};
 }
 
-Eigen::Vector4f sample_nearest(const cv::Mat_<cv::Vec4b>& level, float u, float v) {
-  const int column = std::min(static_cast<int>(u * static_cast<float>(level.cols)), level.cols - 1);
-  const int row = std::min(static_cast<int>(v * static_cast<float>(level.rows)), level.rows - 1);
+Eigen::Vector4f sample_nearest(const Level& level, float u, float v) {
+  const cv::Size size = level.texels.size();
+  const int column = std::min(static_cast<int>(u * static_cast<float>(size.width)), size.width - 1);
+  const int row = std::min(static_cast<int>(v * static_cast<float>(size.height)), size.height - 1);
   return texel_at(level, row, column);
 }
 
@@ -88,10 +106,9 @@ inline Neighbours find_neighbours(float coordinate, int size, Wrap wrap) {
           position - static_cast<float>(below)};
 }
 
-Eigen::Vector4f sample_bilinear(const cv::Mat_<cv::Vec4b>& level, const Texture& texture, float u,
-                                float v) {
-  const Neighbours x = find_neighbours(u, level.cols, texture.wrap_u);
-  const Neighbours y = find_neighbours(v, level.rows, texture.wrap_v);
+Eigen::Vector4f sample_bilinear(const Level& level, const Texture& texture, float u, float v) {
+  const Neighbours x = find_neighbours(u, level.texels.cols, texture.wrap_u);
+  const Neighbours y = find_neighbours(v, level.texels.rows, texture.wrap_v);
   const Eigen::Vector4f upper = (1 - x.share) * texel_at(level, y.first, x.first) +
                                 x.share * texel_at(level, y.first, x.second);
   const Eigen::Vector4f lower = (1 - x.share) * texel_at(level, y.second, x.first) +
@@ -99,23 +116,25 @@ Eigen::Vector4f sample_bilinear(const cv::Mat_<cv::Vec4b>& level, const Texture&
   return (1 - y.share) * upper + y.share * lower;
 }
 
-Eigen::Vector4f sample_level(const cv::Mat_<cv::Vec4b>& level, const Texture& texture,
-                             TexelFilter filter, float u, float v) {
-  return filter == TexelFilter::nearest ? sample_nearest(level, u, v)
-                                        : sample_bilinear(level, texture, u, v);
+Eigen::Vector4f sample_level(const TextureImage& image, std::size_t index, const Texture& texture,
+                             TexelFilter filter, const Eigen::Vector2f& uv) {
+  const Level level{image.levels[index], image.encoding};
+  return filter == TexelFilter::nearest ? sample_nearest(level, uv.x(), uv.y())
+                                        : sample_bilinear(level, texture, uv.x(), uv.y());
 }
 
 }  // namespace
 
-TextureImage build_mip_levels(const cv::Mat_<cv::Vec4b>& image) {
+TextureImage build_mip_levels(const cv::Mat_<cv::Vec4b>& image, TexelEncoding encoding) {
   TextureImage result;
+  result.encoding = encoding;
   result.levels.push_back(image);
-  cv::Mat_<cv::Vec4f> linear = decode_image(image);
+  cv::Mat_<cv::Vec4f> linear = decode_image(image, encoding);
   while (linear.rows > 1 || linear.cols > 1) {
     const cv::Size half(std::max(1, linear.cols / 2), std::max(1, linear.rows / 2));
     cv::Mat_<cv::Vec4f> smaller;
     cv::resize(linear, smaller, half, 0, 0, cv::INTER_AREA);
-    result.levels.push_back(encode_image(smaller));
+    result.levels.push_back(encode_image(smaller, encoding));
     linear = smaller;
   }
   return result;
@@ -123,13 +142,12 @@ TextureImage build_mip_levels(const cv::Mat_<cv::Vec4b>& image) {
 
 Eigen::Vector4f sample(const TextureImage& image, const Texture& texture, const Eigen::Vector2f& uv,
                        float lod) {
-  const float u = fold(uv.x(), texture.wrap_u);
-  const float v = fold(uv.y(), texture.wrap_v);
+  const Eigen::Vector2f folded(fold(uv.x(), texture.wrap_u), fold(uv.y(), texture.wrap_v));
   if (!(lod > 0)) {
-    return sample_level(image.levels[0], texture, texture.magnification, u, v);
+    return sample_level(image, 0, texture, texture.magnification, folded);
   }
   if (texture.mip == MipFilter::none) {
-    return sample_level(image.levels[0], texture, texture.minification, u, v);
+    return sample_level(image, 0, texture, texture.minification, folded);
   }
   const std::size_t last = image.levels.size() - 1;
   const float level = std::min(lod, static_cast<float>(last));
@@ -137,10 +155,10 @@ Eigen::Vector4f sample(const TextureImage& image, const Texture& texture, const 
   const float share = level - static_cast<float>(finer);
   if (texture.mip == MipFilter::nearest || share == 0) {
     const std::size_t nearest = share < 0.5F ? finer : finer + 1;
-    return sample_level(image.levels[nearest], texture, texture.minification, u, v);
+    return sample_level(image, nearest, texture, texture.minification, folded);
   }
-  return (1 - share) * sample_level(image.levels[finer], texture, texture.minification, u, v) +
-         share * sample_level(image.levels[finer + 1], texture, texture.minification, u, v);
+  return (1 - share) * sample_level(image, finer, texture, texture.minification, folded) +
+         share * sample_level(image, finer + 1, texture, texture.minification, folded);
 }
 
 }  // namespace synth

@@ -60,19 +60,58 @@ TEST(MaterialReader, ReadsFactorsAndUnlit) {
   EXPECT_EQ(scene.meshes.at(0).material, 0);
 }
 
-TEST(MaterialReader, MultipliesEmissionByItsStrengthAndTheMeanOfItsTexture) {
+TEST(MaterialReader, MultipliesEmissionByItsStrengthAndKeepsItsTexture) {
   GltfDocument document = textured_document();
   document.json["materials"][0] = {
       {"emissiveFactor", {0.5, 1, 1}},
-      {"emissiveTexture", {{"index", 0}}},
+      {"emissiveTexture", {{"index", 0}, {"texCoord", 1}}},
       {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 8}}}}}};
-  cv::Mat_<cv::Vec3b> half_red = kRed.clone();
-  half_red.col(0) = cv::Vec3b(0, 0, 0);
-  Notes notes;
-  const Scene scene = load(document, half_red, &notes);
-  constexpr float kSrgbStep = 0.02F;  // the mean is stored in 8 bits
-  EXPECT_TRUE(scene.materials.at(0).emission.isApprox(Vector3f(2, 0, 0), kSrgbStep));
-  EXPECT_THAT(notes, Contains(HasSubstr("emissive textures")));
+  const Material material = load(document, kRed).materials.at(0);
+  EXPECT_EQ(material.emission, Vector3f(4, 8, 8));
+  EXPECT_EQ(material.emissive_texture.texture, 0);
+  EXPECT_EQ(material.emissive_texture.texcoord_set, 1);
+}
+
+TEST(MaterialReader, ReadsTheSurfaceAndItsMaps) {
+  GltfDocument document = textured_document();
+  document.json["materials"][0] = {{"name", "brass"},
+                                   {"pbrMetallicRoughness",
+                                    {{"metallicFactor", 0.25},
+                                     {"roughnessFactor", 0.5},
+                                     {"metallicRoughnessTexture", {{"index", 0}}}}},
+                                   {"normalTexture", {{"index", 0}, {"scale", 2}}},
+                                   {"occlusionTexture", {{"index", 0}, {"strength", 0.75}}},
+                                   {"alphaMode", "MASK"},
+                                   {"alphaCutoff", 0.125},
+                                   {"doubleSided", true}};
+  const Scene scene = load(document, kRed);
+  const Material& material = scene.materials.at(0);
+  EXPECT_EQ(material.name, "brass");
+  EXPECT_EQ(material.metallic, 0.25F);
+  EXPECT_EQ(material.roughness, 0.5F);
+  EXPECT_EQ(material.normal_scale, 2);
+  EXPECT_EQ(material.occlusion_strength, 0.75F);
+  EXPECT_EQ(material.alpha_mode, AlphaMode::mask);
+  EXPECT_EQ(material.alpha_cutoff, 0.125F);
+  EXPECT_TRUE(material.double_sided);
+  EXPECT_EQ(material.base_color_texture.texture, kNone);
+  for (const TextureSlot* slot : {&material.metallic_roughness_texture, &material.normal_texture,
+                                  &material.occlusion_texture}) {
+    EXPECT_EQ(slot->texture, 0);
+  }
+  EXPECT_EQ(scene.images.at(0).encoding, TexelEncoding::linear);
+}
+
+TEST(MaterialReader, ReadsAnImageOnceForEachMeaningOfItsChannels) {
+  GltfDocument document = textured_document();
+  document.json["materials"][0]["normalTexture"] = {{"index", 0}};
+  const Scene scene = load(document, kRed);
+  EXPECT_EQ(scene.images.size(), 2U);
+  const auto encoding_of = [&](const TextureSlot& slot) {
+    return scene.images.at(scene.textures.at(slot.texture).image).encoding;
+  };
+  EXPECT_EQ(encoding_of(scene.materials.at(0).base_color_texture), TexelEncoding::srgb);
+  EXPECT_EQ(encoding_of(scene.materials.at(0).normal_texture), TexelEncoding::linear);
 }
 
 TEST(MaterialReader, ReadsRgbImagesAsOpaqueRgba) {
@@ -117,34 +156,37 @@ TEST(MaterialReader, SharesImagesBetweenTextures) {
   EXPECT_EQ(scene.images.size(), 1U);
 }
 
-TEST(MaterialReader, LeavesImagesAloneThatNoBaseColorUses) {
+TEST(MaterialReader, LeavesImagesAloneThatNoMaterialUses) {
   const TempFolder folder;
   GltfDocument document = textured_document();
-  document.json["materials"][0] = {{"normalTexture", {{"index", 0}}}};
+  document.json["materials"][0] = {{"name", "plain"}};
   folder.write("image.png", "not an image");
-  Notes notes;
-  EXPECT_TRUE(load_gltf(document.write(folder), &notes).images.empty());
-  EXPECT_THAT(notes, Contains(HasSubstr("normal")));
+  EXPECT_TRUE(load_gltf(document.write(folder)).images.empty());
 }
 
-TEST(TexcoordMapping, ChoosesTheSetOfTheBaseColor) {
+TEST(TextureSlot, ChoosesTheSetOfTexcoords) {
   GltfDocument document = textured_document();
   document.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 1;
   const Scene scene = load(document, kRed);
-  EXPECT_EQ(scene.meshes.at(0).texcoords.at(1), Vector2f(1, 0.5F));
+  EXPECT_EQ(scene.materials.at(0).base_color_texture.texcoord_set, 1);
+  EXPECT_EQ(scene.meshes.at(0).texcoords[1].at(1), Vector2f(1, 0.5F));
 }
 
 /// The example of the extension's text: the lower left quadrant of the image, turned clockwise.
-TEST(TexcoordMapping, AppliesTheTextureTransform) {
+TEST(TextureSlot, HoldsTheTextureTransform) {
   GltfDocument document = textured_document();
   document.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"] = {
       {"KHR_texture_transform",
-       {{"offset", {0, 1}}, {"rotation", std::numbers::pi / 2}, {"scale", {0.5, 0.5}}}}};
-  const std::vector<Vector2f> texcoords = load(document, kRed).meshes.at(0).texcoords;
+       {{"offset", {0, 1}},
+        {"rotation", std::numbers::pi / 2},
+        {"scale", {0.5, 0.5}},
+        {"texCoord", 1}}}};
+  const TextureSlot slot = load(document, kRed).materials.at(0).base_color_texture;
   constexpr float kRounding = 1e-6F;
-  EXPECT_TRUE(texcoords.at(0).isApprox(Vector2f(0, 1), kRounding));
-  EXPECT_TRUE(texcoords.at(1).isApprox(Vector2f(0, 0.5F), kRounding));
-  EXPECT_TRUE(texcoords.at(2).isApprox(Vector2f(0.5F, 1), kRounding));
+  EXPECT_EQ(slot.texcoord_set, 1);
+  EXPECT_TRUE((slot.T_image_texcoord * Vector2f(0, 0)).isApprox(Vector2f(0, 1), kRounding));
+  EXPECT_TRUE((slot.T_image_texcoord * Vector2f(1, 0)).isApprox(Vector2f(0, 0.5F), kRounding));
+  EXPECT_TRUE((slot.T_image_texcoord * Vector2f(0, 1)).isApprox(Vector2f(0.5F, 1), kRounding));
 }
 
 }  // namespace

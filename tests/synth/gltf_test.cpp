@@ -146,7 +146,7 @@ TEST(LoadGltf, ReadsInterleavedAttributes) {
   document.primitive()["attributes"]["TEXCOORD_0"] = 2;
   const Scene scene = load(document);
   EXPECT_EQ(world_corners(scene).at(2), Vector3d(0, 1, 0));
-  EXPECT_EQ(only_mesh(scene).texcoords.at(1), Vector2f(0.3F, 0.4F));
+  EXPECT_EQ(only_mesh(scene).texcoords[0].at(1), Vector2f(0.3F, 0.4F));
 }
 
 TEST(LoadGltf, ScalesNormalisedIntegers) {
@@ -250,6 +250,37 @@ TEST(LoadGltf, PlacesPointAndDirectionalLights) {
   EXPECT_EQ(scene.lights[0].intensity, Eigen::Vector3f(40, 20, 0));
   EXPECT_EQ(scene.lights[1].kind, LightKind::directional);
   EXPECT_TRUE(scene.lights[1].direction.isApprox(-Vector3d::UnitY(), kRounding));
+}
+
+TEST(LoadGltf, AimsSpotLightsAlongMinusZ) {
+  GltfDocument document = triangle_document();
+  document.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+      {{"type", "spot"},
+       {"range", 5},
+       {"spot", {{"innerConeAngle", 0.25}, {"outerConeAngle", 0.5}}}}};
+  document.json["nodes"] = {{{"rotation", {0, std::sqrt(0.5), 0, std::sqrt(0.5)}},
+                             {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}}};
+  const Light light = load(document).lights.at(0);
+  EXPECT_EQ(light.kind, LightKind::spot);
+  EXPECT_EQ(light.range, 5);
+  EXPECT_EQ(light.inner_cone, 0.25);
+  EXPECT_EQ(light.outer_cone, 0.5);
+  EXPECT_TRUE(light.direction.isApprox(-Vector3d::UnitX(), kRounding));
+}
+
+TEST(LoadGltf, TurnsCamerasToLookAlongTheirZ) {
+  GltfDocument document = triangle_document();
+  document.json["cameras"] = {
+      {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.1}}}}};
+  document.json["nodes"] = {
+      {{"name", "eye"}, {"camera", 0}, {"translation", {1, 2, 3}}, {"scale", {2, 2, 2}}}};
+  const SceneCamera camera = load(document).cameras.at(0);
+  EXPECT_EQ(camera.name, "eye");
+  EXPECT_EQ(camera.vertical_fov, 1);
+  EXPECT_EQ(camera.T_world_camera.translation(), Vector3d(1, 2, 3));
+  // glTF's camera looks along -z with y up.
+  const Eigen::Matrix3d R_world_camera = camera.T_world_camera.rotation_matrix();
+  EXPECT_TRUE(R_world_camera.isApprox(Vector3d(1, -1, -1).asDiagonal().toDenseMatrix(), kRounding));
 }
 
 TEST(LoadGltf, NotesOptionalExtensionsOnce) {

@@ -12,7 +12,7 @@ inline Mesh quad(const Eigen::Vector3f& corner, const Eigen::Vector3f& right,
                  const Eigen::Vector3f& down) {
   Mesh mesh;
   mesh.positions = {corner, corner + right, corner + right + down, corner + down};
-  mesh.texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  mesh.texcoords[0] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
   return mesh;
 }

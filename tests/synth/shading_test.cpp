@@ -175,7 +175,7 @@ TextureImage four_texels() {
 Scene textured_square(const TextureImage& image) {
   Scene scene;
   Material material = unlit({1, 1, 1});
-  material.base_color_texture = 0;
+  material.base_color_texture.texture = 0;
   add(scene, square_at(1, 0.5F), material);
   scene.textures.push_back({.image = 0,
                             .magnification = TexelFilter::nearest,
