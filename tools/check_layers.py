@@ -10,10 +10,12 @@ MAY_INCLUDE = {  # layer: what it may include beside itself
     "vo/io": ["vo/core"],
     "vo/image": ["vo/core"],
     "vo/tracking": ["vo/core", "vo/image"],
+    "vo/mapping": ["vo/core", "vo/image"],
     "vo/evaluation": ["vo/core"],
-    "vo": ["vo/core", "vo/image", "vo/tracking"],
+    "vo": ["vo/core", "vo/image", "vo/mapping", "vo/tracking"],
     "synth": ["vo/core", "vo/io"],
-    "tools": ["vo", "vo/core", "vo/io", "vo/image", "vo/tracking", "vo/evaluation", "synth"],
+    "tools": ["vo", "vo/core", "vo/io", "vo/image", "vo/mapping", "vo/tracking",
+              "vo/evaluation", "synth"],
 }
 
 ONLY_IN = {  # third-party header: the files that may name it

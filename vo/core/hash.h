@@ -30,6 +30,15 @@ class ContentHash {
   std::uint64_t value_ = 0xcbf29ce484222325ULL;
 };
 
+/// A well-mixed 64-bit value of any other (splitmix64): what is chosen at random is the same
+/// wherever it is chosen.
+inline std::uint64_t mixed(std::uint64_t value) {
+  value += 0x9e3779b97f4a7c15U;
+  value = (value ^ (value >> 30U)) * 0xbf58476d1ce4e5b9U;
+  value = (value ^ (value >> 27U)) * 0x94d049bb133111ebU;
+  return value ^ (value >> 31U);
+}
+
 /// Sixteen hexadecimal digits.
 inline std::string to_hex(std::uint64_t value) {
   constexpr const char* kDigits = "0123456789abcdef";

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "vo/core/error.h"
+#include "vo/core/hash.h"
 
 namespace vo {
 namespace {
@@ -37,14 +38,6 @@ bool is_near_step(const DepthImage& depth, cv::Point pixel, int radius, double r
     }
   }
   return farthest > nearest * static_cast<float>(ratio);
-}
-
-/// A well-mixed 64-bit value of a pixel (splitmix64): the same subset wherever it is chosen.
-std::uint64_t mixed(std::uint64_t value) {
-  value += 0x9e3779b97f4a7c15U;
-  value = (value ^ (value >> 30U)) * 0xbf58476d1ce4e5b9U;
-  value = (value ^ (value >> 27U)) * 0x94d049bb133111ebU;
-  return value ^ (value >> 31U);
 }
 
 /// As many pixels with depth as the mask has, anywhere in the image.
@@ -90,8 +83,10 @@ cv::Vec2f image_gradient(const PyramidLevel& level, cv::Point pixel, cv::Vec2f r
   return {by_u * imaged.dx_dx + by_v * imaged.dx_dy, by_u * imaged.dx_dy + by_v * imaged.dy_dy};
 }
 
-void add_point(const PyramidLevel& level, cv::Point pixel, EdgePointLevel& points) {
-  const float z = level.depth(pixel);
+}  // namespace
+
+void add_edge_point(const PyramidLevel& level, cv::Point pixel, float z, float depth_sigma,
+                    EdgePointLevel& points) {
   const cv::Vec2f ray = level.rays(pixel);
   const cv::Vec2f slope = image_gradient(level, pixel, ray) / z;
   points.x_ref.push_back(ray[0] * z);
@@ -101,11 +96,10 @@ void add_point(const PyramidLevel& level, cv::Point pixel, EdgePointLevel& point
   points.dI_dx.push_back(slope[0]);
   points.dI_dy.push_back(slope[1]);
   points.dI_dz.push_back(-slope.dot(ray));
-  points.depth_sigma.push_back(structured_light_sigma(z));
+  points.depth_sigma.push_back(depth_sigma);
   points.pixel.push_back(pixel);
 }
 
-/// Keeps the points whose rank in a pseudo-random order is below the limit.
 void thin_out(const EdgePointOptions& options, int width, EdgePointLevel& points) {
   const auto limit = options.max_points > 0 ? static_cast<double>(options.max_points) : 1e18;
   const auto count = static_cast<double>(points.size());
@@ -126,6 +120,8 @@ void thin_out(const EdgePointOptions& options, int width, EdgePointLevel& points
   points.keep(kept);
 }
 
+namespace {
+
 void collect_points(const PyramidLevel& reference, const EdgeMask& mask,
                     const EdgePointOptions& options, int discontinuity_radius,
                     EdgePointLevel& points) {
@@ -138,7 +134,8 @@ void collect_points(const PyramidLevel& reference, const EdgeMask& mask,
                                                     options.discontinuity_ratio))) {
         continue;
       }
-      add_point(reference, {u, v}, points);
+      const float z = reference.depth(v, u);
+      add_edge_point(reference, {u, v}, z, structured_light_sigma(z), points);
     }
   }
   thin_out(options, mask.cols, points);

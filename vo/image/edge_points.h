@@ -95,6 +95,13 @@ inline float structured_light_sigma(float depth) {
   return 0.0012F + 0.0019F * beyond * beyond;
 }
 
+/// Appends the pixel of a level at a depth known with a standard deviation, both in m.
+void add_edge_point(const PyramidLevel& level, cv::Point pixel, float z, float depth_sigma,
+                    EdgePointLevel& points);
+
+/// Keeps the points whose rank in a pseudo-random order of a level's pixels is below the limit.
+void thin_out(const EdgePointOptions& options, int width, EdgePointLevel& points);
+
 /// How many of a level's own edge pixels have depth in the options' range.
 std::size_t edge_pixels_with_depth(const PyramidLevel& level, const EdgePointOptions& options);
 

@@ -121,6 +121,8 @@ void summarize(const JointSystem& system, const JointProblem& problem, AlignResu
   const LinearSystem& first = system.parts.front();
   result.points = system.points;
   result.cost = system.cost;
+  result.gain = problem.models().front().brightness.gain;
+  result.offset = problem.models().front().brightness.offset;
   result.conditioning = conditioning_of(system.H);
   if (first.total > 0) {
     result.visible_fraction = static_cast<double>(first.points) / static_cast<double>(first.total);

@@ -39,6 +39,8 @@ struct AlignResult {
   double cost = 0;              ///< robust, per point of the finest level, in squares of its scale
   double conditioning = 0;      ///< least over greatest eigenvalue of the scaled normal equations;
                                 ///< near 0 a direction of motion is not determined
+  double gain = 1;    ///< the current image shows gain I_ref + offset, ref the first reference
+  double offset = 0;  ///< intensity
   /// Of the left increment delta of exp(delta) T_cur_ref; see pose_covariance().
   Matrix6d covariance = Matrix6d::Zero();
 

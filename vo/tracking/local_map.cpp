@@ -55,6 +55,12 @@ void LocalMap::set_last_velocity(const Vector6d& velocity) {
   keyframes_.back() = std::make_shared<const Keyframe>(std::move(keyframe));
 }
 
+void LocalMap::set_last_points(std::shared_ptr<const EdgePoints> points) {
+  Keyframe keyframe = *keyframes_.back();
+  keyframe.points = std::move(points);
+  keyframes_.back() = std::make_shared<const Keyframe>(std::move(keyframe));
+}
+
 std::vector<std::shared_ptr<const Keyframe>> LocalMap::references_for(
     const SE3& T_world_camera) const {
   if (options_.references == 1) {

@@ -55,7 +55,8 @@ class LocalMap {
   const std::shared_ptr<const Keyframe>& last() const { return keyframes_.back(); }
   const std::deque<std::shared_ptr<const Keyframe>>& keyframes() const { return keyframes_; }
   void add(Keyframe keyframe);
-  void set_last_velocity(const Vector6d& velocity);  ///< once the next frame has told
+  void set_last_velocity(const Vector6d& velocity);                ///< once the next frame has told
+  void set_last_points(std::shared_ptr<const EdgePoints> points);  ///< as far as they are known now
 
   /// The keyframe that the camera sees most alike, then the next, at most `references`; the last
   /// keyframe where none has enough in common.

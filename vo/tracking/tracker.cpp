@@ -219,10 +219,19 @@ bool Tracker::needs_keyframe(const FramePyramid& current, const TrackingResult& 
 }
 
 void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyframe) {
-  map_.add({keyframe,
-            current_points_ != nullptr ? current_points_ : own_points(keyframe, options_.points),
-            T_world_keyframe, velocity_});
+  set_keyframe(
+      keyframe, T_world_keyframe,
+      current_points_ != nullptr ? current_points_ : own_points(keyframe, options_.points));
+}
+
+void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyframe,
+                           std::shared_ptr<const EdgePoints> points) {
+  map_.add({keyframe, std::move(points), T_world_keyframe, velocity_});
   frames_since_keyframe_ = 0;
+}
+
+void Tracker::update_keyframe(std::shared_ptr<const EdgePoints> points) {
+  map_.set_last_points(std::move(points));
 }
 
 /// Of all references of the frame that is tracked. The first keyframe's is known a frame later.

@@ -67,6 +67,13 @@ class Tracker {
   bool needs_keyframe(const FramePyramid& current, const TrackingResult& result) const;
   void set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyframe);
 
+  /// The same with points of a depth map instead of the frame's own depth, and what that map knows
+  /// of the last keyframe's points by now.
+  void set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyframe,
+                    std::shared_ptr<const EdgePoints> points);
+  void update_keyframe(std::shared_ptr<const EdgePoints> points);
+  const LocalMap& map() const { return map_; }
+
   /// The first reference's points as they were aligned to the last frame; for pictures and tests.
   const EdgePoints& reference_points() const { return *reference_points_; }
 

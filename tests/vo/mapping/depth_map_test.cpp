@@ -1,0 +1,96 @@
+#include "vo/mapping/depth_map.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/error_text.h"
+#include "tests/vo/mapping/plane_map.h"
+
+namespace {
+
+using support::grey_frame;
+using support::median_magnitude;
+using support::relative_errors;
+using support::small_camera;
+using vo::SE3;
+
+/// 1 cm a frame past the plane at 2 m, turning a little.
+SE3 walk(int frame) {
+  return SE3::exp(
+      (vo::Vector6d() << 0.01 * frame, 0.003 * frame, 0, 0, 0.001 * frame, 0).finished());
+}
+
+vo::DepthMap map_after(int frames, const vo::DepthMapOptions& options, int keyframe_interval) {
+  vo::DepthMap map(options);
+  map.start(grey_frame(small_camera(), walk(0)), 1);
+  int anchor = 0;
+  for (int i = 1; i <= frames; ++i) {
+    const vo::FramePyramid current = grey_frame(small_camera(), walk(i));
+    const vo::FrameRelation relation{walk(i).inverse() * walk(anchor)};
+    map.observe(current, relation);
+    map.regularise();
+    if (i % keyframe_interval == 0) {
+      map.propagate(current, relation);
+      anchor = i;
+    }
+  }
+  return map;
+}
+
+/// 0.67 x 0.15 px x z / (f b) with z = 2 m, f = 277 px, b = 0.2 m: 0.36 %.
+TEST(DepthMap, FindsAnUnknownPlaneFromKnownPoses) {
+  const vo::DepthMap map = map_after(20, {}, 100);
+  const std::vector<double> errors = relative_errors(map, small_camera(), walk(0));
+  ASSERT_GT(errors.size(), map.hypotheses().size() / 2);
+  EXPECT_LT(median_magnitude(errors), 1.5 * 0.0036);
+  const auto outliers = std::count_if(errors.begin(), errors.end(),
+                                      [](double error) { return std::abs(error) > 0.1; });
+  EXPECT_LT(static_cast<double>(outliers), 0.02 * static_cast<double>(errors.size()));
+}
+
+TEST(DepthMap, IsCarriedFromAnchorToAnchor) {
+  const vo::DepthMap map = map_after(20, {}, 5);
+  const std::vector<double> errors = relative_errors(map, small_camera(), walk(20));
+  ASSERT_GT(errors.size(), map.hypotheses().size() / 2);
+  EXPECT_LT(median_magnitude(errors), 1.5 * 0.0036);
+}
+
+TEST(DepthMap, GaussianBetaFusionFindsThePlaneToo) {
+  const vo::DepthMap map = map_after(20, {.fusion = vo::Fusion::gaussian_beta}, 100);
+  const std::vector<double> errors = relative_errors(map, small_camera(), walk(0));
+  ASSERT_GT(errors.size(), map.hypotheses().size() / 2);
+  EXPECT_LT(median_magnitude(errors), 1.5 * 0.0036);
+}
+
+TEST(DepthMap, PointsAreThoseOfTheDepthItWasGiven) {
+  const vo::RgbdFrame frame = support::plane_frame(small_camera(), SE3(), 0);
+  vo::DepthMap map({});
+  map.start(grey_frame(small_camera(), SE3()), 1);
+  map.take_depth(frame.depth, 0.01);
+  const vo::EdgePoints points = map.points({});
+  ASSERT_EQ(points.levels.size(), 3U);
+  ASSERT_EQ(points.levels[0].size(), map.hypotheses().size());
+  for (std::size_t i = 0; i < points.levels[0].size(); ++i) {
+    const cv::Point pixel = points.levels[0].pixel[i];
+    EXPECT_NEAR(points.levels[0].z_ref[i], frame.depth(pixel), 1e-5);
+    EXPECT_NEAR(points.levels[0].depth_sigma[i], 0.01 * frame.depth(pixel), 1e-5);
+  }
+}
+
+TEST(DepthMap, AStationaryCameraLeavesItAsItIs) {
+  const vo::RgbdFrame frame = support::plane_frame(small_camera(), SE3(), 0);
+  vo::DepthMap map({});
+  const vo::FramePyramid anchor = grey_frame(small_camera(), SE3());
+  map.start(anchor, 1);
+  map.take_depth(frame.depth, 0.01);
+  const std::vector<float> before = map.hypotheses().inverse_depth;
+  const vo::ObservationCounts counts = map.observe(anchor, {});
+  EXPECT_EQ(counts.unobservable, map.hypotheses().size());
+  EXPECT_EQ(map.hypotheses().inverse_depth, before);
+}
+
+TEST(DepthMap, RefusesOptionsThatMakeNoSense) {
+  EXPECT_EQ(support::error_text([] { vo::DepthMap map({.min_depth = 3, .max_depth = 2}); }),
+            "depth_map: expected 0 < min_depth < max_depth, got 3 and 2");
+}
+
+}  // namespace

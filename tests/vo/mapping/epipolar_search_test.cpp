@@ -1,0 +1,175 @@
+#include "vo/mapping/epipolar_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/vo/mapping/plane_map.h"
+
+namespace {
+
+using support::small_camera;
+using vo::SE3;
+
+/// One found edge: how far off, in units of the place on the line and of its predicted error.
+struct Match {
+  double error_px = 0;
+  double normalized = 0;  ///< error over predicted standard deviation
+  double sigma = 0;       ///< predicted, relative
+};
+
+/// What is looked for and how.
+struct Trial {
+  SE3 T_anchor_cur;
+  std::optional<vo::FrameRelation> believed;  ///< where it is not the truth
+  float spread = 0.1F;                        ///< of the searched interval, relative to the truth
+  double noise = 0;                           ///< grey levels
+  vo::EpipolarOptions options;
+};
+
+vo::FramePyramid noisy_frame(const vo::PinholeCamera& camera, const SE3& T_world_camera,
+                             double noise, std::uint64_t seed) {
+  vo::RgbdFrame image =
+      support::with_noise(support::plane_frame(camera, T_world_camera, 0), noise, seed);
+  image.depth = {};
+  vo::FramePyramid pyramid = vo::build_pyramid(image, camera, vo::PyramidOptions());
+  vo::add_edges(pyramid, vo::EdgeOptions());
+  return pyramid;
+}
+
+/// Looks for all edges of the plane seen from the origin.
+std::vector<Match> matches(const vo::PinholeCamera& camera, const Trial& trial) {
+  const SE3 T_cur_anchor = trial.T_anchor_cur.inverse();
+  const vo::FramePyramid anchor = noisy_frame(camera, SE3(), trial.noise, 7);
+  const vo::FramePyramid current = noisy_frame(camera, trial.T_anchor_cur, trial.noise, 8);
+  const vo::FrameRelation relation = trial.believed.value_or(vo::FrameRelation{T_cur_anchor});
+  const vo::StereoPair pair(anchor.levels[0], current.levels[0], relation);
+  vo::EpipolarSearch search(pair, trial.options);
+  const vo::Hypotheses edges = vo::edge_hypotheses(anchor.levels[0], {}, 0.5F);
+  std::vector<Match> found;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Eigen::Vector2d pixel(edges.pixel[i].x, edges.pixel[i].y);
+    const double truth = support::true_inverse_depth(camera, SE3(), pixel.x(), pixel.y());
+    const auto d = static_cast<float>(truth);
+    const vo::Observation seen = search.observe({edges.pixel[i], edges.gradient[i], d * 1.02F,
+                                                 d * (1 + trial.spread), d * (1 - trial.spread)});
+    if (seen.outcome == vo::SearchOutcome::found) {
+      const auto place = [&](double inverse_depth) {
+        return camera.project(T_cur_anchor * camera.unproject(pixel, 1 / inverse_depth));
+      };
+      const double sign = seen.inverse_depth > truth ? 1 : -1;
+      found.push_back({sign * (place(seen.inverse_depth) - place(truth)).norm(),
+                       (seen.inverse_depth - truth) / std::sqrt(seen.variance),
+                       std::sqrt(seen.variance) / truth});
+    }
+  }
+  return found;
+}
+
+template <typename Value>
+double mean(const std::vector<Match>& matches, Value value) {
+  double sum = 0;
+  for (const Match& match : matches) {
+    sum += value(match);
+  }
+  return sum / static_cast<double>(matches.size());
+}
+
+const std::vector<SE3>& views() {
+  static const std::vector<SE3> poses = {
+      SE3(Eigen::Quaterniond::Identity(), {0.06, 0, 0}),
+      SE3(Eigen::Quaterniond::Identity(), {0.03, -0.05, 0.02}),
+      SE3(Eigen::Quaterniond::Identity(), {0.02, 0.02, 0.12}),
+      SE3::exp((vo::Vector6d() << 0.05, 0.02, -0.03, 0.02, -0.03, 0.04).finished())};
+  return poses;
+}
+
+TEST(EpipolarSearch, IsUnbiasedBelowTwoHundredthsOfAPixel) {
+  for (const SE3& T_anchor_cur : views()) {
+    const std::vector<Match> found = matches(small_camera(), {T_anchor_cur, {}});
+    ASSERT_GT(found.size(), 1000U);
+    EXPECT_LT(std::abs(mean(found, [](const Match& m) { return m.error_px; })), 0.02)
+        << T_anchor_cur.translation().transpose();
+  }
+}
+
+TEST(EpipolarSearch, FindsTheEdgeInAWideInterval) {
+  const std::vector<Match> found = matches(small_camera(), {views()[0], {}, 0.4F});
+  ASSERT_GT(found.size(), 1000U);
+  const auto wrong = std::count_if(found.begin(), found.end(),
+                                   [](const Match& m) { return std::abs(m.error_px) > 1; });
+  EXPECT_LT(static_cast<double>(wrong), 0.01 * static_cast<double>(found.size()));
+}
+
+/// Normalised squared error of each third of the matches, by predicted error; a good prediction
+/// gives 1.
+std::array<double, 3> nees_of_thirds(std::vector<Match> found) {
+  std::sort(found.begin(), found.end(),
+            [](const Match& a, const Match& b) { return a.sigma < b.sigma; });
+  const std::size_t third = found.size() / 3;
+  std::array<double, 3> nees{};
+  for (std::size_t bin = 0; bin < 3; ++bin) {
+    const auto begin = found.begin() + static_cast<std::ptrdiff_t>(bin * third);
+    const std::vector<Match> part(begin, begin + static_cast<std::ptrdiff_t>(third));
+    nees.at(bin) = mean(part, [](const Match& m) { return m.normalized * m.normalized; });
+  }
+  return nees;
+}
+
+/// Noise of 4 grey levels and no error of the line: what is left is the photometric term, and 0.02
+/// px of interpolation.
+TEST(EpipolarSearch, PredictsWhatNoiseDoes) {
+  const vo::EpipolarOptions options{.sigma_line_px = 0, .sigma_match_px = 0.02, .sigma_grey = 4};
+  std::vector<Match> found;
+  for (const SE3& T_anchor_cur : views()) {
+    const std::vector<Match> some = matches(small_camera(), {T_anchor_cur, {}, 0.1F, 4, options});
+    found.insert(found.end(), some.begin(), some.end());
+  }
+  for (const double nees : nees_of_thirds(found)) {
+    EXPECT_GT(nees, 0.5);
+    EXPECT_LT(nees, 2);
+  }
+}
+
+/// Poses that are off as their covariance says, twenty times; no other error.
+TEST(EpipolarSearch, PredictsWhatAWrongPoseDoes) {
+  const vo::EpipolarOptions options{.sigma_line_px = 0, .sigma_match_px = 0.02, .sigma_grey = 1};
+  vo::Vector6d sigma;
+  sigma << 1e-3, 1e-3, 1e-3, 3e-4, 3e-4, 3e-4;
+  std::vector<Match> found;
+  for (std::uint64_t trial = 0; trial < 20; ++trial) {
+    vo::Vector6d error;
+    for (int k = 0; k < 6; ++k) {
+      error[k] = sigma[k] * support::hash_noise(6 * trial + static_cast<std::uint64_t>(k));
+    }
+    const SE3 T_cur_anchor = SE3::exp(error) * views()[3].inverse();
+    vo::FrameRelation believed{T_cur_anchor};
+    believed.covariance = sigma.cwiseAbs2().asDiagonal();
+    const std::vector<Match> some =
+        matches(small_camera(), {views()[3], believed, 0.1F, 0, options});
+    found.insert(found.end(), some.begin(), some.end());
+  }
+  for (const double nees : nees_of_thirds(found)) {
+    EXPECT_GT(nees, 0.5);
+    EXPECT_LT(nees, 2);
+  }
+}
+
+TEST(EpipolarSearch, SaysNothingWithoutParallax) {
+  const SE3 turn = SE3::exp((vo::Vector6d() << 0, 0, 0, 0.01, 0.02, 0.03).finished());
+  EXPECT_TRUE(matches(small_camera(), {turn, {}}).empty());
+}
+
+TEST(EpipolarSearch, KnowsTheLens) {
+  vo::PinholeCamera camera = small_camera();
+  camera.distortion = {.k1 = 0.2, .k2 = -0.5, .p1 = -0.003, .p2 = 0.002, .k3 = 0.6};
+  const std::vector<Match> found = matches(camera, {views()[3], {}});
+  ASSERT_GT(found.size(), 1000U);
+  EXPECT_LT(std::abs(mean(found, [](const Match& m) { return m.error_px; })), 0.02);
+}
+
+}  // namespace

@@ -1,0 +1,139 @@
+#include "vo/mapping/chains.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace vo {
+namespace {
+
+constexpr int kReach = 2;  // px along the chain to either side
+
+/// Neighbours along the edge of which something is known.
+struct ChainNeighbours {
+  std::array<std::size_t, 2 * kReach> indices{};
+  std::size_t count = 0;
+};
+
+ChainNeighbours neighbours_of(const Hypotheses& hypotheses, std::size_t i) {
+  ChainNeighbours neighbours;
+  for (const std::vector<int>* link : {&hypotheses.previous, &hypotheses.next}) {
+    int at = (*link)[i];
+    for (int step = 0; step < kReach && at >= 0 && at != static_cast<int>(i); ++step) {
+      const auto index = static_cast<std::size_t>(at);
+      if (hypotheses.knowledge[index] != Knowledge::none) {
+        neighbours.indices[neighbours.count++] = index;
+      }
+      at = (*link)[index];
+    }
+  }
+  return neighbours;
+}
+
+bool agree(const Hypotheses& hypotheses, std::size_t i, std::size_t j, float sigmas) {
+  const float difference = hypotheses.inverse_depth[i] - hypotheses.inverse_depth[j];
+  return difference * difference <=
+         sigmas * sigmas * (hypotheses.variance[i] + hypotheses.variance[j]);
+}
+
+bool is_lonely(const Hypotheses& hypotheses, std::size_t i) {
+  constexpr std::size_t kWitnesses = 3;
+  constexpr float kFar = 0.05F;  // relative
+  const ChainNeighbours neighbours = neighbours_of(hypotheses, i);
+  if (neighbours.count < kWitnesses) {
+    return false;
+  }
+  const std::size_t first = neighbours.indices[0];
+  for (std::size_t n = 0; n < neighbours.count; ++n) {
+    const std::size_t j = neighbours.indices[n];
+    const float distance = std::abs(hypotheses.inverse_depth[i] - hypotheses.inverse_depth[j]);
+    if (!agree(hypotheses, first, j, 2) || agree(hypotheses, i, j, 3) ||
+        distance < kFar * hypotheses.inverse_depth[i]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Mean inverse depth of known pixels in 5x5 where at least two agree; 0 where not.
+float mean_around(const Hypotheses& hypotheses, cv::Point pixel, double confident_sigma) {
+  constexpr int kRadius = 2;
+  constexpr float kSpread = 1.1F;
+  float sum = 0;
+  float least = 0;
+  float greatest = 0;
+  int count = 0;
+  for (int dv = -kRadius; dv <= kRadius; ++dv) {
+    for (int du = -kRadius; du <= kRadius; ++du) {
+      const int other = hypotheses.index(pixel + cv::Point(du, dv));
+      const auto j = static_cast<std::size_t>(std::max(other, 0));
+      if (other < 0 || hypotheses.knowledge[j] != Knowledge::known ||
+          hypotheses.relative_sigma(j) > confident_sigma) {
+        continue;
+      }
+      const float d = hypotheses.inverse_depth[j];
+      least = count == 0 ? d : std::min(least, d);
+      greatest = std::max(greatest, d);
+      sum += d;
+      ++count;
+    }
+  }
+  return count >= 2 && greatest < kSpread * least ? sum / static_cast<float>(count) : 0;
+}
+
+}  // namespace
+
+void smooth_along_chains(Hypotheses& hypotheses) {
+  for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+    float weight = 1 / hypotheses.variance[i];
+    float sum = weight * hypotheses.inverse_depth[i];
+    if (hypotheses.knowledge[i] != Knowledge::none) {
+      const ChainNeighbours neighbours = neighbours_of(hypotheses, i);
+      for (std::size_t n = 0; n < neighbours.count; ++n) {
+        const std::size_t j = neighbours.indices[n];
+        if (agree(hypotheses, i, j, 2)) {
+          const float share = 1 / hypotheses.variance[j];
+          weight += share;
+          sum += share * hypotheses.inverse_depth[j];
+        }
+      }
+    }
+    hypotheses.smoothed[i] = sum / weight;
+  }
+}
+
+std::size_t forget_lonely(const DepthMapOptions& options, float guess, Hypotheses& hypotheses) {
+  std::vector<std::size_t> lonely;
+  for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+    if (hypotheses.knowledge[i] == Knowledge::known &&
+        hypotheses.relative_sigma(i) <= options.confident_sigma && is_lonely(hypotheses, i)) {
+      lonely.push_back(i);
+    }
+  }
+  for (const std::size_t i : lonely) {
+    hypotheses.forget(i, guess);
+  }
+  return lonely.size();
+}
+
+std::size_t fill_from_neighbours(const DepthMapOptions& options, Hypotheses& hypotheses) {
+  std::vector<std::pair<std::size_t, float>> filled;
+  for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+    if (hypotheses.knowledge[i] == Knowledge::none) {
+      const float mean = mean_around(hypotheses, hypotheses.pixel[i], options.confident_sigma);
+      if (mean > 0) {
+        filled.emplace_back(i, mean);
+      }
+    }
+  }
+  for (const auto& [i, mean] : filled) {
+    const float sigma = static_cast<float>(options.fill_sigma) * mean;
+    hypotheses.set(i, mean, sigma * sigma);
+    hypotheses.knowledge[i] = Knowledge::filled;
+  }
+  return filled.size();
+}
+
+}  // namespace vo

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "vo/image/edge_points.h"
+#include "vo/image/pyramid.h"
+#include "vo/mapping/depth_map_options.h"
+#include "vo/mapping/epipolar_search.h"
+#include "vo/mapping/hypotheses.h"
+#include "vo/mapping/propagate.h"
+#include "vo/mapping/stereo_pair.h"
+
+namespace vo {
+
+/// How many edges were looked for in a frame, by outcome.
+struct ObservationCounts {
+  std::size_t found = 0;
+  std::size_t inconsistent = 0;  ///< found, but not where the depth was expected
+  std::size_t out_of_view = 0;
+  std::size_t unobservable = 0;
+  std::size_t ambiguous = 0;
+  std::size_t no_match = 0;
+};
+
+/// Told of each observation before it is fused; for tests and diagnostics.
+using ObservationListener = std::function<void(std::size_t hypothesis, const Observation&)>;
+
+/// Inverse depths of the edge pixels of one frame, the anchor, with their uncertainty. It is kept
+/// (`observe` with each frame) and carried from anchor to anchor (`propagate`).
+///
+/// Nothing here knows metres: scale is whatever the first depths and the poses have.
+class DepthMap {
+ public:
+  explicit DepthMap(const DepthMapOptions& options);
+
+  /// A new anchor, with edges, of which nothing is known but a guess of the depth, m.
+  void start(const FramePyramid& anchor, double guessed_depth);
+
+  /// Depths of a dense depth image of the anchor's size with a relative standard deviation; where
+  /// it has none, nothing is known.
+  void take_depth(const DepthImage& depth, double relative_sigma);
+
+  /// The same depth everywhere, or random ones between the options' limits, uniform in inverse
+  /// depth: guesses that `points` gives out like knowledge until they are observed.
+  void guess_flat(double depth, double relative_sigma);
+  void guess_random(std::uint64_t seed, double relative_sigma);
+
+  ObservationCounts observe(const FramePyramid& current, const FrameRelation& relation,
+                            const ObservationListener& listener = {});
+
+  /// Smooths along the edges and forgets what disagrees with its neighbours.
+  void regularise();
+
+  /// Makes the current frame, with edges, the anchor.
+  PropagationCounts propagate(const FramePyramid& current, const FrameRelation& relation);
+
+  /// What is known, as the tracker takes it.
+  EdgePoints points(const EdgePointOptions& options) const;
+
+  bool empty() const { return anchor_.levels.empty(); }
+  const FramePyramid& anchor() const { return anchor_; }
+  const Hypotheses& hypotheses() const { return hypotheses_; }
+  const DepthMapOptions& options() const { return options_; }
+  std::size_t confident() const;  ///< how many hypotheses are
+
+ private:
+  SearchTarget target(std::size_t i) const;
+  void count_and_fuse(const Observation& observation, std::size_t i, float guess,
+                      ObservationCounts& counts);
+
+  DepthMapOptions options_;
+  FramePyramid anchor_;
+  Hypotheses hypotheses_;
+};
+
+}  // namespace vo

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "vo/mapping/depth_map_options.h"
+#include "vo/mapping/stereo_pair.h"
+
+namespace vo {
+
+/// What came of looking for an edge.
+enum class SearchOutcome : std::uint8_t {
+  found,
+  out_of_view,   ///< the line leaves the image
+  unobservable,  ///< too little parallax, or the edge runs along the line
+  ambiguous,     ///< two places look alike
+  no_match,      ///< nothing looks like it
+};
+
+constexpr auto enum_names(SearchOutcome) {
+  return std::array{std::pair{SearchOutcome::found, "found"},
+                    std::pair{SearchOutcome::out_of_view, "out_of_view"},
+                    std::pair{SearchOutcome::unobservable, "unobservable"},
+                    std::pair{SearchOutcome::ambiguous, "ambiguous"},
+                    std::pair{SearchOutcome::no_match, "no_match"}};
+}
+
+/// An edge pixel of the anchor and where its depth is looked for.
+struct SearchTarget {
+  cv::Point pixel;
+  cv::Vec2f gradient;       ///< 1/px
+  float inverse_depth = 1;  ///< 1/m, expected
+  float nearest = 2;        ///< 1/m, end of the searched interval
+  float farthest = 0;       ///< 1/m, the other end
+};
+
+struct Observation {
+  SearchOutcome outcome = SearchOutcome::unobservable;
+  float inverse_depth = 0;  ///< 1/m
+  float variance = 0;       ///< 1/m^2
+};
+
+/// Squared cosine of the angle between an edge pixel's gradient and its epipolar line in the
+/// anchor; 0 where there is no line.
+float epipolar_cos2(const StereoPair& pair, cv::Point pixel, const cv::Vec2f& gradient);
+
+/// Looks for edges of the anchor along their epipolar lines in the current image: five samples one
+/// anchor pixel apart along the line, the least sum of squared differences, and Gauss-Newton on the
+/// position along the line. The variance is
+///
+///   alpha^2 ((s_line^2 + s_pose^2) / cos^2 + 2 s_grey^2 / sum dI^2 + s_match^2)
+///
+/// with alpha the inverse depth per px (Engel, Sturm, Cremers, "Semi-Dense Visual Odometry for a
+/// Monocular Camera", ICCV 2013, Eq. 4 to 9) and s_pose the pose's uncertainty across the edge.
+class EpipolarSearch {
+ public:
+  /// The pair must outlive the search.
+  EpipolarSearch(const StereoPair& pair, const EpipolarOptions& options)
+      : pair_(pair), options_(options) {}
+
+  Observation observe(const SearchTarget& target);
+
+ private:
+  struct Line;
+  bool make_line(const SearchTarget& target, Line& line) const;
+  bool sample_anchor(const SearchTarget& target, Line& line) const;
+  SearchOutcome coarse_match(const Line& line, float& s);
+  bool refine(const Line& line, float& s, float& information) const;
+  float pose_variance(const Line& line, const Eigen::Vector3f& P, float inverse_depth) const;
+  float variance_of(const Line& line, float inverse_depth, float information) const;
+
+  const StereoPair& pair_;
+  const EpipolarOptions& options_;
+  std::vector<float> samples_;      ///< reused from call to call
+  std::vector<float> differences_;  ///< likewise
+};
+
+}  // namespace vo

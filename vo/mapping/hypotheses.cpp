@@ -1,0 +1,157 @@
+#include "vo/mapping/hypotheses.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "vo/core/hash.h"
+
+namespace vo {
+namespace {
+
+constexpr int kBorder = 4;  // px; the samples along a line need room
+
+float sample(const GrayImage& image, float u, float v) {
+  const int u0 = static_cast<int>(u);
+  const int v0 = static_cast<int>(v);
+  const float du = u - static_cast<float>(u0);
+  const float dv = v - static_cast<float>(v0);
+  const float* upper = image[v0] + u0;
+  const float* lower = image[v0 + 1] + u0;
+  const float above = upper[0] + du * (upper[1] - upper[0]);
+  const float below = lower[0] + du * (lower[1] - lower[0]);
+  return above + dv * (below - above);
+}
+
+/// Where the gradient along itself is greatest: vertex of the parabola through three slopes, px.
+float offset_of_edge(const GrayImage& image, cv::Point pixel, cv::Vec2f direction) {
+  constexpr float kMaxOffset = 0.7F;
+  std::array<float, 5> along{};
+  for (int k = -2; k <= 2; ++k) {
+    along[static_cast<std::size_t>(k + 2)] =
+        sample(image, static_cast<float>(pixel.x) + static_cast<float>(k) * direction[0],
+               static_cast<float>(pixel.y) + static_cast<float>(k) * direction[1]);
+  }
+  const float before = along[2] - along[0];
+  const float at = along[3] - along[1];
+  const float after = along[4] - along[2];
+  const float bend = before - 2 * at + after;
+  return bend < 0 ? std::clamp(0.5F * (before - after) / bend, -kMaxOffset, kMaxOffset) : 0;
+}
+
+/// Whether a pixel belongs to the share that is kept: whole blocks, so that chains stay whole.
+bool is_kept(cv::Point pixel, double share, std::uint64_t seed) {
+  constexpr int kBlock = 8;  // px
+  const auto block = static_cast<std::uint64_t>((pixel.y / kBlock) * 65536 + pixel.x / kBlock);
+  return static_cast<double>(mixed(mixed(seed) + block)) * 0x1p-64 < share;
+}
+
+void add_hypothesis(const PyramidLevel& level, cv::Point pixel, float guess,
+                    Hypotheses& hypotheses) {
+  const cv::Vec2f gradient = central_gradient(level.intensity, pixel);
+  const float norm = std::hypot(gradient[0], gradient[1]);
+  if (!(norm > 0)) {
+    return;
+  }
+  hypotheses.index(pixel) = static_cast<int>(hypotheses.size());
+  hypotheses.pixel.push_back(pixel);
+  hypotheses.gradient.push_back(gradient);
+  hypotheses.edge_offset.push_back(offset_of_edge(level.intensity, pixel, gradient / norm));
+  hypotheses.knowledge.push_back(Knowledge::none);
+  hypotheses.inverse_depth.push_back(guess);
+  hypotheses.smoothed.push_back(guess);
+  hypotheses.variance.push_back(guess * guess);
+  hypotheses.inliers.push_back(0);
+  hypotheses.outliers.push_back(0);
+}
+
+/// The neighbour of pixel i that continues the edge to one side (+1 or -1); -1 without.
+int neighbour_along(const Hypotheses& hypotheses, std::size_t i, float side) {
+  constexpr float kMaxTurn = 0.7F;  // cosine, of the gradient from pixel to pixel
+  const cv::Vec2f across = cv::normalize(hypotheses.gradient[i]);
+  const cv::Vec2f along(-side * across[1], side * across[0]);
+  int best = -1;
+  float best_cos = 0.5F;
+  for (int dv = -1; dv <= 1; ++dv) {
+    for (int du = -1; du <= 1; ++du) {
+      const int other = hypotheses.index(hypotheses.pixel[i] + cv::Point(du, dv));
+      if (other < 0 || (du == 0 && dv == 0)) {
+        continue;
+      }
+      const cv::Vec2f step(static_cast<float>(du), static_cast<float>(dv));
+      const float cosine = step.dot(along) / std::hypot(step[0], step[1]);
+      const float turn =
+          across.dot(cv::normalize(hypotheses.gradient[static_cast<std::size_t>(other)]));
+      if (cosine > best_cos && turn > kMaxTurn) {
+        best_cos = cosine;
+        best = other;
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+float Hypotheses::relative_sigma(std::size_t i) const {
+  return std::sqrt(variance[i]) / inverse_depth[i];
+}
+
+cv::Vec2f Hypotheses::edge_position(std::size_t i) const {
+  const cv::Vec2f across = cv::normalize(gradient[i]);
+  return cv::Vec2f(static_cast<float>(pixel[i].x), static_cast<float>(pixel[i].y)) +
+         edge_offset[i] * across;
+}
+
+void Hypotheses::set(std::size_t i, float new_inverse_depth, float new_variance) {
+  knowledge[i] = Knowledge::known;
+  inverse_depth[i] = new_inverse_depth;
+  smoothed[i] = new_inverse_depth;
+  variance[i] = new_variance;
+  inliers[i] = 0;
+  outliers[i] = 0;
+}
+
+void Hypotheses::forget(std::size_t i, float guess) {
+  set(i, guess, guess * guess);
+  knowledge[i] = Knowledge::none;
+}
+
+Hypotheses edge_hypotheses(const PyramidLevel& level, const DepthMapOptions& options,
+                           float guessed_inverse_depth) {
+  const EdgeMask& edges = level.edges;
+  Hypotheses hypotheses;
+  hypotheses.index = cv::Mat_<int>(edges.size(), -1);
+  const int count = cv::countNonZero(edges);
+  const double share =
+      options.max_hypotheses > 0 ? options.max_hypotheses / std::max(1.0, 1.0 * count) : 1;
+  for (int v = kBorder; v < edges.rows - kBorder; ++v) {
+    for (int u = kBorder; u < edges.cols - kBorder; ++u) {
+      if (edges(v, u) != 0 && (share >= 1 || is_kept({u, v}, share, options.seed))) {
+        add_hypothesis(level, {u, v}, guessed_inverse_depth, hypotheses);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+    hypotheses.previous.push_back(neighbour_along(hypotheses, i, -1));
+    hypotheses.next.push_back(neighbour_along(hypotheses, i, 1));
+  }
+  return hypotheses;
+}
+
+float median_inverse_depth(const Hypotheses& hypotheses, float fallback) {
+  std::vector<float> known;
+  for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+    if (hypotheses.knowledge[i] != Knowledge::none) {
+      known.push_back(hypotheses.inverse_depth[i]);
+    }
+  }
+  if (known.empty()) {
+    return fallback;
+  }
+  const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
+  std::nth_element(known.begin(), middle, known.end());
+  return *middle;
+}
+
+}  // namespace vo

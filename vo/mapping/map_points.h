@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+
+#include "vo/image/edge_points.h"
+#include "vo/mapping/hypotheses.h"
+
+namespace vo {
+
+/// The hypotheses whose relative standard deviation is at most `max_sigma`, as the tracker takes
+/// them: on coarser levels every pixel that has one below it, at the nearest of their depths.
+EdgePoints map_points(const FramePyramid& anchor, const Hypotheses& hypotheses,
+                      const EdgePointOptions& options, double max_sigma);
+
+}  // namespace vo

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "vo/core/se3.h"
+#include "vo/image/pyramid.h"
+
+namespace vo {
+
+/// How a frame lies to the anchor, as somebody knows it.
+struct FrameRelation {
+  SE3 T_cur_anchor;
+  Matrix6d covariance = Matrix6d::Zero();  ///< of the left increment of T_cur_anchor
+  double gain = 1;                         ///< the current image shows gain I_anchor + offset
+  double offset = 0;                       ///< intensity
+};
+
+/// Two images and the geometry between them, in the precision of the loop over pixels.
+struct StereoPair {
+  const PyramidLevel& anchor;
+  const PyramidLevel& current;
+  Eigen::Matrix3f R_cur_anchor;
+  Eigen::Vector3f t_cur_anchor;  ///< m
+  Eigen::Vector3f p_anchor_cur;  ///< m, the current camera's centre seen from the anchor
+  Eigen::Matrix<float, 6, 6> covariance;
+  bool pose_is_exact;
+  float gain;
+  float offset;
+
+  StereoPair(const PyramidLevel& anchor_level, const PyramidLevel& current_level,
+             const FrameRelation& relation)
+      : anchor(anchor_level),
+        current(current_level),
+        R_cur_anchor(relation.T_cur_anchor.rotation_matrix().cast<float>()),
+        t_cur_anchor(relation.T_cur_anchor.translation().cast<float>()),
+        p_anchor_cur(relation.T_cur_anchor.inverse().translation().cast<float>()),
+        covariance(relation.covariance.cast<float>()),
+        pose_is_exact(relation.covariance.isZero(0)),
+        gain(static_cast<float>(relation.gain)),
+        offset(static_cast<float>(relation.offset)) {}
+};
+
+/// Where a camera images the direction (x, y, 1), px, and the derivative by (x, y).
+struct ImagedRay {
+  Eigen::Vector2f pixel;
+  Eigen::Matrix2f J;
+};
+
+inline ImagedRay image_ray(const PinholeCamera& camera, const Eigen::Vector2f& ray) {
+  const auto fx = static_cast<float>(camera.fx);
+  const auto fy = static_cast<float>(camera.fy);
+  const auto cx = static_cast<float>(camera.cx);
+  const auto cy = static_cast<float>(camera.cy);
+  ImagedRay imaged;
+  if (camera.distortion.is_zero()) {
+    imaged.pixel = {fx * ray.x() + cx, fy * ray.y() + cy};
+    imaged.J << fx, 0, 0, fy;
+    return imaged;
+  }
+  const DistortedPoint<float> point = distort(camera.distortion, ray.x(), ray.y());
+  imaged.pixel = {fx * point.x + cx, fy * point.y + cy};
+  imaged.J << fx * point.dx_dx, fx * point.dx_dy, fy * point.dx_dy, fy * point.dy_dy;
+  return imaged;
+}
+
+/// Bilinear look-up; inside is at least half a pixel from the border on every side.
+inline bool can_be_sampled(const GrayImage& image, const Eigen::Vector2f& pixel) {
+  return pixel.x() >= 1 && pixel.y() >= 1 && pixel.x() < static_cast<float>(image.cols - 2) &&
+         pixel.y() < static_cast<float>(image.rows - 2);
+}
+
+inline float sample_bilinear(const GrayImage& image, const Eigen::Vector2f& pixel) {
+  const int u = static_cast<int>(pixel.x());
+  const int v = static_cast<int>(pixel.y());
+  const float du = pixel.x() - static_cast<float>(u);
+  const float dv = pixel.y() - static_cast<float>(v);
+  const float* upper = image[v] + u;
+  const float* lower = image[v + 1] + u;
+  const float above = upper[0] + du * (upper[1] - upper[0]);
+  const float below = lower[0] + du * (lower[1] - lower[0]);
+  return above + dv * (below - above);
+}
+
+}  // namespace vo
