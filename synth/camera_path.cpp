@@ -108,18 +108,29 @@ CameraPath spline(const vo::Trajectory& control_poses) {
   };
 }
 
-vo::Trajectory sample(const CameraPath& path, double rate_hz, double duration_s) {
+std::vector<double> sample_times(double rate_hz, double duration_s) {
   vo::require(rate_hz > 0 && duration_s >= 0 && std::isfinite(rate_hz * duration_s),
               "camera path: expected a rate above 0 Hz and a duration of 0 s or more, got ",
               rate_hz, " Hz, ", duration_s, " s");
   constexpr double kTolerance = 1e-9;  // frames, for the rounding of rate times duration
   const auto last = static_cast<std::size_t>(rate_hz * duration_s + kTolerance);
-  vo::Trajectory trajectory;
+  std::vector<double> times;
   for (std::size_t i = 0; i <= last; ++i) {
-    const double time = static_cast<double>(i) / rate_hz;
+    times.push_back(static_cast<double>(i) / rate_hz);
+  }
+  return times;
+}
+
+vo::Trajectory sample(const CameraPath& path, const std::vector<double>& times) {
+  vo::Trajectory trajectory;
+  for (const double time : times) {
     trajectory.push_back({time, path(time)});
   }
   return trajectory;
+}
+
+vo::Trajectory sample(const CameraPath& path, double rate_hz, double duration_s) {
+  return sample(path, sample_times(rate_hz, duration_s));
 }
 
 }  // namespace synth

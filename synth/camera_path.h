@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -32,12 +33,20 @@ void visit_fields(Visitor& visit, OrbitOptions& options) {
 
 CameraPath orbit(const OrbitOptions& options);
 
-/// Twice continuously differentiable, through every control pose at its time: natural cubic splines
-/// of the position and of the sign-continuous quaternion, which is normalised. Constant before the
-/// first and after the last control pose. Needs at least two poses.
+/// Twice continuously differentiable on SE(3), through every control pose at its time: natural
+/// cubic splines of the position and of the sign-continuous quaternion, which is normalised. A
+/// rigid change of the world's or the camera's frame changes the path by the same, quaternions
+/// being multiplied by linear maps. Constant before the first and after the last control pose.
+/// Needs at least two.
 CameraPath spline(const vo::Trajectory& control_poses);
 
-/// The poses at times 0, 1 / rate, 2 / rate, ... below or at `duration`.
+/// 0, 1 / rate, 2 / rate, ... below or at `duration`.
+std::vector<double> sample_times(double rate_hz, double duration_s);
+
+/// The path's poses at these times.
+vo::Trajectory sample(const CameraPath& path, const std::vector<double>& times);
+
+/// The path's poses at `sample_times`.
 vo::Trajectory sample(const CameraPath& path, double rate_hz, double duration_s);
 
 }  // namespace synth

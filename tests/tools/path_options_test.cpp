@@ -16,6 +16,8 @@ using tools::PathKind;
 
 constexpr support::PoseTolerance kFilePrecision{.translation_m = 1e-8, .rotation_deg = 1e-6};
 
+constexpr support::PoseTolerance kNearAStraightLine{.translation_m = 1e-2, .rotation_deg = 1};
+
 TEST(PathOptions, ATrajectoryIsTakenAsItIs) {
   const TempFolder folder;
   const vo::Trajectory truth = support::example_trajectory(7, 10, 5.0);
@@ -52,6 +54,39 @@ TEST(PathOptions, ASplineOfEyesLooksAtItsTargets) {
     const Eigen::Vector3d target = T_world_camera.inverse() * options.targets[i];
     EXPECT_LT(target.head<2>().norm(), 1e-9) << "in the middle of the image";
   }
+}
+
+TEST(PathOptions, ARecordingIsPutIntoTheSceneAndResampled) {
+  const TempFolder folder;
+  const vo::Trajectory keys = support::example_trajectory(5, 2, 100.0);
+  const auto file = folder.write("t.txt", vo::format_trajectory(keys));
+  const vo::Trajectory path = tools::make_trajectory(
+      {.kind = PathKind::recorded, .rate = 20, .file = file, .recorded = {.by = {0, 0, 5}}});
+  ASSERT_EQ(path.size(), 41U);
+  const vo::SE3& key = keys[2].T_world_camera;
+  EXPECT_THAT(path[20].T_world_camera,
+              PoseNear(vo::SE3(key.rotation(), key.translation() + Eigen::Vector3d(0, 0, 5)),
+                       kFilePrecision));
+}
+
+TEST(PathOptions, AHandShakesAnyPath) {
+  tools::PathOptions options{.kind = PathKind::still, .rate = 10, .duration = 1};
+  const vo::Trajectory steady = tools::make_trajectory(options);
+  options.shake.amplitude = 0.01;
+  const vo::Trajectory shaken = tools::make_trajectory(options);
+  ASSERT_EQ(shaken.size(), 11U);
+  EXPECT_EQ(vo::path_length(steady), 0);
+  EXPECT_GT(vo::path_length(shaken), 0.01);
+}
+
+TEST(PathOptions, APathCanBeAskedBetweenItsFrames) {
+  const TempFolder folder;
+  const vo::Trajectory truth = support::example_trajectory(7, 10, 5.0);
+  const auto file = folder.write("t.txt", vo::format_trajectory(truth));
+  const tools::TimedPath timed = tools::make_path({.kind = PathKind::trajectory, .file = file});
+  const double between = (timed.times[2] + timed.times[3]) / 2;
+  const vo::SE3 halfway = *vo::pose_at(truth, between);
+  EXPECT_THAT(timed.path(between), PoseNear(halfway, kNearAStraightLine));
 }
 
 }  // namespace

@@ -28,7 +28,9 @@ constexpr const char* kExamples =
     "       --intrinsics 525,525,319.5,239.5 --out sequence\n"
     "  edvo render room.gltf --path orbit --orbit.centre 0,1,0 --orbit.radius 1.5 \\\n"
     "       --camera tum-default --duration 10 --out sequence\n"
-    "  edvo render room.gltf --path spline --trajectory keys.txt --rate 30 --out sequence";
+    "  edvo render room.gltf --path spline --trajectory keys.txt --rate 30 --out sequence\n"
+    "  edvo render room.gltf --path pan --move.eye 0,1.4,0.5 --move.target 0,1.2,-2 \\\n"
+    "       --move.turn-deg 90 --shake.amplitude 0.003 --shake.amplitude-deg 0.3 --out sequence";
 
 struct RenderArguments {
   CommonOptions common;
@@ -112,6 +114,14 @@ void render(RenderArguments& arguments) {
         render_sequence(job, arguments.out, arguments.common.existing(), bar.callback()));
 }
 
+std::vector<std::string> path_kinds() {
+  std::vector<std::string> names;
+  for (const auto& [kind, name] : enum_names(PathKind{})) {
+    names.emplace_back(name);
+  }
+  return names;
+}
+
 /// The path's own fields, without those that have an option of another name.
 std::vector<vo::Field> path_fields(PathOptions& path) {
   std::vector<vo::Field> fields;
@@ -148,10 +158,12 @@ void add_render_command(CLI::App& program, int& /*exit_code*/) {
       ->group("Camera");
   command.add_option("--camera", arguments->camera, "preset or FILE.toml, instead of these")
       ->group("Camera");
-  command.add_option("--trajectory", arguments->path.file, "TUM trajectory: one frame per pose")
+  command
+      .add_option("--trajectory", arguments->path.file,
+                  "TUM trajectory, or EuRoC's (.csv): one frame per pose without --path")
       ->group("Path");
-  command.add_option("--path", arguments->path_kind, "orbit | spline | trajectory")
-      ->check(CLI::IsMember({"orbit", "spline", "trajectory"}))
+  command.add_option("--path", arguments->path_kind, "how the camera moves")
+      ->check(CLI::IsMember(path_kinds()))
       ->group("Path");
   command.add_flag("--float-depth", arguments->float_depth, "write depth_float/*.npy too");
   add_field_options(command, path_fields(arguments->path), "Path");

@@ -16,18 +16,97 @@ vo::Trajectory control_poses(const PathOptions& options) {
   return poses;
 }
 
-/// The spline through the poses of a file, over their own time span.
-vo::Trajectory resampled(const vo::Trajectory& poses, double rate) {
+vo::Trajectory poses_of_file(const PathOptions& options) {
+  return options.file.extension() == ".csv" ? vo::read_euroc_trajectory(options.file)
+                                            : vo::read_trajectory(options.file);
+}
+
+/// The spline through a file's poses, over their own time span.
+TimedPath resampled(const vo::Trajectory& poses, double rate) {
   vo::require(poses.size() >= 2, "path.file: expected at least two poses for a spline");
-  vo::Trajectory shifted = poses;
-  for (vo::StampedPose& pose : shifted) {
-    pose.timestamp -= poses.front().timestamp;
+  const double start = poses.front().timestamp;
+  vo::Trajectory from_zero = poses;
+  for (vo::StampedPose& pose : from_zero) {
+    pose.timestamp -= start;
   }
-  vo::Trajectory sampled = synth::sample(synth::spline(shifted), rate, shifted.back().timestamp);
-  for (vo::StampedPose& pose : sampled) {
-    pose.timestamp += poses.front().timestamp;
+  TimedPath result;
+  result.times = synth::sample_times(rate, from_zero.back().timestamp);
+  for (double& time : result.times) {
+    time += start;
   }
-  return sampled;
+  result.path = [start, path = synth::spline(from_zero)](double time) {
+    return path(time - start);
+  };
+  return result;
+}
+
+/// The poses at their own times, smooth between them.
+TimedPath as_recorded(const vo::Trajectory& poses) {
+  TimedPath result;
+  for (const vo::StampedPose& pose : poses) {
+    result.times.push_back(pose.timestamp);
+  }
+  if (poses.size() == 1) {
+    result.path = [T_world_camera = poses.front().T_world_camera](double) {
+      return T_world_camera;
+    };
+  } else {
+    result.path = synth::spline(poses);
+  }
+  return result;
+}
+
+TimedPath steady_path(const PathOptions& options) {
+  const auto timed = [&](synth::CameraPath path) {
+    return TimedPath{std::move(path), synth::sample_times(options.rate, options.duration)};
+  };
+  switch (options.kind) {
+    case PathKind::orbit:
+      return timed(synth::orbit(options.orbit));
+    case PathKind::spline:
+      return options.file.empty() ? timed(synth::spline(control_poses(options)))
+                                  : resampled(poses_of_file(options), options.rate);
+    case PathKind::trajectory:
+      return as_recorded(poses_of_file(options));
+    case PathKind::recorded:
+      return resampled(synth::placed(poses_of_file(options), options.recorded), options.rate);
+    case PathKind::still:
+      return timed(synth::still(options.move));
+    case PathKind::dolly:
+      return timed(synth::dolly(options.move, options.duration));
+    case PathKind::pan:
+      return timed(synth::pan(options.move, options.duration));
+    case PathKind::roll:
+      return timed(synth::roll(options.move, options.duration));
+  }
+  return {};
+}
+
+void require_file(const PathOptions& options) {
+  vo::require(!options.file.empty(), "path.file: expected a trajectory file");
+}
+
+void validate_kind(const PathOptions& options) {
+  switch (options.kind) {
+    case PathKind::orbit:
+      return options.orbit.validate();
+    case PathKind::spline:
+      return vo::require(!options.file.empty() || (options.eyes.size() >= 2 &&
+                                                   options.eyes.size() == options.targets.size()),
+                         "path: a spline expects at least two eyes and as many targets (or a "
+                         "file), got ",
+                         options.eyes.size(), " and ", options.targets.size());
+    case PathKind::trajectory:
+      return require_file(options);
+    case PathKind::recorded:
+      require_file(options);
+      return options.recorded.validate();
+    case PathKind::still:
+    case PathKind::dolly:
+    case PathKind::pan:
+    case PathKind::roll:
+      return options.move.validate();
+  }
 }
 
 }  // namespace
@@ -36,32 +115,22 @@ void PathOptions::validate() const {
   vo::require(rate > 0, "path.rate: expected above 0, got ", rate);
   vo::require(duration > 0, "path.duration: expected above 0, got ", duration);
   vo::require(rate * duration < 1e6, "path: expected fewer than a million frames");
-  if (kind == PathKind::orbit) {
-    orbit.validate();
+  shake.validate();
+  validate_kind(*this);
+}
+
+TimedPath make_path(const PathOptions& options) {
+  options.validate();
+  TimedPath result = steady_path(options);
+  if (options.shake.moves()) {
+    result.path = synth::with_hand_shake(result.path, options.shake);
   }
-  if (kind == PathKind::trajectory) {
-    vo::require(!file.empty(), "path.file: expected a trajectory file");
-  }
-  if (kind == PathKind::spline && file.empty()) {
-    vo::require(eyes.size() >= 2 && eyes.size() == targets.size(),
-                "path: a spline expects at least two eyes and as many targets (or a file), got ",
-                eyes.size(), " and ", targets.size());
-  }
+  return result;
 }
 
 vo::Trajectory make_trajectory(const PathOptions& options) {
-  options.validate();
-  switch (options.kind) {
-    case PathKind::orbit:
-      return synth::sample(synth::orbit(options.orbit), options.rate, options.duration);
-    case PathKind::spline:
-      return options.file.empty() ? synth::sample(synth::spline(control_poses(options)),
-                                                  options.rate, options.duration)
-                                  : resampled(vo::read_trajectory(options.file), options.rate);
-    case PathKind::trajectory:
-      return vo::read_trajectory(options.file);
-  }
-  return {};
+  const TimedPath timed = make_path(options);
+  return synth::sample(timed.path, timed.times);
 }
 
 }  // namespace tools

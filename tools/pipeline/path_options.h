@@ -5,7 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "synth/camera_move.h"
 #include "synth/camera_path.h"
+#include "synth/hand_shake.h"
+#include "synth/recorded_path.h"
 #include "vo/core/trajectory.h"
 
 namespace tools {
@@ -14,11 +17,22 @@ enum class PathKind {
   orbit,       ///< around a point
   spline,      ///< smooth, through poses: `eyes` and `targets`, or those of `file`
   trajectory,  ///< the poses of `file` as they are
+  recorded,    ///< those of `file`, put into the scene and resampled
+  still,       ///< at rest
+  dolly,       ///< straight on
+  pan,         ///< about the vertical
+  roll,        ///< about the optical axis
 };
 
 constexpr auto enum_names(PathKind) {
-  return std::array{std::pair{PathKind::orbit, "orbit"}, std::pair{PathKind::spline, "spline"},
-                    std::pair{PathKind::trajectory, "trajectory"}};
+  return std::array{std::pair{PathKind::orbit, "orbit"},
+                    std::pair{PathKind::spline, "spline"},
+                    std::pair{PathKind::trajectory, "trajectory"},
+                    std::pair{PathKind::recorded, "recorded"},
+                    std::pair{PathKind::still, "still"},
+                    std::pair{PathKind::dolly, "dolly"},
+                    std::pair{PathKind::pan, "pan"},
+                    std::pair{PathKind::roll, "roll"}};
 }
 
 struct PathOptions {
@@ -28,7 +42,10 @@ struct PathOptions {
   synth::OrbitOptions orbit;
   std::vector<Eigen::Vector3d> eyes;     ///< m, world; spread evenly over the duration
   std::vector<Eigen::Vector3d> targets;  ///< m, world; what the camera looks at from each eye
-  std::filesystem::path file;            ///< TUM trajectory
+  std::filesystem::path file;            ///< TUM trajectory, or EuRoC's where it ends in .csv
+  synth::RecordedOptions recorded;
+  synth::MoveOptions move;
+  synth::ShakeOptions shake;  ///< on top of any path
 
   void validate() const;  ///< throws vo::Error
 };
@@ -36,13 +53,24 @@ struct PathOptions {
 template <typename Visitor>
 void visit_fields(Visitor& visit, PathOptions& options) {
   visit("kind", options.kind, "how the camera moves");
-  visit("rate", options.rate, "frames per second (orbit, spline)");
-  visit("duration", options.duration, "s (orbit, spline with eyes)");
+  visit("rate", options.rate, "frames per second (all but trajectory)");
+  visit("duration", options.duration, "s (all but trajectory, recorded and a spline of a file)");
   visit("orbit", options.orbit, "");
   visit("eyes", options.eyes, "camera positions of the spline, m, evenly spread over time");
   visit("targets", options.targets, "what the camera looks at from each of the eyes, m");
-  visit("file", options.file, "TUM trajectory: the poses themselves, or the spline's");
+  visit("file", options.file, "TUM trajectory, or EuRoC's (.csv): the poses, or the spline's");
+  visit("recorded", options.recorded, "");
+  visit("move", options.move, "");
+  visit("shake", options.shake, "");
 }
+
+/// A motion without gaps and the times of its frames, s. It can be asked for any time between them.
+struct TimedPath {
+  synth::CameraPath path;
+  std::vector<double> times;
+};
+
+TimedPath make_path(const PathOptions& options);
 
 /// T_world_camera of each frame.
 vo::Trajectory make_trajectory(const PathOptions& options);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -37,6 +38,15 @@ inline std::uint64_t mixed(std::uint64_t value) {
   value = (value ^ (value >> 30U)) * 0xbf58476d1ce4e5b9U;
   value = (value ^ (value >> 27U)) * 0x94d049bb133111ebU;
   return value ^ (value >> 31U);
+}
+
+/// A random number in [0, 1) that is a fixed function of its key: seed, purpose, index, ...
+inline double random_uniform(std::initializer_list<std::uint64_t> key) {
+  std::uint64_t hash = 0;
+  for (const std::uint64_t part : key) {
+    hash = mixed(hash + part);
+  }
+  return static_cast<double>(hash >> 11U) * 0x1p-53;
 }
 
 /// Sixteen hexadecimal digits.

@@ -12,7 +12,11 @@ namespace vo {
 /// rotation, and stamps that do not increase.
 Trajectory read_trajectory(const std::filesystem::path& path);
 
-/// The same format with 6 decimals of a second and 9 decimals of a pose.
+/// EuRoC's ground truth: `timestamp px py pz qw qx qy qz ...` of T_world_body, nanoseconds and
+/// metres, whatever follows left out. Errors as above.
+Trajectory read_euroc_trajectory(const std::filesystem::path& path);
+
+/// The TUM format with 6 decimals of a second and 9 decimals of a pose.
 std::string format_trajectory(const Trajectory& trajectory);
 
 }  // namespace vo

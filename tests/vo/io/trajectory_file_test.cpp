@@ -48,6 +48,28 @@ TEST(TrajectoryFile, HoldsTWorldCameraWithWLast) {
   EXPECT_LT((p_world - Eigen::Vector3d(1, 3, 3)).norm(), 1e-7);
 }
 
+/// Its columns: nanoseconds, w before x, y, z, and more behind.
+TEST(TrajectoryFile, ReadsEurocsStampsInNanosecondsAndWFirst) {
+  const TempFolder folder;
+  vo::write_file(
+      folder.path() / "data.csv",
+      "#timestamp, p_x [m], p_y, p_z, q_w, q_x, q_y, q_z, v_x\n"
+      "1403636580838555648,4.688319,-1.786938,0.783338,0.70710678,0,0,0.70710678,-0.02\n");
+  const vo::Trajectory trajectory = vo::read_euroc_trajectory(folder.path() / "data.csv");
+  ASSERT_EQ(trajectory.size(), 1U);
+  EXPECT_NEAR(trajectory[0].timestamp, 1403636580.838555648, 1e-6);
+  const Eigen::Vector3d p_world = trajectory[0].T_world_camera * Eigen::Vector3d(1, 0, 0);
+  EXPECT_LT((p_world - Eigen::Vector3d(4.688319, -0.786938, 0.783338)).norm(), 1e-7);
+}
+
+TEST(TrajectoryFile, AnErrorInEurocsFileNamesTheLine) {
+  const TempFolder folder;
+  vo::write_file(folder.path() / "data.csv", "#timestamp\n1403636580838555648,1,2,3\n");
+  EXPECT_THAT(error_text([&] { vo::read_euroc_trajectory(folder.path() / "data.csv"); }),
+              EndsWith("data.csv:2: expected at least 8 values (timestamp px py pz qw qx qy qz), "
+                       "got 4"));
+}
+
 TEST(TrajectoryFile, ErrorsNameTheLine) {
   EXPECT_THAT(error_of("1 0 0 0 0 0 0 1\n2 0 nan 0 0 0 0 1\n"),
               EndsWith("t.txt:2: expected a number, got 'nan' as value 3"));
