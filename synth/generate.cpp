@@ -1,8 +1,8 @@
 #include "synth/generate.h"
 
-#include <cstddef>
-#include <memory>
+#include <algorithm>
 #include <mutex>
+#include <numeric>
 
 #include <tbb/parallel_for.h>
 
@@ -32,29 +32,79 @@ class FrameCounter {
   std::mutex mutex_;
 };
 
+vo::SequenceLayout layout_of(const SequenceRecipe& recipe) {
+  return {.camera = recipe.camera, .float_depth = recipe.float_depth};
+}
+
 }  // namespace
+
+FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe)
+    : recipe_(recipe), exposed_(recipe.sensor) {
+  vo::require(!recipe.truth.empty(), "sequence: no poses to render, expected at least one");
+  recipe.camera.validate();
+  recipe.sensor.validate();
+  renderer_ = make_renderer(scene, recipe.render);
+  if (exposed_.exposure == 0) {
+    exposed_.exposure = meter_exposure(scene, *renderer_, recipe.camera.pinhole, recipe.truth);
+  }
+}
+
+std::vector<vo::NamedBytes> FrameGenerator::make(std::size_t index) const {
+  const auto& [timestamp, T_world_camera] = recipe_.truth.at(index);
+  const RenderedFrame ideal = renderer_->render(recipe_.camera.pinhole, T_world_camera);
+  return vo::encode_frame(layout_of(recipe_), index, measure(ideal, timestamp, exposed_));
+}
+
+std::vector<std::string> frame_files(const SequenceRecipe& recipe, std::size_t index) {
+  return vo::frame_files(layout_of(recipe), index);
+}
+
+std::vector<std::size_t> missing_frames(const SequenceRecipe& recipe,
+                                        const std::vector<std::size_t>& frames,
+                                        const std::filesystem::path& folder) {
+  std::vector<std::size_t> missing;
+  for (const std::size_t frame : frames) {
+    const std::vector<std::string> files = frame_files(recipe, frame);
+    if (!std::all_of(files.begin(), files.end(), [&](const std::string& file) {
+          return std::filesystem::is_regular_file(folder / file);
+        })) {
+      missing.push_back(frame);
+    }
+  }
+  return missing;
+}
+
+void generate_frames(const Scene& scene, const SequenceRecipe& recipe,
+                     const std::vector<std::size_t>& frames, const std::filesystem::path& folder,
+                     const vo::Progress& progress) {
+  if (frames.empty()) {
+    return;
+  }
+  const FrameGenerator generator(scene, recipe);
+  vo::make_folders_of(folder, frame_files(recipe, 0));
+  FrameCounter counter(progress, frames.size());
+  tbb::parallel_for(std::size_t{0}, frames.size(), [&](std::size_t i) {
+    for (const auto& [name, bytes] : generator.make(frames[i])) {
+      vo::write_file(folder / name, bytes, vo::ExistingOutput::replace);
+    }
+    counter.add_one();
+  });
+}
+
+void finish_sequence(const SequenceRecipe& recipe, const std::filesystem::path& folder) {
+  for (const auto& [name, bytes] : vo::encode_lists(layout_of(recipe), recipe.truth)) {
+    vo::write_file(folder / name, bytes, vo::ExistingOutput::replace);
+  }
+}
 
 void generate_sequence(const Scene& scene, const SequenceRecipe& recipe,
                        const std::filesystem::path& folder, const vo::Progress& progress) {
-  const vo::Trajectory& truth = recipe.truth;
-  vo::require(!truth.empty(), folder.string(), ": no poses to render, expected at least one");
-  recipe.camera.validate();
-  recipe.sensor.validate();
-  const vo::PinholeCamera& camera = recipe.camera.pinhole;
-  const std::unique_ptr<Renderer> renderer = make_renderer(scene, recipe.render);
-  SensorOptions exposed = recipe.sensor;
-  if (exposed.exposure == 0) {
-    exposed.exposure = meter_exposure(scene, *renderer, camera, truth);
-  }
-
-  const vo::SequenceWriter writer(folder, recipe.camera, recipe.float_depth);
-  FrameCounter counter(progress, truth.size());
-  tbb::parallel_for(std::size_t{0}, truth.size(), [&](std::size_t i) {
-    const RenderedFrame ideal = renderer->render(camera, truth[i].T_world_camera);
-    writer.write_frame(i, measure(ideal, truth[i].timestamp, exposed));
-    counter.add_one();
-  });
-  writer.finish(truth);
+  vo::require(!recipe.truth.empty(), folder.string(),
+              ": no poses to render, expected at least one");
+  std::vector<std::size_t> all(recipe.truth.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  generate_frames(scene, recipe, all, folder, progress);
+  finish_sequence(recipe, folder);
 }
 
 }  // namespace synth

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "synth/renderer.h"
 #include "synth/scene.h"
@@ -8,6 +12,7 @@
 #include "vo/core/camera.h"
 #include "vo/core/progress.h"
 #include "vo/core/trajectory.h"
+#include "vo/io/output.h"
 #include "vo/io/sequence.h"
 
 namespace synth {
@@ -21,9 +26,38 @@ struct SequenceRecipe {
   vo::FloatDepth float_depth = vo::FloatDepth::none;
 };
 
-/// Renders, measures and writes one sequence into an existing folder, frames in parallel on all
-/// cores; groundtruth.txt is `recipe.truth`. Each frame is a pure function of the scene, the recipe
-/// and its index.
+/// Makes the frames of one sequence, from any thread: each is a pure function of the scene, the
+/// recipe and its index. Both must outlive it.
+class FrameGenerator {
+ public:
+  FrameGenerator(const Scene& scene, const SequenceRecipe& recipe);
+
+  std::vector<vo::NamedBytes> make(std::size_t index) const;  ///< all files of a frame
+
+ private:
+  const SequenceRecipe& recipe_;
+  std::unique_ptr<const Renderer> renderer_;
+  SensorOptions exposed_;
+};
+
+/// The names of the files that `FrameGenerator::make` makes.
+std::vector<std::string> frame_files(const SequenceRecipe& recipe, std::size_t index);
+
+/// Those of the frames that lack a file in a folder. Files are complete if they are there.
+std::vector<std::size_t> missing_frames(const SequenceRecipe& recipe,
+                                        const std::vector<std::size_t>& frames,
+                                        const std::filesystem::path& folder);
+
+/// Renders, measures and writes these frames into an existing folder, in parallel on all cores.
+void generate_frames(const Scene& scene, const SequenceRecipe& recipe,
+                     const std::vector<std::size_t>& frames, const std::filesystem::path& folder,
+                     const vo::Progress& progress);
+
+/// Writes what a folder with all frames still lacks: the lists, groundtruth.txt, which is
+/// `recipe.truth`, and camera.toml.
+void finish_sequence(const SequenceRecipe& recipe, const std::filesystem::path& folder);
+
+/// All frames, and the rest.
 void generate_sequence(const Scene& scene, const SequenceRecipe& recipe,
                        const std::filesystem::path& folder, const vo::Progress& progress);
 

@@ -1,8 +1,6 @@
 #include "synth/generate.h"
 
 #include <filesystem>
-#include <map>
-#include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -11,6 +9,7 @@
 
 #include "synth/camera_path.h"
 #include "tests/support/error_text.h"
+#include "tests/support/folder_contents.h"
 #include "tests/support/temp_folder.h"
 #include "tests/synth/quads.h"
 #include "vo/io/npy.h"
@@ -22,6 +21,7 @@ namespace synth {
 namespace {
 
 namespace fs = std::filesystem;
+using support::contents;
 using support::error_text;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -47,16 +47,6 @@ void generate(const fs::path& folder, const vo::Progress& progress = {}) {
   generate_sequence(small_room(),
                     {.truth = short_orbit(), .camera = kCamera, .float_depth = vo::FloatDepth::npy},
                     folder, progress);
-}
-
-std::map<std::string, std::string> contents(const fs::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file()) {
-      files[fs::relative(entry.path(), folder).string()] = vo::read_file(entry.path());
-    }
-  }
-  return files;
 }
 
 TEST(GenerateSequence, WritesTheSameBytesOnOneThreadAndOnTwo) {

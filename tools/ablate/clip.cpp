@@ -4,8 +4,8 @@
 #include <limits>
 #include <numbers>
 
-#include "tools/ablate/processor_time.h"
 #include "tools/ablate/statistics.h"
+#include "tools/pipeline/processor_time.h"
 #include "vo/core/error.h"
 #include "vo/evaluation/evaluate.h"
 

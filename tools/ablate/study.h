@@ -46,7 +46,7 @@ struct StudyReport {
   Table table;
   std::vector<std::string> findings;  ///< one sentence each, with figures
   std::string plot;                   ///< SVG
-  std::vector<NamedBytes> more;       ///< further files
+  std::vector<vo::NamedBytes> more;   ///< further files
 };
 
 /// Edges against as many random pixels against all pixels, over the share of them that is kept

@@ -3,9 +3,9 @@
 #include <limits>
 
 #include "tools/ablate/plot.h"
-#include "tools/ablate/processor_time.h"
 #include "tools/ablate/statistics.h"
 #include "tools/ablate/study.h"
+#include "tools/pipeline/processor_time.h"
 #include "tools/report/linear_fit.h"
 #include "vo/core/error.h"
 

@@ -187,7 +187,7 @@ std::string command_line(const AblateArguments& arguments) {
 }
 
 void write(const AblateArguments& arguments, const StudyReport& report) {
-  std::vector<NamedBytes> files = {
+  std::vector<vo::NamedBytes> files = {
       {report.name + ".csv", as_csv(report.table)},
       {report.name + ".svg", report.plot},
       {report.name + ".md", as_markdown(report, command_line(arguments))}};

@@ -1,6 +1,9 @@
+#include <cmath>
+#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
@@ -9,6 +12,7 @@
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
 #include "tools/pipeline/path_options.h"
+#include "tools/pipeline/render_plan.h"
 #include "tools/pipeline/render_sequence.h"
 #include "vo/core/error.h"
 #include "vo/io/camera_file.h"
@@ -20,7 +24,12 @@ constexpr const char* kHelp =
     "Renders a glTF 2.0 scene as an RGB-D sequence in the layout of the TUM RGB-D benchmark:\n"
     "rgb/ and depth/ with their lists, groundtruth.txt (T_world_camera; camera x right, y down,\n"
     "z forward), camera.toml and sequence.toml. Depth is planar, at pixel centres, 0 = none;\n"
-    "with --float-depth also as float32 metres in depth_float/NNNNNN.npy.";
+    "with --float-depth also as float32 metres in depth_float/NNNNNN.npy.\n\n"
+    "DIR appears when all frames are there. Until then they are in DIR.part, which any number of\n"
+    "processes with the same inputs may fill at once (--shard, --frames) or one after the other: "
+    "a\n"
+    "finished frame is not rendered again. To join parts from several machines, copy what their\n"
+    "DIR.part hold into one and give the command without --shard.";
 
 constexpr const char* kExamples =
     "Examples:\n"
@@ -30,7 +39,10 @@ constexpr const char* kExamples =
     "       --camera tum-default --duration 10 --out sequence\n"
     "  edvo render room.gltf --path spline --trajectory keys.txt --rate 30 --out sequence\n"
     "  edvo render room.gltf --path pan --move.eye 0,1.4,0.5 --move.target 0,1.2,-2 \\\n"
-    "       --move.turn-deg 90 --shake.amplitude 0.003 --shake.amplitude-deg 0.3 --out sequence";
+    "       --move.turn-deg 90 --shake.amplitude 0.003 --shake.amplitude-deg 0.3 --out sequence\n"
+    "  edvo render room.gltf --trajectory poses.txt --plan\n"
+    "  for k in 1 2 3 4; do edvo render room.gltf --trajectory poses.txt --shard $k/4 \\\n"
+    "       --out sequence & done; wait";
 
 struct RenderArguments {
   CommonOptions common;
@@ -41,6 +53,9 @@ struct RenderArguments {
   double fov_deg = 60;
   std::string path_kind;
   PathOptions path;
+  std::string frames;
+  std::string shard;
+  bool plan = false;
   bool float_depth = false;
   RenderJob job;
   std::string out;
@@ -75,43 +90,92 @@ PathOptions chosen_path(const RenderArguments& arguments) {
   return path;
 }
 
-void print(const RenderArguments& arguments, const RenderOutcome& outcome) {
-  if (!arguments.common.quiet) {
-    for (const std::string& note : outcome.notes) {
+void print_notes(const RenderArguments& arguments, const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) {
+    if (!arguments.common.quiet) {
       std::cerr << "note: " << note << "\n";
     }
   }
-  if (arguments.common.json) {
-    const nlohmann::ordered_json result = {
-        {"sequence", arguments.out},
-        {"frames", arguments.job.recipe.truth.size()},
-        {"path_length_m", vo::path_length(arguments.job.recipe.truth)},
-        {"was_there", outcome.was_there},
-        {"notes", outcome.notes}};
-    std::cout << result.dump(2) << "\n";
-  } else {
-    std::cout << arguments.out << ": " << arguments.job.recipe.truth.size() << " frames"
-              << (outcome.was_there ? ", there already with the same inputs" : "") << "\n";
-  }
 }
 
-void render(RenderArguments& arguments) {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  arguments.common.max_threads());
-  RenderJob& job = arguments.job;
+std::string summary(const RenderArguments& arguments, const RenderOutcome& outcome) {
+  const std::size_t frames = arguments.job.recipe.truth.size();
+  if (outcome.missing == 0) {
+    return vo::concat(arguments.out, ": ", frames, " frames",
+                      outcome.was_there ? ", there already with the same inputs" : "");
+  }
+  return vo::concat(outcome.folder.string(), ": ", frames - outcome.missing, " of ", frames,
+                    " frames; ", arguments.out, " appears when all are there");
+}
+
+void print(const RenderArguments& arguments, const RenderOutcome& outcome) {
+  print_notes(arguments, outcome.notes);
+  if (!arguments.common.json) {
+    std::cout << summary(arguments, outcome) << "\n";
+    return;
+  }
+  const nlohmann::ordered_json result = {
+      {"sequence", arguments.out},
+      {"folder", outcome.folder.string()},
+      {"frames", arguments.job.recipe.truth.size()},
+      {"rendered", outcome.rendered},
+      {"missing", outcome.missing},
+      {"path_length_m", vo::path_length(arguments.job.recipe.truth)},
+      {"was_there", outcome.was_there},
+      {"notes", outcome.notes}};
+  std::cout << result.dump(2) << "\n";
+}
+
+void print(const RenderArguments& arguments, const RenderPlan& plan) {
+  if (arguments.common.json) {
+    const nlohmann::ordered_json result = {
+        {"frames", plan.frames},     {"there", plan.there},
+        {"files", plan.files},       {"bytes", std::round(plan.bytes)},
+        {"cpu_s", plan.processor_s}, {"measured_frames", plan.measured}};
+    std::cout << result.dump(2) << "\n";
+    return;
+  }
+  constexpr double kMegabyte = 1e6;
+  std::cout << "frames    " << plan.frames << ", of which " << plan.there << " are there\n"
+            << "files     " << plan.files << "\n"
+            << std::fixed << std::setprecision(1)  //
+            << "size      " << plan.bytes / kMegabyte << " MB\n"
+            << "CPU time  " << plan.processor_s << " s, as " << plan.measured
+            << " of the frames take\n";
+}
+
+RenderJob chosen_job(const RenderArguments& arguments) {
+  RenderJob job = arguments.job;
   job.scene = arguments.scene;
   check_usage([&] {
     job.recipe.camera = chosen_camera(arguments);
     job.recipe.camera.validate();
     job.recipe.render.validate();
     job.recipe.sensor.validate();
-    vo::require(!arguments.out.empty(), "--out: expected a folder to make");
+    vo::require(!arguments.out.empty() || arguments.plan, "--out: expected a folder to make");
   });
+  if (!arguments.frames.empty()) {
+    parse_frames(arguments.frames, job.share);
+  }
+  if (!arguments.shard.empty()) {
+    parse_shard(arguments.shard, job.share);
+  }
   job.recipe.truth = make_trajectory(chosen_path(arguments));
   job.recipe.float_depth = arguments.float_depth ? vo::FloatDepth::npy : vo::FloatDepth::none;
+  return job;
+}
+
+void render(RenderArguments& arguments) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  arguments.common.max_threads());
+  arguments.job = chosen_job(arguments);
+  if (arguments.plan) {
+    print(arguments, plan_sequence(arguments.job, arguments.out));
+    return;
+  }
   ProgressBar bar("rendering", arguments.common.verbosity());
   print(arguments,
-        render_sequence(job, arguments.out, arguments.common.existing(), bar.callback()));
+        render_sequence(arguments.job, arguments.out, arguments.common.existing(), bar.callback()));
 }
 
 std::vector<std::string> path_kinds() {
@@ -151,7 +215,7 @@ void add_render_command(CLI::App& program, int& /*exit_code*/) {
   const auto arguments = std::make_shared<RenderArguments>();
   command.footer(kExamples);
   command.add_option("SCENE", arguments->scene, "glTF 2.0 file, .gltf or .glb")->required();
-  command.add_option("--out", arguments->out, "folder to make")->required();
+  command.add_option("--out", arguments->out, "folder to make; required without --plan");
   command.add_option("--size", arguments->size, "WIDTHxHEIGHT, px [640x480]")->group("Camera");
   command.add_option("--intrinsics", arguments->intrinsics, "fx,fy,cx,cy, px")->group("Camera");
   command.add_option("--fov", arguments->fov_deg, "horizontal, deg, without --intrinsics [60]")
@@ -165,6 +229,11 @@ void add_render_command(CLI::App& program, int& /*exit_code*/) {
   command.add_option("--path", arguments->path_kind, "how the camera moves")
       ->check(CLI::IsMember(path_kinds()))
       ->group("Path");
+  command.add_flag("--plan", arguments->plan, "frames, bytes and CPU time, nothing written")
+      ->group("Scale");
+  command.add_option("--frames", arguments->frames, "A:B, only frames A to B - 1")->group("Scale");
+  command.add_option("--shard", arguments->shard, "K/N, only the K-th of N parts, K from 1")
+      ->group("Scale");
   command.add_flag("--float-depth", arguments->float_depth, "write depth_float/*.npy too");
   add_field_options(command, path_fields(arguments->path), "Path");
   add_field_options(command, render_fields(arguments->job), "Rendering");

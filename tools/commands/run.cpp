@@ -49,12 +49,13 @@ struct RunArguments {
 };
 
 /// All that a run writes beside sequence/ and panels/.
-std::vector<NamedBytes> result_files(const Scenario& scenario, const Outcome& outcome) {
+std::vector<vo::NamedBytes> result_files(const Scenario& scenario, const Outcome& outcome) {
   const vo::Trajectory& estimate = outcome.tracking.trajectory;
-  std::vector<NamedBytes> files = {{"trajectory.txt", vo::format_trajectory(estimate)},
-                                   {"frames.csv", format_frame_log(outcome.tracking.frames)},
-                                   {"report.json", report_json(scenario, outcome).dump(2) + "\n"},
-                                   {"report.md", report_markdown(scenario, outcome)}};
+  std::vector<vo::NamedBytes> files = {
+      {"trajectory.txt", vo::format_trajectory(estimate)},
+      {"frames.csv", format_frame_log(outcome.tracking.frames)},
+      {"report.json", report_json(scenario, outcome).dump(2) + "\n"},
+      {"report.md", report_markdown(scenario, outcome)}};
   if (!estimate.empty()) {
     files.push_back({"trajectory.svg", draw_trajectory(outcome.truth, estimate)});
   }

@@ -1,7 +1,6 @@
 #include "tools/pipeline/render_sequence.h"
 
-#include <iterator>
-#include <string_view>
+#include <optional>
 
 #include "synth/gltf.h"
 #include "synth/scene_hash.h"
@@ -45,34 +44,90 @@ std::string format_manifest(const RenderJob& job, const synth::Scene& scene) {
   return text;
 }
 
-std::size_t files_in(const fs::path& folder) {
-  return fs::is_directory(folder)
-             ? static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}))
-             : 0;
+std::vector<std::size_t> all_frames(const RenderJob& job) {
+  return frames_of({}, job.recipe.truth.size());
 }
 
-bool holds(const fs::path& folder, const std::string& manifest, std::size_t frames) {
-  return fs::is_regular_file(folder / kManifest) && vo::read_file(folder / kManifest) == manifest &&
-         files_in(folder / "rgb") == frames && files_in(folder / "depth") == frames;
+std::vector<std::size_t> share_of(const RenderJob& job) {
+  return frames_of(job.share, job.recipe.truth.size());
+}
+
+bool is_of(const fs::path& folder, const std::string& manifest) {
+  return fs::is_regular_file(folder / kManifest) && vo::read_file(folder / kManifest) == manifest;
+}
+
+bool holds(const fs::path& folder, const std::string& manifest, const RenderJob& job) {
+  return is_of(folder, manifest) &&
+         synth::missing_frames(job.recipe, all_frames(job), folder).empty();
+}
+
+/// Renders a share of the frames and, if no other is missing, completes the sequence.
+void render_share(const RenderJob& job, const synth::Scene& scene, vo::StagedFolder& staged,
+                  const vo::Progress& progress, RenderOutcome& outcome) {
+  const fs::path& folder = staged.staging();
+  const std::vector<std::size_t> frames = synth::missing_frames(job.recipe, share_of(job), folder);
+  synth::generate_frames(scene, job.recipe, frames, folder, progress);
+  outcome.rendered = frames.size();
+  outcome.missing = synth::missing_frames(job.recipe, all_frames(job), folder).size();
+  if (outcome.missing == 0) {
+    synth::finish_sequence(job.recipe, folder);
+    staged.commit();
+  }
+}
+
+/// Tells who stopped a run that what it has made is not lost.
+std::string with_advice(const vo::Error& error, const fs::path& staging) {
+  const bool is_stopped =
+      error.kind() == vo::ErrorKind::temporary || error.kind() == vo::ErrorKind::interrupted;
+  return is_stopped ? vo::concat(error.what(), "; finished frames are kept in ", staging.string(),
+                                 ", the same command continues there")
+                    : error.what();
 }
 
 }  // namespace
 
+std::vector<std::size_t> frames_to_render(const RenderJob& job, const synth::Scene& scene,
+                                          const fs::path& folder) {
+  const std::vector<std::size_t> share = share_of(job);
+  const std::string manifest = format_manifest(job, scene);
+  if (folder.empty()) {
+    return share;
+  }
+  for (const fs::path& place : {folder, vo::StagedFolder::staging_of(folder)}) {
+    if (is_of(place, manifest)) {
+      return synth::missing_frames(job.recipe, share, place);
+    }
+  }
+  return share;
+}
+
 RenderOutcome render_sequence(const RenderJob& job, const fs::path& folder,
                               vo::ExistingOutput existing, const vo::Progress& progress) {
   job.recipe.camera.validate();
-  RenderOutcome outcome;
+  share_of(job);  // throws before any work
+  RenderOutcome outcome{.folder = folder};
   const synth::Scene scene = synth::load_gltf(job.scene, &outcome.notes);
   const std::string manifest = format_manifest(job, scene);
-  if (holds(folder, manifest, job.recipe.truth.size())) {
+  if (holds(folder, manifest, job)) {
     outcome.was_there = true;
     return outcome;
   }
   vo::require_replaceable(folder, kManifest, existing);
-  vo::OutputFolder output(folder, kManifest, existing);
-  synth::generate_sequence(scene, job.recipe, output.partial(), progress);
-  vo::write_file(output.partial() / kManifest, manifest);
-  output.commit();
+  vo::StagedFolder staged(folder, {kManifest, manifest}, existing);
+  std::optional<vo::Error> error;
+  try {
+    render_share(job, scene, staged, progress, outcome);
+  } catch (const vo::Error& thrown) {
+    error = thrown;
+  }
+  if (holds(folder, manifest, job)) {  // another process may have completed it, and moved it away
+    outcome.missing = 0;
+    return outcome;
+  }
+  if (error) {
+    throw vo::Error(with_advice(*error, staged.staging()), error->kind());
+  }
+  outcome.folder = staged.staging();
   return outcome;
 }
 

@@ -6,7 +6,7 @@
 
 namespace tools {
 
-void write_results(const std::filesystem::path& folder, const std::vector<NamedBytes>& files,
+void write_results(const std::filesystem::path& folder, const std::vector<vo::NamedBytes>& files,
                    vo::ExistingOutput existing) {
   for (const auto& [name, bytes] : files) {
     vo::require_no_conflict(folder / name, bytes, existing);

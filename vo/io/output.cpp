@@ -51,6 +51,8 @@ void write_bytes(const fs::path& path, std::string_view bytes, OpenMode mode) {
   }
 }
 
+constexpr const char* kPartial = "partial";
+
 /// A name beside `path` that nothing has: `.name.partial-1234`, 1234 being this process.
 fs::path unused_name(const fs::path& path, const char* purpose) {
   for (int attempt = 0;; ++attempt) {
@@ -97,6 +99,63 @@ bool have_same_files(const fs::path& a, const fs::path& b) {
          });
 }
 
+/// Renames a folder to where nothing is, or another folder, which is gone then.
+void put_in_place(const fs::path& made, const fs::path& path) {
+  const fs::path old = unused_name(path, "old");
+  std::error_code error;
+  if (fs::exists(path)) {
+    fs::rename(path, old, error);
+  }
+  if (!error) {
+    fs::rename(made, path, error);
+    if (error && fs::exists(old)) {
+      std::error_code ignored;
+      fs::rename(old, path, ignored);
+    }
+  }
+  if (error) {
+    fail_to_write(path, error.value());
+  }
+  remove_quietly(old);
+}
+
+/// A folder that is to be replaced cannot hold the one the program runs in.
+void require_elsewhere(const fs::path& path) {
+  const std::string here = fs::current_path().string() + "/";
+  require(!here.starts_with(path.string() + "/") || !fs::exists(path) || fs::is_empty(path),
+          path.string(), ": is the current folder or one above it, expected another to write");
+}
+
+/// Files that `write_file` was writing when its process was killed.
+void remove_unfinished(const fs::path& folder) {
+  for (const fs::path& file : files_below(folder)) {
+    const std::string name = file.filename().string();
+    if (name.starts_with('.') && name.find(concat(".", kPartial, "-")) != std::string::npos) {
+      remove_quietly(folder / file);
+    }
+  }
+}
+
+/// Makes a folder that has its marker from the start. Does nothing where another process was first.
+void begin(const fs::path& folder, const NamedBytes& marker) {
+  const fs::path fresh = unused_name(folder, kPartial);
+  std::error_code error;
+  fs::create_directories(fresh, error);
+  if (error) {
+    fail_to_write(folder, error.value());
+  }
+  try {
+    write_bytes(fresh / marker.name, marker.bytes, OpenMode::create_new);
+  } catch (const Error& failure) {
+    remove_quietly(fresh);
+    throw;
+  }
+  fs::rename(fresh, folder, error);
+  if (error) {
+    remove_quietly(fresh);
+  }
+}
+
 }  // namespace
 
 bool is_stream(const fs::path& path) {
@@ -123,7 +182,7 @@ void write_file(const fs::path& given, std::string_view bytes, ExistingOutput ex
     }
     require_no_conflict(given, bytes, existing);
   }
-  const fs::path partial = unused_name(path, "partial");
+  const fs::path partial = unused_name(path, kPartial);
   try {
     write_bytes(partial, bytes, OpenMode::create_new);
   } catch (const Error& error) {
@@ -153,6 +212,17 @@ std::string read_file(const fs::path& path) {
   return bytes;
 }
 
+void make_folders_of(const fs::path& folder, const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    const fs::path parent = (folder / name).parent_path();
+    std::error_code error;
+    fs::create_directories(parent, error);
+    if (error) {
+      fail_to_write(parent, error.value());
+    }
+  }
+}
+
 void require_writable(const fs::path& path) {
   require(!fs::is_directory(path), path.string(), ": is a folder, expected a file to write");
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -180,13 +250,11 @@ void require_replaceable(const fs::path& path, const std::string& marker, Existi
 
 OutputFolder::OutputFolder(const fs::path& path, std::string marker, ExistingOutput existing)
     : path_(resolved(path)), marker_(std::move(marker)), existing_(existing) {
-  const std::string here = fs::current_path().string() + "/";
-  require(!here.starts_with(path_.string() + "/") || !fs::exists(path_) || fs::is_empty(path_),
-          path.string(), ": is the current folder or one above it, expected another to write");
+  require_elsewhere(path_);
   std::error_code error;
   fs::create_directories(path_.parent_path(), error);
   if (!error) {
-    partial_ = unused_name(path_, "partial");
+    partial_ = unused_name(path_, kPartial);
     fs::create_directory(partial_, error);
   }
   if (error) {
@@ -203,22 +271,37 @@ void OutputFolder::commit() {
     return;
   }
   require_replaceable(path_, marker_, existing_);
-  const fs::path old = unused_name(path_, "old");
-  std::error_code error;
-  if (fs::exists(path_)) {
-    fs::rename(path_, old, error);
+  put_in_place(partial_, path_);
+}
+
+StagedFolder::StagedFolder(const fs::path& path, const NamedBytes& marker, ExistingOutput existing)
+    : path_(resolved(path)),
+      staging_(staging_of(path)),
+      marker_name_(marker.name),
+      existing_(existing) {
+  require_elsewhere(path_);
+  const auto is_joined = [&] {
+    const fs::path file = staging_ / marker.name;
+    return fs::is_regular_file(file) && read_file(file) == marker.bytes;
+  };
+  if (fs::exists(staging_) && !is_joined()) {
+    require_replaceable(staging_, marker_name_, existing);
+    remove_quietly(staging_);
   }
-  if (!error) {
-    fs::rename(partial_, path_, error);
-    if (error && fs::exists(old)) {
-      std::error_code ignored;
-      fs::rename(old, path_, ignored);
-    }
+  if (!fs::exists(staging_)) {
+    begin(staging_, marker);
+    require(is_joined(), staging_.string(), ": another run makes it for another result");
   }
-  if (error) {
-    fail_to_write(path_, error.value());
-  }
-  remove_quietly(old);
+}
+
+fs::path StagedFolder::staging_of(const fs::path& path) {
+  return resolved(path).string() + ".part";
+}
+
+void StagedFolder::commit() {
+  require_replaceable(path_, marker_name_, existing_);
+  remove_unfinished(staging_);
+  put_in_place(staging_, path_);
 }
 
 }  // namespace vo

@@ -3,8 +3,15 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace vo {
+
+/// A file that is still to be written into a folder.
+struct NamedBytes {
+  std::string name;  ///< path within the folder
+  std::string bytes;
+};
 
 /// What to do when the output is there already and is not the same.
 enum class ExistingOutput {
@@ -29,6 +36,9 @@ void write_file(const std::filesystem::path& path, std::string_view bytes,
 
 /// The whole file as bytes; throws Error naming the path.
 std::string read_file(const std::filesystem::path& path);
+
+/// Makes the folders within `folder` that files of these names lie in.
+void make_folders_of(const std::filesystem::path& folder, const std::vector<std::string>& names);
 
 /// Throws Error unless a file could be made at `path`, so that a mistyped output is reported before
 /// the work and not after it. Makes nothing.
@@ -62,6 +72,31 @@ class OutputFolder {
   std::filesystem::path path_;
   std::filesystem::path partial_;
   std::string marker_;
+  ExistingOutput existing_;
+};
+
+/// A folder that several runs fill, at once or one after the other: it is `<name>.part` beside its
+/// final name until `commit`, and stays there when a run ends early. A file in it, the marker, says
+/// what it is being filled with; only runs with the same marker share it.
+class StagedFolder {
+ public:
+  /// Makes the folder, or joins it. One with another marker is begun anew with `replace`; with
+  /// `keep` it is an Error of kind output_exists.
+  StagedFolder(const std::filesystem::path& path, const NamedBytes& marker,
+               ExistingOutput existing);
+
+  static std::filesystem::path staging_of(const std::filesystem::path& path);
+
+  const std::filesystem::path& staging() const { return staging_; }  ///< write here
+
+  /// Puts it under its final name, as `require_replaceable` allows, without what runs that were
+  /// killed left unfinished.
+  void commit();
+
+ private:
+  std::filesystem::path path_;
+  std::filesystem::path staging_;
+  std::string marker_name_;
   ExistingOutput existing_;
 };
 

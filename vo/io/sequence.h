@@ -10,6 +10,7 @@
 #include "vo/core/camera.h"
 #include "vo/core/image.h"
 #include "vo/core/trajectory.h"
+#include "vo/io/output.h"
 
 namespace vo {
 
@@ -65,8 +66,27 @@ class FrameStream {
 /// hold more than 65534 units.
 enum class FloatDepth { none, npy };
 
-/// Writes the same layout: rgb/000000.png, depth/000000.png, on request depth_float/000000.npy
-/// (metres, float32). Frames may be written in any order and from several threads.
+/// What a writer of sequences must know.
+struct SequenceLayout {
+  RgbdCamera camera;
+  FloatDepth float_depth = FloatDepth::none;
+};
+
+/// `depth/000012.png`: where everything about a frame lies.
+std::string frame_file(const std::string& folder, std::size_t index, const std::string& extension);
+
+/// The names of a frame's files in the same layout: rgb/000000.png, depth/000000.png, on request
+/// depth_float/000000.npy (metres, float32).
+std::vector<std::string> frame_files(const SequenceLayout& layout, std::size_t index);
+
+/// These files.
+std::vector<NamedBytes> encode_frame(const SequenceLayout& layout, std::size_t index,
+                                     const RgbdFrame& frame);
+
+/// The lists, groundtruth.txt and camera.toml for frames 0 to truth.size() - 1.
+std::vector<NamedBytes> encode_lists(const SequenceLayout& layout, const Trajectory& truth);
+
+/// Writes sequences. Frames may be written in any order and from several threads.
 class SequenceWriter {
  public:
   /// Makes the sub-folders of `folder`, which must exist.
@@ -75,13 +95,11 @@ class SequenceWriter {
 
   void write_frame(std::size_t index, const RgbdFrame& frame) const;
 
-  /// Writes the lists, groundtruth.txt and camera.toml for frames 0 to truth.size() - 1.
-  void finish(const Trajectory& truth) const;
+  void finish(const Trajectory& truth) const;  ///< `encode_lists`
 
  private:
   std::filesystem::path folder_;
-  RgbdCamera camera_;
-  FloatDepth float_depth_;
+  SequenceLayout layout_;
 };
 
 /// `0.033333`: how every list of a sequence writes a stamp.

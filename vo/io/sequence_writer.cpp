@@ -1,7 +1,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <system_error>
 #include <utility>
 
 #include "vo/core/error.h"
@@ -16,12 +15,6 @@ namespace vo {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string file_name(const char* folder, std::size_t index, const char* extension) {
-  std::array<char, 64> name{};
-  std::snprintf(name.data(), name.size(), "%s/%06zu.%s", folder, index, extension);
-  return name.data();
-}
 
 /// Depth beyond what 16 bits hold is written as "no measurement".
 cv::Mat_<std::uint16_t> quantised(const DepthImage& depth, double units_per_m) {
@@ -40,7 +33,7 @@ std::string format_list(const char* title, const char* folder, const char* exten
                         const Trajectory& truth) {
   std::string text = concat("# ", title, "\n# timestamp filename\n");
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    text += format_timestamp(truth[i].timestamp) + " " + file_name(folder, i, extension) + "\n";
+    text += format_timestamp(truth[i].timestamp) + " " + frame_file(folder, i, extension) + "\n";
   }
   return text;
 }
@@ -53,36 +46,61 @@ std::string format_timestamp(double timestamp) {
   return text.data();
 }
 
-SequenceWriter::SequenceWriter(fs::path folder, const RgbdCamera& camera, FloatDepth float_depth)
-    : folder_(std::move(folder)), camera_(camera), float_depth_(float_depth) {
-  for (const char* name : {"rgb", "depth", "depth_float"}) {
-    std::error_code error;
-    if (name != std::string("depth_float") || float_depth == FloatDepth::npy) {
-      fs::create_directories(folder_ / name, error);
-    }
-    require(!error, (folder_ / name).string(), ": cannot be made: ", error.message());
+std::string frame_file(const std::string& folder, std::size_t index, const std::string& extension) {
+  std::array<char, 32> number{};
+  std::snprintf(number.data(), number.size(), "%06zu", index);
+  return folder + "/" + number.data() + "." + extension;
+}
+
+std::vector<std::string> frame_files(const SequenceLayout& layout, std::size_t index) {
+  std::vector<std::string> files = {frame_file("rgb", index, "png"),
+                                    frame_file("depth", index, "png")};
+  if (layout.float_depth == FloatDepth::npy) {
+    files.push_back(frame_file("depth_float", index, "npy"));
   }
+  return files;
+}
+
+std::vector<NamedBytes> encode_frame(const SequenceLayout& layout, std::size_t index,
+                                     const RgbdFrame& frame) {
+  const std::vector<std::string> names = frame_files(layout, index);
+  std::vector<NamedBytes> files = {
+      {names[0], encode_png(frame.image)},
+      {names[1], encode_png(quantised(frame.depth, layout.camera.depth_units_per_m))}};
+  if (layout.float_depth == FloatDepth::npy) {
+    files.push_back({names[2], encode_npy(frame.depth)});
+  }
+  return files;
+}
+
+std::vector<NamedBytes> encode_lists(const SequenceLayout& layout, const Trajectory& truth) {
+  std::vector<NamedBytes> files = {
+      {"rgb.txt", format_list("colour images, sRGB", "rgb", "png", truth)},
+      {"depth.txt", format_list("planar depth at pixel centres, 16 bit", "depth", "png", truth)}};
+  if (layout.float_depth == FloatDepth::npy) {
+    files.push_back({"depth_float.txt",
+                     format_list("planar depth at pixel centres, m", "depth_float", "npy", truth)});
+  }
+  files.push_back({"groundtruth.txt", format_trajectory(truth)});
+  files.push_back({"camera.toml", format_camera(layout.camera)});
+  return files;
+}
+
+SequenceWriter::SequenceWriter(fs::path folder, const RgbdCamera& camera, FloatDepth float_depth)
+    : folder_(std::move(folder)), layout_{camera, float_depth} {
+  make_folders_of(folder_, frame_files(layout_, 0));
 }
 
 void SequenceWriter::write_frame(std::size_t index, const RgbdFrame& frame) const {
-  write_file(folder_ / file_name("rgb", index, "png"), encode_png(frame.image));
-  write_file(folder_ / file_name("depth", index, "png"),
-             encode_png(quantised(frame.depth, camera_.depth_units_per_m)));
-  if (float_depth_ == FloatDepth::npy) {
-    write_file(folder_ / file_name("depth_float", index, "npy"), encode_npy(frame.depth));
+  for (const auto& [name, bytes] : encode_frame(layout_, index, frame)) {
+    write_file(folder_ / name, bytes);
   }
 }
 
 void SequenceWriter::finish(const Trajectory& truth) const {
-  write_file(folder_ / "rgb.txt", format_list("colour images, sRGB", "rgb", "png", truth));
-  write_file(folder_ / "depth.txt",
-             format_list("planar depth at pixel centres, 16 bit", "depth", "png", truth));
-  if (float_depth_ == FloatDepth::npy) {
-    write_file(folder_ / "depth_float.txt",
-               format_list("planar depth at pixel centres, m", "depth_float", "npy", truth));
+  for (const auto& [name, bytes] : encode_lists(layout_, truth)) {
+    write_file(folder_ / name, bytes);
   }
-  write_file(folder_ / "groundtruth.txt", format_trajectory(truth));
-  write_file(folder_ / "camera.toml", format_camera(camera_));
 }
 
 }  // namespace vo

@@ -130,4 +130,46 @@ TEST(OutputFolder, NeverReplacesWhatSomebodyElseMade) {
   EXPECT_EQ(vo::read_file(path / "holiday"), "precious");
 }
 
+TEST(StagedFolder, WaitsBesideItsNameUntilItIsCommitted) {
+  const TempFolder folder;
+  const fs::path path = folder.path() / "result";
+  {
+    const vo::StagedFolder first(path, {"marker", "1"}, ExistingOutput::keep);
+    vo::write_file(first.staging() / "a", "of the first run");
+    vo::write_file(first.staging() / ".b.partial-7", "of a run that was killed");
+  }
+  EXPECT_FALSE(fs::exists(path));
+  vo::StagedFolder second(path, {"marker", "1"}, ExistingOutput::keep);
+  EXPECT_EQ(second.staging(), vo::StagedFolder::staging_of(path));
+  second.commit();
+  EXPECT_EQ(vo::read_file(path / "a"), "of the first run");
+  EXPECT_EQ(vo::read_file(path / "marker"), "1");
+  EXPECT_EQ(entries(path), 2U);
+  EXPECT_EQ(entries(folder.path()), 1U);
+}
+
+TEST(StagedFolder, IsBegunAnewForAnotherResultOnlyWhenToldToReplaceIt) {
+  const TempFolder folder;
+  const fs::path path = folder.path() / "result";
+  const auto stage = [&](const char* marker, ExistingOutput existing) {
+    return vo::StagedFolder(path, {"marker", marker}, existing).staging();
+  };
+  const fs::path staging = stage("1", ExistingOutput::keep);
+  vo::write_file(staging / "a", "of 1");
+  EXPECT_EQ(error_kind([&] { stage("2", ExistingOutput::keep); }), ErrorKind::output_exists);
+  EXPECT_EQ(stage("1", ExistingOutput::replace), staging);
+  EXPECT_TRUE(fs::exists(staging / "a")) << "the same result";
+  stage("2", ExistingOutput::replace);
+  EXPECT_FALSE(fs::exists(staging / "a"));
+}
+
+TEST(StagedFolder, NeverReplacesWhatSomebodyElseMade) {
+  const TempFolder folder;
+  const fs::path path = folder.path() / "photos";
+  folder.write("photos.part/holiday", "precious");
+  const auto stage = [&] { vo::StagedFolder(path, {"marker", "1"}, ExistingOutput::replace); };
+  EXPECT_EQ(error_kind(stage), ErrorKind::input);
+  EXPECT_EQ(vo::read_file(folder.path() / "photos.part/holiday"), "precious");
+}
+
 }  // namespace

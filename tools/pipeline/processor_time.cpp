@@ -1,4 +1,4 @@
-#include "tools/ablate/processor_time.h"
+#include "tools/pipeline/processor_time.h"
 
 #include <ctime>
 
