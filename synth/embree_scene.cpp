@@ -1,6 +1,8 @@
 #include "synth/embree_scene.h"
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -12,6 +14,7 @@ namespace {
 
 constexpr float kNear = 0.01F;  // m along the optical axis
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr std::uint64_t kInstants = 0x1257;  // the purpose of their random numbers
 
 struct ReleaseGeometry {
   void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
@@ -56,6 +59,12 @@ void aim(RTCRay& ray, const Eigen::Vector3f& from, const Eigen::Vector3f& direct
   ray.tnear = near;
   ray.tfar = reach;
   ray.mask = std::numeric_limits<unsigned>::max();
+}
+
+/// World axes; 1 along the optical axis, so that multiples of it are depths.
+Eigen::Vector3d direction(const vo::PinholeCamera& camera, const Eye& eye,
+                          const Eigen::Vector2d& pixel) {
+  return eye.R_world_camera * camera.unproject(pixel, 1);
 }
 
 }  // namespace
@@ -106,28 +115,51 @@ void aim_at_light(RTCRay& ray, const SurfacePoint& point, const DirectLight& dir
   aim(ray, start, direct.to_light, 0, light.kind == LightKind::directional ? kInfinity : 1);
 }
 
-View::View(const FlatScene& flat, const vo::PinholeCamera& camera, const vo::SE3& T_world_camera)
-    : flat_(flat),
-      camera_(camera),
-      R_world_camera_(T_world_camera.rotation_matrix()),
-      eye_(T_world_camera.translation()),
-      start_((eye_ - flat.origin).cast<float>()) {}
+View::View(const FlatScene& flat, const Shot& shot)
+    : flat_(flat), shot_(shot), eyes_(shot), instants_(shot.seed, kInstants, 0) {}
 
-/// World axes; 1 along the optical axis, so that multiples of it are depths.
-Eigen::Vector3d View::direction(const Eigen::Vector2d& pixel) const {
-  return R_world_camera_ * camera_.unproject(pixel, 1);
-}
-
-void View::aim_through(const Eigen::Vector2d& pixel, RTCRayHit& ray) const {
-  aim(ray.ray, start_, direction(pixel).cast<float>(), kNear, kInfinity);
+void View::aim_from(const Eye& eye, const Eigen::Vector2d& pixel, RTCRayHit& ray) const {
+  aim(ray.ray, (eye.position - flat_.origin).cast<float>(),
+      direction(shot_.camera, eye, pixel).cast<float>(), kNear, kInfinity);
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
 }
 
-float View::exact_depth(const Eigen::Vector2d& pixel, const RTCRayHit& ray) const {
-  const DepthRay exact{eye_, direction(pixel), R_world_camera_.col(2)};
+void View::aim_at_centre(const cv::Point& pixel, RTCRayHit& ray) const {
+  aim_from(eyes_.of_row(pixel.y), {pixel.x, pixel.y}, ray);
+}
+
+/// The instants' differences are the terms of Roberts' R2 sequence.
+void View::aim_at_cell(const cv::Point& pixel, const cv::Point& cell, int grid,
+                       RTCRayHit& ray) const {
+  const Eigen::Vector2d place(pixel.x + (cell.x + 0.5) / grid - 0.5,
+                              pixel.y + (cell.y + 0.5) / grid - 0.5);
+  if (shot_.shutter.exposure_time == 0) {
+    aim_from(eyes_.of_row(pixel.y), place, ray);
+    return;
+  }
+  constexpr double kPlastic = 1.32471795724474602596;  // x^3 = x + 1
+  const double share =
+      instants_.uniform(pixel.x, pixel.y) + cell.x / kPlastic + cell.y / (kPlastic * kPlastic);
+  aim_from(eyes_.during_row(pixel.y, share - std::floor(share)), place, ray);
+}
+
+float View::exact_depth(const cv::Point& pixel, const RTCRayHit& ray) const {
+  const Eye& eye = eyes_.of_row(pixel.y);
+  const DepthRay exact{eye.position,
+                       direction(shot_.camera, eye, Eigen::Vector2d(pixel.x, pixel.y)),
+                       eye.R_world_camera.col(2)};
   const std::optional<double> depth =
       depth_of_plane(flat_.meshes[ray.hit.geomID], static_cast<int>(ray.hit.primID), exact);
   return depth ? static_cast<float>(*depth) : ray.ray.tfar;
+}
+
+cv::Vec3f View::normal(const cv::Point& pixel, const RTCRayHit& ray) const {
+  const Eigen::Vector3f across(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z);
+  const Eigen::Vector3f along(ray.ray.dir_x, ray.ray.dir_y, ray.ray.dir_z);
+  const Eigen::Vector3f outward = across.dot(along) > 0 ? Eigen::Vector3f(-across) : across;
+  const Eigen::Vector3f unit =
+      R_world_camera(pixel.y).transpose().cast<float>() * outward.normalized();
+  return {unit.x(), unit.y(), unit.z()};
 }
 
 }  // namespace synth

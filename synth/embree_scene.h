@@ -5,11 +5,13 @@
 
 #include <Eigen/Core>
 #include <embree3/rtcore.h>
+#include <opencv2/core.hpp>
 
 #include "synth/flat_scene.h"
+#include "synth/random.h"
 #include "synth/shading.h"
+#include "synth/shot.h"
 #include "vo/core/camera.h"
-#include "vo/core/se3.h"
 
 namespace synth {
 
@@ -42,28 +44,36 @@ SurfaceHit surface_hit(const RTCHit& hit);
 void aim_at_light(RTCRay& ray, const SurfacePoint& point, const DirectLight& direct,
                   const Light& light);
 
-/// A camera in a flat scene. Both must outlive it.
+/// A shot of a flat scene. Both must outlive it.
 class View {
  public:
-  View(const FlatScene& flat, const vo::PinholeCamera& camera, const vo::SE3& T_world_camera);
+  View(const FlatScene& flat, const Shot& shot);
 
-  const vo::PinholeCamera& camera() const { return camera_; }
-  const Eigen::Matrix3d& rotation() const { return R_world_camera_; }  ///< R_world_camera
+  const vo::PinholeCamera& camera() const { return shot_.camera; }
+  Eigen::Matrix3d R_world_camera(int v) const { return eyes_.of_row(v).R_world_camera; }
 
-  void aim_through(const Eigen::Vector2d& pixel, RTCRayHit& ray) const;
+  /// Through a pixel's centre in the middle of its exposure.
+  void aim_at_centre(const cv::Point& pixel, RTCRayHit& ray) const;
 
-  /// Depth, m, at which the pixel's ray meets the plane of the triangle that `ray` hit; the ray's
-  /// own where that makes no sense.
-  float exact_depth(const Eigen::Vector2d& pixel, const RTCRayHit& ray) const;
+  /// Through the centre of one of the pixel's grid x grid cells, at an instant of its exposure that
+  /// is the cell's own: they are spread evenly over it, along rows and columns too.
+  void aim_at_cell(const cv::Point& pixel, const cv::Point& cell, int grid, RTCRayHit& ray) const;
+
+  /// Depth, m, at which the ray through the pixel's centre meets the plane of the triangle that
+  /// `ray` hit; the ray's own where that makes no sense.
+  float exact_depth(const cv::Point& pixel, const RTCRayHit& ray) const;
+
+  /// Unit, camera's axes, of the triangle that the ray through the pixel's centre hit, towards the
+  /// camera.
+  cv::Vec3f normal(const cv::Point& pixel, const RTCRayHit& ray) const;
 
  private:
-  Eigen::Vector3d direction(const Eigen::Vector2d& pixel) const;
+  void aim_from(const Eye& eye, const Eigen::Vector2d& pixel, RTCRayHit& ray) const;
 
   const FlatScene& flat_;
-  const vo::PinholeCamera& camera_;
-  Eigen::Matrix3d R_world_camera_;
-  Eigen::Vector3d eye_;    ///< m, world
-  Eigen::Vector3f start_;  ///< m, the eye in the flat scene's coordinates
+  const Shot& shot_;
+  ShotEyes eyes_;
+  RandomField instants_;  ///< where each pixel's instants start, share of the exposure
 };
 
 }  // namespace synth

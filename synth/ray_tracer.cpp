@@ -31,16 +31,33 @@ struct Samples {
   std::vector<Reflection> reflections;    ///< one per shadow ray
 };
 
+/// The wanted channels, nothing seen yet.
+RenderedFrame empty_frame(const vo::PinholeCamera& camera, const Channels& channels) {
+  const cv::Size size(camera.width, camera.height);
+  const cv::Vec3f none(0, 0, 0);
+  RenderedFrame frame;
+  if (channels.color) {
+    frame.radiance = cv::Mat_<cv::Vec3f>(size, none);
+  }
+  if (channels.depth) {
+    frame.depth = vo::DepthImage(size, 0.0F);
+  }
+  if (channels.normal) {
+    frame.normal = cv::Mat_<cv::Vec3f>(size, none);
+  }
+  return frame;
+}
+
 class RayTracer final : public Renderer {
  public:
   RayTracer(const Scene& scene, const RenderOptions& options);
 
-  RenderedFrame render(const vo::PinholeCamera& camera,
-                       const vo::SE3& T_world_camera) const override;
+  using Renderer::render;
+  RenderedFrame render(const Shot& shot) const override;
 
  private:
-  void render_depth(const View& view, const cv::Rect& tile, Samples& samples,
-                    RenderedFrame& frame) const;
+  void render_surface(const View& view, const cv::Rect& tile, Samples& samples,
+                      RenderedFrame& frame) const;
   void render_color(const View& view, const cv::Rect& tile, Samples& samples,
                     RenderedFrame& frame) const;
   void trace_color_rays(const View& view, const cv::Rect& tile, Samples& samples) const;
@@ -61,37 +78,47 @@ RayTracer::RayTracer(const Scene& scene, const RenderOptions& options)
       grid_(options.samples_per_edge()),
       embree_(flat_) {}
 
-RenderedFrame RayTracer::render(const vo::PinholeCamera& camera,
-                                const vo::SE3& T_world_camera) const {
+RenderedFrame RayTracer::render(const Shot& shot) const {
+  const vo::PinholeCamera& camera = shot.camera;
   camera.validate();
-  const View view(flat_, camera, T_world_camera);
-  RenderedFrame frame{.radiance = cv::Mat_<cv::Vec3f>(camera.height, camera.width),
-                      .depth = vo::DepthImage(camera.height, camera.width)};
+  shot.shutter.validate();
+  const View view(flat_, shot);
+  RenderedFrame frame = empty_frame(camera, shot.channels);
   Samples samples;
   const cv::Rect image(0, 0, camera.width, camera.height);
   for (int v = 0; v < camera.height; v += kTile) {
     for (int u = 0; u < camera.width; u += kTile) {
       const cv::Rect tile = cv::Rect(u, v, kTile, kTile) & image;
-      render_depth(view, tile, samples, frame);
-      render_color(view, tile, samples, frame);
+      if (shot.channels.depth || shot.channels.normal) {
+        render_surface(view, tile, samples, frame);
+      }
+      if (shot.channels.color) {
+        render_color(view, tile, samples, frame);
+      }
     }
   }
   return frame;
 }
 
-void RayTracer::render_depth(const View& view, const cv::Rect& tile, Samples& samples,
-                             RenderedFrame& frame) const {
+/// Depth and normals.
+void RayTracer::render_surface(const View& view, const cv::Rect& tile, Samples& samples,
+                               RenderedFrame& frame) const {
   samples.rays.clear();
   for (int v = tile.y; v < tile.br().y; ++v) {
     for (int u = tile.x; u < tile.br().x; ++u) {
-      view.aim_through({u, v}, samples.rays.emplace_back());
+      view.aim_at_centre({u, v}, samples.rays.emplace_back());
     }
   }
   embree_.intersect(samples.rays);
   auto ray = samples.rays.cbegin();
   for (int v = tile.y; v < tile.br().y; ++v) {
     for (int u = tile.x; u < tile.br().x; ++u, ++ray) {
-      frame.depth(v, u) = has_hit(*ray) ? view.exact_depth({u, v}, *ray) : 0;
+      if (has_hit(*ray) && !frame.depth.empty()) {
+        frame.depth(v, u) = view.exact_depth({u, v}, *ray);
+      }
+      if (has_hit(*ray) && !frame.normal.empty()) {
+        frame.normal(v, u) = view.normal({u, v}, *ray);
+      }
     }
   }
 }
@@ -120,12 +147,10 @@ void RayTracer::render_color(const View& view, const cv::Rect& tile, Samples& sa
 /// Pixel by pixel, the centres of the pixel's grid of sub-pixels.
 void RayTracer::trace_color_rays(const View& view, const cv::Rect& tile, Samples& samples) const {
   samples.rays.clear();
-  const auto centre = [this](int i) { return (i + 0.5) / grid_ - 0.5; };
   for (int v = tile.y; v < tile.br().y; ++v) {
     for (int u = tile.x; u < tile.br().x; ++u) {
       for (int i = 0; i < grid_ * grid_; ++i) {
-        view.aim_through({u + centre(i % grid_), v + centre(i / grid_)},
-                         samples.rays.emplace_back());
+        view.aim_at_cell({u, v}, {i % grid_, i / grid_}, grid_, samples.rays.emplace_back());
       }
     }
   }

@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 
 #include "synth/scene.h"
+#include "synth/shot.h"
 #include "vo/core/camera.h"
 #include "vo/core/image.h"
 #include "vo/core/se3.h"
@@ -40,10 +41,12 @@ void visit_fields(Visitor& visit, RenderOptions& options) {
   visit("ambient", options.ambient, "constant light from all sides, share of the lights' mean");
 }
 
-/// What a perfect sensor would see.
+/// What a perfect sensor would see. Each row's depth and normals are those of the middle of its
+/// exposure; colour is a mean over all of it.
 struct RenderedFrame {
   cv::Mat_<cv::Vec3f> radiance;  ///< linear RGB, mean over the pixel's area
-  vo::DepthImage depth;  ///< m along the optical axis, at the pixel's centre; 0 = nothing hit
+  vo::DepthImage depth;        ///< m along the optical axis, at the pixel's centre; 0 = nothing hit
+  cv::Mat_<cv::Vec3f> normal;  ///< unit, camera's axes, of the triangle, towards the camera, or 0
 };
 
 /// Renders a scene at rest. `render` may be called from several threads; its result depends on its
@@ -57,8 +60,12 @@ class Renderer {
   Renderer(Renderer&&) = delete;
   Renderer& operator=(Renderer&&) = delete;
 
-  virtual RenderedFrame render(const vo::PinholeCamera& camera,
-                               const vo::SE3& T_world_camera) const = 0;
+  virtual RenderedFrame render(const Shot& shot) const = 0;
+
+  /// Colour and depth as a camera at rest sees them.
+  RenderedFrame render(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera) const {
+    return render(still(camera, T_world_camera));
+  }
 };
 
 /// The scene must outlive the renderer.

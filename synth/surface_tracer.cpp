@@ -24,8 +24,8 @@ SurfaceView empty_view(const cv::Size& size) {
 /// All but the light.
 void record(const View& view, const cv::Point& pixel, const RTCRayHit& ray,
             const SurfacePoint& point, SurfaceView& surfaces) {
-  const Eigen::Matrix3f R_camera_world = view.rotation().transpose().cast<float>();
-  surfaces.depth(pixel) = view.exact_depth(Eigen::Vector2d(pixel.x, pixel.y), ray);
+  const Eigen::Matrix3f R_camera_world = view.R_world_camera(pixel.y).transpose().cast<float>();
+  surfaces.depth(pixel) = view.exact_depth(pixel, ray);
   surfaces.face_normal(pixel) = as_pixel(R_camera_world * point.face_normal);
   surfaces.normal(pixel) = as_pixel(R_camera_world * point.normal);
   surfaces.base_color(pixel) = as_pixel(point.base_color);
@@ -45,7 +45,8 @@ SurfaceTracer::~SurfaceTracer() = default;
 SurfaceView SurfaceTracer::trace(const vo::PinholeCamera& camera,
                                  const vo::SE3& T_world_camera) const {
   camera.validate();
-  const View view(flat_, camera, T_world_camera);
+  const Shot shot = still(camera, T_world_camera);
+  const View view(flat_, shot);
   SurfaceView surfaces = empty_view({camera.width, camera.height});
   for (int v = 0; v < camera.height; ++v) {
     trace_row(view, v, surfaces);
@@ -58,7 +59,7 @@ void SurfaceTracer::trace_row(const View& view, int v, SurfaceView& surfaces) co
   const auto pixel_width = static_cast<float>(1 / std::sqrt(std::abs(camera.fx * camera.fy)));
   std::vector<RTCRayHit> rays(static_cast<std::size_t>(camera.width));
   for (int u = 0; u < camera.width; ++u) {
-    view.aim_through({u, v}, rays[static_cast<std::size_t>(u)]);
+    view.aim_at_centre({u, v}, rays[static_cast<std::size_t>(u)]);
   }
   embree_->intersect(rays);
   std::vector<SurfacePoint> lit;
