@@ -7,8 +7,8 @@
 
 #include "tests/support/pose_near.h"
 #include "tests/support/textured_plane.h"
+#include "tests/support/warp_oracle.h"
 #include "vo/tracking/align.h"
-#include "vo/tracking/warp.h"
 
 namespace {
 
@@ -41,7 +41,7 @@ class ImageFunction {
 
  private:
   std::pair<double, cv::Vec2f> look_up(double u, double v) const {
-    const vo::BilinearWeights at(static_cast<float>(u), static_cast<float>(v));
+    const support::BilinearWeights at(static_cast<float>(u), static_cast<float>(v));
     return {at(level_.intensity), at(gradient_)};
   }
 

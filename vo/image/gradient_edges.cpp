@@ -7,31 +7,16 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "vo/image/canny.h"
 #include "vo/image/edge_thinning.h"
 
 namespace vo {
 namespace {
 
-using ShortImage = cv::Mat_<short>;
-
-struct SobelImage {
-  ByteImage intensity;
-  ShortImage dx;
-  ShortImage dy;
-};
-
-SobelImage sobel(const GrayImage& gray) {
-  SobelImage image;
-  gray.convertTo(image.intensity, CV_8U, 255);
-  cv::Sobel(image.intensity, image.dx, CV_16S, 1, 0, 3, 1, 0, cv::BORDER_REPLICATE);
-  cv::Sobel(image.intensity, image.dy, CV_16S, 0, 1, 3, 1, 0, cv::BORDER_REPLICATE);
-  return image;
-}
-
-float magnitude(const SobelImage& image, int v, int u) {
-  const auto gx = static_cast<float>(image.dx(v, u));
-  const auto gy = static_cast<float>(image.dy(v, u));
-  return std::sqrt(gx * gx + gy * gy);
+ByteImage to_bytes(const GrayImage& gray) {
+  ByteImage bytes;
+  gray.convertTo(bytes, CV_8U, 255);
+  return bytes;
 }
 
 double otsu_threshold(const ByteImage& image) {
@@ -39,21 +24,9 @@ double otsu_threshold(const ByteImage& image) {
   return cv::threshold(image, unused, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU);
 }
 
-/// Pixels by the whole part of their gradient's magnitude.
-std::vector<int> magnitude_histogram(const SobelImage& image) {
-  constexpr int kMaxMagnitude = 1443;  // 1020 sqrt(2)
-  std::vector<int> histogram(kMaxMagnitude + 1);
-  for (int v = 0; v < image.dx.rows; ++v) {
-    for (int u = 0; u < image.dx.cols; ++u) {
-      ++histogram[static_cast<std::size_t>(magnitude(image, v, u))];
-    }
-  }
-  return histogram;
-}
-
 /// The magnitude below which `wanted` pixels lie.
-double gradient_quantile(const SobelImage& image, double wanted) {
-  const std::vector<int> histogram = magnitude_histogram(image);
+double gradient_quantile(const ByteImage& image, double wanted) {
+  const std::vector<int> histogram = sobel_magnitude_histogram(image, available_instruction_set());
   double below = 0;
   std::size_t magnitude = 0;
   while (magnitude + 1 < histogram.size() && below + histogram[magnitude] < wanted) {
@@ -63,8 +36,8 @@ double gradient_quantile(const SobelImage& image, double wanted) {
 }
 
 /// The least whole magnitude that at most `count` pixels reach.
-double gradient_of_count(const SobelImage& image, int count) {
-  const std::vector<int> histogram = magnitude_histogram(image);
+double gradient_of_count(const ByteImage& image, int count) {
+  const std::vector<int> histogram = sobel_magnitude_histogram(image, available_instruction_set());
   int above = 0;
   std::size_t magnitude = histogram.size();
   while (magnitude > 0 && above + histogram[magnitude - 1] <= count) {
@@ -73,14 +46,14 @@ double gradient_of_count(const SobelImage& image, int count) {
   return static_cast<double>(magnitude);
 }
 
-double strong_threshold(const SobelImage& image, const EdgeOptions& options) {
+double strong_threshold(const ByteImage& image, const EdgeOptions& options) {
   switch (options.threshold) {
     case EdgeThreshold::otsu:
-      return otsu_threshold(image.intensity);
+      return otsu_threshold(image);
     case EdgeThreshold::percentile:
-      return std::max(options.floor,
-                      gradient_quantile(
-                          image, options.percentile / 100 * static_cast<double>(image.dx.total())));
+      return std::max(
+          options.floor,
+          gradient_quantile(image, options.percentile / 100 * static_cast<double>(image.total())));
     case EdgeThreshold::target_count:
       return std::max(options.floor, gradient_of_count(image, options.target_count));
     case EdgeThreshold::fixed:
@@ -92,30 +65,30 @@ double strong_threshold(const SobelImage& image, const EdgeOptions& options) {
 }  // namespace
 
 EdgeMask canny_edges(const GrayImage& gray, const EdgeOptions& options) {
-  const SobelImage image = sobel(gray);
+  const ByteImage image = to_bytes(gray);
   const double strong = strong_threshold(image, options);
-  EdgeMask edges;
-  cv::Canny(image.dx, image.dy, edges, options.weak_ratio * strong, strong, /*L2gradient=*/true);
-  return edges;
+  return canny(image, options.weak_ratio * strong, strong, available_instruction_set());
 }
 
 EdgeMask sobel_edges(const GrayImage& gray, const EdgeOptions& options) {
-  const SobelImage image = sobel(gray);
-  const double strong = strong_threshold(image, options);
+  const ByteImage image = to_bytes(gray);
+  cv::Mat_<float> dx;
+  cv::Mat_<float> dy;
+  cv::Sobel(image, dx, CV_32F, 1, 0, 3, 1, 0, cv::BORDER_REPLICATE);
+  cv::Sobel(image, dy, CV_32F, 0, 1, 3, 1, 0, cv::BORDER_REPLICATE);
   cv::Mat_<float> strength(gray.size());
   GradientImage across(gray.size());
   for (int v = 0; v < gray.rows; ++v) {
     for (int u = 0; u < gray.cols; ++u) {
-      strength(v, u) = magnitude(image, v, u);
-      const float scale = strength(v, u) > 0 ? 1 / strength(v, u) : 0;
-      across(v, u) = {scale * static_cast<float>(image.dx(v, u)),
-                      scale * static_cast<float>(image.dy(v, u))};
+      const cv::Vec2f gradient(dx(v, u), dy(v, u));
+      strength(v, u) = std::sqrt(gradient.dot(gradient));
+      across(v, u) = gradient * (strength(v, u) > 0 ? 1 / strength(v, u) : 0);
     }
   }
   if (options.sobel_thin) {
     strength = thinned(strength, across, 1);
   }
-  cv::Mat edges = strength >= std::max(1.0, strong);
+  cv::Mat edges = strength >= std::max(1.0, strong_threshold(image, options));
   return edges;
 }
 

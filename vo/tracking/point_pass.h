@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "vo/core/instruction_set.h"
 #include "vo/core/se3.h"
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
@@ -11,13 +12,6 @@
 #include "vo/tracking/row_motion.h"
 
 namespace vo {
-
-/// Vector instructions that the passes over points are compiled for. All give the same bits: sums
-/// are kept in the same lanes, nothing is fused or approximated.
-enum class InstructionSet { baseline, avx2, avx512 };
-
-/// What this machine has; asked once.
-InstructionSet available_instruction_set();
 
 /// Everything a pass over the points of one level needs beside the points.
 struct PassOptions {

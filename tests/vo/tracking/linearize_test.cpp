@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/warp_oracle.h"
 #include "vo/io/camera_file.h"
 #include "vo/tracking/align.h"
-#include "vo/tracking/warp.h"
 
 namespace {
 
@@ -42,7 +42,7 @@ double intensity(const vo::PinholeCamera& camera, const SE3& T_cur_ref,
 Vector6d analytic(const vo::PinholeCamera& camera, const Eigen::Vector3d& p_ref) {
   const auto point = vo::warp_point<double>(vo::Warp<double>(camera, some_pose()), p_ref);
   const Eigen::Vector2d gradient = smooth_gradient(point.u, point.v);
-  return vo::forward_jacobian(point, gradient.x(), gradient.y());
+  return support::forward_jacobian(point, gradient.x(), gradient.y());
 }
 
 using Perturbation = std::function<SE3(const Vector6d& delta)>;

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/textured_plane.h"
+#include "tests/support/warp_oracle.h"
 #include "vo/io/camera_file.h"
-#include "vo/tracking/warp.h"
 
 namespace {
 
@@ -83,13 +83,13 @@ TEST(PointPass, SumsWhatThePaperSays) {
     if (point.u < 1 || point.v < 1 || point.u >= image.cols - 2 || point.v >= image.rows - 2) {
       continue;
     }
-    const vo::BilinearWeights at(static_cast<float>(point.u), static_cast<float>(point.v));
+    const support::BilinearWeights at(static_cast<float>(point.u), static_cast<float>(point.v));
     cv::Vec2f gradient;
     for (const auto& [du, dv, weight] :
          {std::tuple{0, 0, at.w00}, {1, 0, at.w10}, {0, 1, at.w01}, {1, 1, at.w11}}) {
       gradient += weight * vo::central_gradient(image, {at.u + du, at.v + dv});
     }
-    const Vector6d J = vo::forward_jacobian<double>(point, gradient[0], gradient[1]);
+    const Vector6d J = support::forward_jacobian<double>(point, gradient[0], gradient[1]);
     H += J * J.transpose();
     b += J * static_cast<double>(at(image) - points.intensity[i]);
   }

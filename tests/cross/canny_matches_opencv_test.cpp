@@ -1,0 +1,66 @@
+#include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
+
+#include "vo/core/hash_bits.h"
+#include "vo/image/canny.h"
+
+namespace {
+
+using vo::InstructionSet;
+
+/// Noise smoothed at several scales: edges of every direction, strength and length, and ties.
+vo::ByteImage clouds(cv::Size size, std::uint64_t seed) {
+  cv::Mat_<float> image(size, 0.0F);
+  for (const int scale : {1, 4, 16}) {
+    cv::Mat_<float> noise(size.height / scale + 1, size.width / scale + 1);
+    for (int i = 0; i < static_cast<int>(noise.total()); ++i) {
+      noise(i / noise.cols, i % noise.cols) = static_cast<float>(
+          vo::hash_uniform(seed * 1000000 + static_cast<std::uint64_t>(i * 3 + scale)));
+    }
+    cv::resize(noise, noise, size, 0, 0, cv::INTER_CUBIC);
+    image += 25.0F * static_cast<float>(std::sqrt(scale)) * noise;
+  }
+  vo::ByteImage bytes;
+  image.convertTo(bytes, CV_8U);
+  return bytes;
+}
+
+struct Gradients {
+  cv::Mat dx, dy;  // 16 bit
+
+  explicit Gradients(const vo::ByteImage& image) {
+    cv::Sobel(image, dx, CV_16S, 1, 0, 3, 1, 0, cv::BORDER_REPLICATE);
+    cv::Sobel(image, dy, CV_16S, 0, 1, 3, 1, 0, cv::BORDER_REPLICATE);
+  }
+};
+
+TEST(Canny, FindsTheEdgesOfOpenCv) {
+  for (const cv::Size size : {cv::Size(160, 120), {161, 97}, {17, 5}, {3, 4}, {1, 1}}) {
+    for (const double strong : {20.0, 63.5, 150.0, 400.0}) {
+      const vo::ByteImage image = clouds(size, static_cast<std::uint64_t>(size.width));
+      const Gradients gradients(image);
+      cv::Mat expected;
+      cv::Canny(gradients.dx, gradients.dy, expected, strong / 2, strong, /*L2gradient=*/true);
+      for (const InstructionSet set : {InstructionSet::baseline, vo::available_instruction_set()}) {
+        EXPECT_EQ(cv::norm(vo::canny(image, strong / 2, strong, set), expected, cv::NORM_INF), 0)
+            << size << " strong " << strong;
+      }
+    }
+  }
+}
+
+TEST(Canny, HistogramCountsTheMagnitudesOfOpenCv) {
+  const vo::ByteImage image = clouds({163, 120}, 5);
+  const Gradients gradients(image);
+  std::vector<int> expected(1443);
+  for (int v = 0; v < image.rows; ++v) {
+    for (int u = 0; u < image.cols; ++u) {
+      ++expected.at(static_cast<std::size_t>(
+          std::hypot(gradients.dx.at<short>(v, u), gradients.dy.at<short>(v, u))));
+    }
+  }
+  EXPECT_EQ(vo::sobel_magnitude_histogram(image, InstructionSet::baseline), expected);
+  EXPECT_EQ(vo::sobel_magnitude_histogram(image, vo::available_instruction_set()), expected);
+}
+
+}  // namespace

@@ -1,0 +1,231 @@
+#include "vo/image/canny.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace vo {
+namespace {
+
+constexpr std::size_t kMaxMagnitude = 1442;  // floor(1020 sqrt(2))
+
+/// Gradients of one row of the image. Squared magnitudes have a zero on either side.
+class GradientRow {
+ public:
+  explicit GradientRow(int cols)
+      : smooth_(static_cast<std::size_t>(cols) + 2),
+        difference_(smooth_.size()),
+        dx_(static_cast<std::size_t>(cols)),
+        dy_(dx_.size()),
+        squared_(smooth_.size()) {}
+
+  EDVO_INLINE void compute(const ByteImage& image, int v) {
+    const uchar* above = image[std::max(v - 1, 0)];
+    const uchar* here = image[v];
+    const uchar* below = image[std::min(v + 1, image.rows - 1)];
+    const std::size_t cols = dx_.size();
+    std::int16_t* __restrict smooth = smooth_.data();
+    std::int16_t* __restrict difference = difference_.data();
+    for (std::size_t u = 0; u < cols; ++u) {
+      smooth[u + 1] = static_cast<std::int16_t>(above[u] + 2 * here[u] + below[u]);
+      difference[u + 1] = static_cast<std::int16_t>(below[u] - above[u]);
+    }
+    smooth[0] = smooth[1];
+    smooth[cols + 1] = smooth[cols];
+    difference[0] = difference[1];
+    difference[cols + 1] = difference[cols];
+    int* __restrict dx = dx_.data();
+    int* __restrict dy = dy_.data();
+    int* __restrict squared = squared_.data();
+    for (std::size_t u = 0; u < cols; ++u) {
+      const int gx = smooth[u + 2] - smooth[u];
+      const int gy = difference[u] + 2 * difference[u + 1] + difference[u + 2];
+      dx[u] = gx;
+      dy[u] = gy;
+      squared[u + 1] = gx * gx + gy * gy;
+    }
+  }
+
+  void clear() { std::fill(squared_.begin(), squared_.end(), 0); }
+
+  const int* dx() const { return dx_.data(); }
+  const int* dy() const { return dy_.data(); }
+  const int* squared() const { return squared_.data() + 1; }  ///< valid from -1 to the width
+
+ private:
+  std::vector<std::int16_t> smooth_;      ///< of the columns, a pixel more on either side
+  std::vector<std::int16_t> difference_;  ///< likewise
+  std::vector<int> dx_, dy_, squared_;
+};
+
+/// What a pixel is before weak edges are followed.
+enum PixelClass : uchar { no_edge = 0, weak_edge = 1, strong_edge = 2 };
+
+/// Squared magnitudes that a pixel must exceed.
+struct SquaredThresholds {
+  int weak = 0;
+  int strong = 0;
+};
+
+SquaredThresholds squared_thresholds(double weak, double strong) {
+  static constexpr double kMax = 32767;
+  const auto squared = [](double threshold) {
+    const double clamped = std::min(threshold, kMax);
+    return static_cast<int>(std::floor(clamped > 0 ? clamped * clamped : clamped));
+  };
+  return {squared(weak), squared(strong)};
+}
+
+/// Keeps the maxima across the edge. The direction is horizontal below 22.5 deg, vertical above
+/// 67.5 deg, else one of the diagonals; tan(22.5 deg) in units of 2^-15.
+EDVO_INLINE void suppress_row(const std::array<const GradientRow*, 3>& rows, int cols,
+                              SquaredThresholds thresholds, uchar* __restrict classes) {
+  constexpr int kShift = 15;
+  constexpr int kTan22 = 13573;
+  const int* above = rows[0]->squared();
+  const int* here = rows[1]->squared();
+  const int* below = rows[2]->squared();
+  const int* dx = rows[1]->dx();
+  const int* dy = rows[1]->dy();
+  for (int u = 0; u < cols; ++u) {
+    const int gx = dx[u];
+    const int gy = dy[u];
+    const int x = (gx ^ (gx >> 31)) - (gx >> 31);  // |gx|, in a form that is vectorized
+    const int y = ((gy ^ (gy >> 31)) - (gy >> 31)) << kShift;
+    const int horizontal = y < x * kTan22 ? -1 : 0;
+    const int vertical = y > x * kTan22 + (x << (kShift + 1)) ? -1 : 0;
+    const int diagonal = ~(horizontal | vertical);
+    const int falling = diagonal & ((gx ^ gy) >> 31);
+    const int rising = diagonal & ~falling;
+    const int before = (horizontal & here[u - 1]) | (vertical & above[u]) |
+                       (falling & above[u + 1]) | (rising & above[u - 1]);
+    const int after = (horizontal & here[u + 1]) | (vertical & below[u]) |
+                      (falling & below[u - 1]) | (rising & below[u + 1]);
+    const int m = here[u];
+    const int is_maximum = (m > before ? 1 : 0) & (m > after - 1 - diagonal ? 1 : 0);
+    const int is_weak = m > thresholds.weak ? 1 : 0;
+    const int is_strong = m > thresholds.strong ? 1 : 0;
+    classes[u] = static_cast<uchar>((is_maximum & is_weak) + (is_maximum & is_strong));
+  }
+}
+
+/// Each pixel's class, in an image with a border of one pixel of `no_edge`.
+EDVO_INLINE void classify(const ByteImage& image, SquaredThresholds thresholds,
+                          ByteImage& classes) {
+  std::array<GradientRow, 3> buffers{GradientRow(image.cols), GradientRow(image.cols),
+                                     GradientRow(image.cols)};
+  std::array<GradientRow*, 3> rows{&buffers[0], &buffers[1], &buffers[2]};
+  rows[1]->clear();
+  rows[2]->compute(image, 0);
+  for (int v = 0; v < image.rows; ++v) {
+    std::rotate(rows.begin(), rows.begin() + 1, rows.end());
+    if (v + 1 < image.rows) {
+      rows[2]->compute(image, v + 1);
+    } else {
+      rows[2]->clear();
+    }
+    suppress_row({rows[0], rows[1], rows[2]}, image.cols, thresholds, classes[v + 1] + 1);
+  }
+}
+
+EDVO_INLINE void count_magnitudes(const ByteImage& image, std::vector<int>& histogram) {
+  GradientRow row(image.cols);
+  std::vector<std::uint16_t> magnitudes(static_cast<std::size_t>(image.cols));
+  std::vector<int> odd(histogram.size());  // two counters a bin: neighbours often share one
+  for (int v = 0; v < image.rows; ++v) {
+    row.compute(image, v);
+    const int* squared = row.squared();
+    for (int u = 0; u < image.cols; ++u) {
+      magnitudes[static_cast<std::size_t>(u)] =
+          static_cast<std::uint16_t>(static_cast<int>(std::sqrt(static_cast<float>(squared[u]))));
+    }
+    std::size_t u = 0;
+    for (; u + 1 < magnitudes.size(); u += 2) {
+      ++histogram[magnitudes[u]];
+      ++odd[magnitudes[u + 1]];
+    }
+    if (u < magnitudes.size()) {
+      ++histogram[magnitudes[u]];
+    }
+  }
+  for (std::size_t bin = 0; bin < odd.size(); ++bin) {
+    histogram[bin] += odd[bin];
+  }
+}
+
+EDVO_TARGET_AVX2 void classify_avx2(const ByteImage& image, SquaredThresholds thresholds,
+                                    ByteImage& classes) {
+  classify(image, thresholds, classes);
+}
+
+void classify_baseline(const ByteImage& image, SquaredThresholds thresholds, ByteImage& classes) {
+  classify(image, thresholds, classes);
+}
+
+EDVO_TARGET_AVX2 void count_avx2(const ByteImage& image, std::vector<int>& histogram) {
+  count_magnitudes(image, histogram);
+}
+
+void count_baseline(const ByteImage& image, std::vector<int>& histogram) {
+  count_magnitudes(image, histogram);
+}
+
+/// Weak edges that touch a strong one become strong, from neighbour to neighbour.
+void follow_edges(ByteImage& classes) {
+  const std::ptrdiff_t width = classes.cols;
+  const std::array<std::ptrdiff_t, 8> neighbours{-width - 1, -width,    -width + 1, -1,
+                                                 1,          width - 1, width,      width + 1};
+  std::vector<uchar*> strong;
+  uchar* const end = classes.data + classes.total();
+  for (uchar* pixel = classes.data;
+       (pixel = static_cast<uchar*>(
+            std::memchr(pixel, strong_edge, static_cast<std::size_t>(end - pixel)))) != nullptr;
+       ++pixel) {
+    strong.push_back(pixel);
+  }
+  while (!strong.empty()) {
+    uchar* pixel = strong.back();
+    strong.pop_back();
+    for (const std::ptrdiff_t step : neighbours) {
+      if (pixel[step] == weak_edge) {
+        pixel[step] = strong_edge;
+        strong.push_back(pixel + step);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<int> sobel_magnitude_histogram(const ByteImage& image, InstructionSet set) {
+  std::vector<int> histogram(kMaxMagnitude + 1);
+  if (set == InstructionSet::baseline) {
+    count_baseline(image, histogram);
+  } else {
+    count_avx2(image, histogram);
+  }
+  return histogram;
+}
+
+EdgeMask canny(const ByteImage& image, double weak, double strong, InstructionSet set) {
+  const SquaredThresholds thresholds = squared_thresholds(weak, strong);
+  ByteImage classes(image.rows + 2, image.cols + 2, uchar{no_edge});
+  if (set == InstructionSet::baseline) {
+    classify_baseline(image, thresholds, classes);
+  } else {
+    classify_avx2(image, thresholds, classes);
+  }
+  follow_edges(classes);
+  EdgeMask edges(image.size());
+  for (int v = 0; v < image.rows; ++v) {
+    const uchar* row = classes[v + 1] + 1;
+    std::transform(row, row + image.cols, edges[v],
+                   [](uchar pixel) { return pixel == strong_edge ? uchar{255} : uchar{0}; });
+  }
+  return edges;
+}
+
+}  // namespace vo
