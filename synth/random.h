@@ -4,28 +4,22 @@
 #include <cstdint>
 #include <numbers>
 
-namespace synth {
+#include "vo/core/hash.h"
 
-/// A bijection whose output bits each depend on all input bits (splitmix64's).
-constexpr std::uint64_t mixed(std::uint64_t value) {
-  value += 0x9e3779b97f4a7c15ULL;
-  value = (value ^ (value >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-  value = (value ^ (value >> 27U)) * 0x94d049bb133111ebULL;
-  return value ^ (value >> 31U);
-}
+namespace synth {
 
 /// Random numbers by their place instead of their turn: the same in any order and on any number of
 /// threads. Each seed and purpose has a stream of its own, each frame a part of it.
 class RandomField {
  public:
   constexpr RandomField(std::uint64_t seed, std::uint64_t purpose, std::uint64_t frame)
-      : key_(mixed(mixed(mixed(seed) ^ purpose) ^ frame)) {}
+      : key_(vo::mixed(vo::mixed(vo::mixed(seed) ^ purpose) ^ frame)) {}
 
   /// Independent for each place (u, v) and each index.
   constexpr std::uint64_t bits(int u, int v, int index = 0) const {
     const auto column = static_cast<std::uint32_t>(u);
     const auto row = static_cast<std::uint64_t>(static_cast<std::uint32_t>(v));
-    return mixed(mixed(key_ ^ (row << 32U | column)) + static_cast<std::uint64_t>(index));
+    return vo::mixed(vo::mixed(key_ ^ (row << 32U | column)) + static_cast<std::uint64_t>(index));
   }
 
   /// In [0, 1).

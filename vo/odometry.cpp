@@ -1,26 +1,12 @@
 #include "vo/odometry.h"
 
-#include <chrono>
 #include <numbers>
 
 #include "vo/core/error.h"
+#include "vo/core/stopwatch.h"
 
 namespace vo {
 namespace {
-
-/// Milliseconds since it was made or last asked.
-class LapTimer {
- public:
-  double lap_ms() {
-    const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<double, std::milli> lap = now - start_;
-    start_ = now;
-    return lap.count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 PinholeCamera tracked_camera(const PinholeCamera& camera, LensModel lens) {
   constexpr int kMinSize = 4;  // px, of the neighbourhood that intensities are looked up in
@@ -105,14 +91,14 @@ TrackingResult RgbdOdometry::track(const RgbdFrame& frame) {
   require(frame.image.size() == expected && frame.depth.size() == expected,
           "odometry: expected image and depth of the camera's ", camera_.width, "x", camera_.height,
           " px");
-  LapTimer timer;
+  Stopwatch watch;
   current_ = build_pyramid(frame, levels_, options_.pyramid);
-  stage_times_.pyramid_ms = timer.lap_ms();
+  stage_times_.pyramid_ms = watch.lap_ms();
   add_edges(current_, edge_finder_);
-  stage_times_.edges_ms = timer.lap_ms();
+  stage_times_.edges_ms = watch.lap_ms();
 
   TrackingResult result = tracker_.track(current_);
-  stage_times_.alignment_ms = timer.lap_ms();
+  stage_times_.alignment_ms = watch.lap_ms();
   if (tracker_.needs_keyframe(current_, result)) {
     tracker_.set_keyframe(current_, result.T_world_camera);
     result.is_keyframe = true;

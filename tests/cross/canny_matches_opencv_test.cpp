@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
-#include "vo/core/hash_bits.h"
+#include "vo/core/hash.h"
 #include "vo/image/canny.h"
 
 namespace {
@@ -15,7 +15,7 @@ vo::ByteImage clouds(cv::Size size, std::uint64_t seed) {
     cv::Mat_<float> noise(size.height / scale + 1, size.width / scale + 1);
     for (int i = 0; i < static_cast<int>(noise.total()); ++i) {
       noise(i / noise.cols, i % noise.cols) = static_cast<float>(
-          vo::hash_uniform(seed * 1000000 + static_cast<std::uint64_t>(i * 3 + scale)));
+          vo::mixed_uniform(seed * 1000000 + static_cast<std::uint64_t>(i * 3 + scale)));
     }
     cv::resize(noise, noise, size, 0, 0, cv::INTER_CUBIC);
     image += 25.0F * static_cast<float>(std::sqrt(scale)) * noise;

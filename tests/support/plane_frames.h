@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "tests/support/textured_plane.h"
+#include "vo/core/hash.h"
 
 namespace support {
 
@@ -34,19 +35,11 @@ inline vo::RgbdFrame blank_frame(const vo::PinholeCamera& camera, int grey, int 
           vo::DepthImage(camera.height, camera.width, 2.0F)};
 }
 
-/// A well-mixed value of any integer (splitmix64), in [0, 1): noise that is the same everywhere.
-inline double hash_uniform(std::uint64_t value) {
-  value += 0x9e3779b97f4a7c15U;
-  value = (value ^ (value >> 30U)) * 0xbf58476d1ce4e5b9U;
-  value = (value ^ (value >> 27U)) * 0x94d049bb133111ebU;
-  return static_cast<double>((value ^ (value >> 31U)) >> 11U) * 0x1p-53;
-}
-
 /// Of zero mean and unit variance, the sum of four uniform values: bell-shaped, at most 3.5.
 inline double hash_noise(std::uint64_t value) {
   double sum = -2;
   for (std::uint64_t i = 0; i < 4; ++i) {
-    sum += hash_uniform(4 * value + i);
+    sum += vo::mixed_uniform(4 * value + i);
   }
   return sum * std::numbers::sqrt3;
 }

@@ -243,7 +243,7 @@ TEST(BenchProgram, PrintsItsContract) {
       EXPECT_GE(row["ms_per_frame"][stage], 0) << stage;
     }
     EXPECT_GT(row["points"], 100);
-    EXPECT_GT(row["held_mib"], 0);
+    EXPECT_GT(row["map_mib"], 0);
     EXPECT_EQ(row["tracked_fraction"], 1.0);
     EXPECT_LT(row["accuracy"]["rpe_translation_rmse_m"], 0.03) << row["name"];
   }

@@ -107,7 +107,7 @@ TEST_P(BadLuck, HalfOfTheDepthIsEnough) {
   for (int i = 0; i < 8; ++i) {
     vo::RgbdFrame frame = sway_frame(camera_, i);
     for (int pixel = 0; pixel < frame.depth.rows * frame.depth.cols; ++pixel) {
-      if (support::hash_uniform(static_cast<std::uint64_t>(pixel + 1000000 * i)) < 0.5) {
+      if (vo::mixed_uniform(static_cast<std::uint64_t>(pixel + 1000000 * i)) < 0.5) {
         frame.depth(pixel / frame.depth.cols, pixel % frame.depth.cols) = 0;
       }
     }

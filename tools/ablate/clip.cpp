@@ -7,6 +7,7 @@
 #include "tools/ablate/statistics.h"
 #include "tools/pipeline/processor_time.h"
 #include "vo/core/error.h"
+#include "vo/core/stopwatch.h"
 #include "vo/evaluation/evaluate.h"
 
 namespace tools {
@@ -52,9 +53,9 @@ ClipScore score(const Clip& clip, const vo::TrackerOptions& options) {
   double points = 0;
   double aligned = 0;
   for (const vo::RgbdFrame& frame : clip.frames) {
-    const double start_ms = processor_ms();
+    const vo::CpuStopwatch watch;
     const vo::TrackingResult result = odometry.track(frame);
-    times_ms.push_back(processor_ms() - start_ms);
+    times_ms.push_back(watch.elapsed_ms());
     if (result.status == vo::TrackingStatus::tracked) {
       points += static_cast<double>(result.alignment.points);
       ++aligned;

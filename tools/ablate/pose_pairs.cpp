@@ -3,40 +3,29 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <random>
 
 #include <Eigen/Geometry>
 
 #include "synth/flat_scene.h"
 #include "synth/renderer.h"
 #include "tools/ablate/clip.h"
+#include "tools/pipeline/random.h"
 #include "vo/core/error.h"
 
 namespace tools {
 namespace {
 
-/// Uniform numbers that are the same with every standard library.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-
-  double between(double low, double high) {
-    constexpr double kOneOver2To53 = 1.0 / 9007199254740992.0;
-    return low + (high - low) * static_cast<double>(engine_() >> 11U) * kOneOver2To53;
-  }
-
-  Eigen::Vector3d direction() {
-    while (true) {
-      const Eigen::Vector3d v(between(-1, 1), between(-1, 1), between(-1, 1));
-      if (v.norm() > 0.1 && v.norm() <= 1) {
-        return v.normalized();
-      }
+Eigen::Vector3d random_direction(Random& random) {
+  while (true) {
+    const double x = random.uniform(-1, 1);
+    const double y = random.uniform(-1, 1);
+    const double z = random.uniform(-1, 1);
+    const Eigen::Vector3d v(x, y, z);
+    if (v.norm() > 0.1 && v.norm() <= 1) {
+      return v.normalized();
     }
   }
-
- private:
-  std::mt19937_64 engine_;
-};
+}
 
 /// A view at an eighth of the resolution: enough to judge depths and flow.
 struct SmallView {
@@ -58,11 +47,11 @@ vo::PinholeCamera small_camera(vo::PinholeCamera camera) {
 vo::SE3 random_view(const Eigen::AlignedBox3d& box, Random& random) {
   constexpr double kDegree = std::numbers::pi / 180;
   const Eigen::Vector3d eye = box.min() + box.sizes().cwiseProduct(Eigen::Vector3d(
-                                              random.between(0.25, 0.75), random.between(0.4, 0.7),
-                                              random.between(0.25, 0.75)));
-  const double yaw = random.between(0, 2 * std::numbers::pi);
-  const double pitch = kDegree * random.between(-25, 20);
-  const double roll = kDegree * random.between(-15, 15);
+                                              random.uniform(0.25, 0.75), random.uniform(0.4, 0.7),
+                                              random.uniform(0.25, 0.75)));
+  const double yaw = random.uniform(0, 2 * std::numbers::pi);
+  const double pitch = kDegree * random.uniform(-25, 20);
+  const double roll = kDegree * random.uniform(-15, 15);
   const Eigen::Vector3d forward(std::cos(yaw) * std::cos(pitch), std::sin(pitch),
                                 std::sin(yaw) * std::cos(pitch));
   const vo::SE3 T_view_rolled(Eigen::Quaterniond(Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ())),
@@ -148,7 +137,8 @@ vo::Trajectory pose_pairs(const synth::Scene& scene, const vo::PinholeCamera& ca
     append(view.T_world_camera);
     for (const double flow_px : options.flows_px) {
       vo::Vector6d twist;
-      twist << view.mean_depth * random.direction(), random.direction();
+      const Eigen::Vector3d along = random_direction(random);
+      twist << view.mean_depth * along, random_direction(random);
       const vo::SE3 T_cur_ref = scaled_motion(view, small, twist, flow_px);
       append(view.T_world_camera * T_cur_ref.inverse());
     }

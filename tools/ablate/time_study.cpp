@@ -8,6 +8,7 @@
 #include "tools/pipeline/processor_time.h"
 #include "tools/report/linear_fit.h"
 #include "vo/core/error.h"
+#include "vo/core/stopwatch.h"
 
 namespace tools {
 namespace {
@@ -50,9 +51,9 @@ double least_ms(const vo::EdgePoints& points, const vo::FramePyramid& current,
   constexpr int kRepetitions = 3;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kRepetitions; ++i) {
-    const double start = processor_ms();
+    const vo::CpuStopwatch watch;
     vo::align(points, current, {}, options);
-    least = std::min(least, processor_ms() - start);
+    least = std::min(least, watch.elapsed_ms());
   }
   return least;
 }

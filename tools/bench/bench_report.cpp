@@ -38,25 +38,25 @@ std::string header(const BenchReport& report) {
 }
 
 std::string titles(const char* first) {
-  return line("%-22s %8s %8s %8s | %8s %8s %8s %8s | %7s %7s %8s %9s %9s %9s", first, "ms", "p90",
-              "cpu ms", "pyramid", "edges", "align", "map", "points", "tracked", "MiB", "RPE m",
+  return line("%-22s %8s %8s %8s | %8s %8s %8s %8s | %7s %7s %9s %9s %9s %9s", first, "ms", "p90",
+              "cpu ms", "pyramid", "edges", "align", "map", "points", "tracked", "map MiB", "RPE m",
               "RPE deg", "ATE m");
 }
 
-/// A column of an error, `-` where it is not known.
-std::string error_text(double value, int digits) {
+/// A column that is `-` where the value is not known.
+std::string column(double value, int digits) {
   return std::isfinite(value) ? line("%9.*f", digits, value) : line("%9s", "-");
 }
 
 std::string row(const Summary& s) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const Accuracy accuracy = s.accuracy.value_or(Accuracy{kNone, kNone, kNone});
-  return line("%-22s %8.2f %8.2f %8.2f | %8.2f %8.2f %8.2f %8.2f | %7.0f %6.1f%% %8.1f",
-              s.name.c_str(), s.median_ms, s.p90_ms, s.cpu_ms, s.stages.pyramid_ms,
-              s.stages.edges_ms, s.stages.alignment_ms, s.stages.map_ms, s.points,
-              100 * s.tracked_fraction, s.held_mib) +
-         " " + error_text(accuracy.rpe_translation_rmse_m, 4) + " " +
-         error_text(accuracy.rpe_rotation_rmse_deg, 3) + " " + error_text(accuracy.ate_rmse_m, 4);
+  return line("%-22s %8.2f %8.2f %8.2f | %8.2f %8.2f %8.2f %8.2f | %7.0f %6.1f%%", s.name.c_str(),
+              s.median_ms, s.p90_ms, s.cpu_ms, s.stages.pyramid_ms, s.stages.edges_ms,
+              s.stages.alignment_ms, s.stages.map_ms, s.points, 100 * s.tracked_fraction) +
+         " " + column(s.map_mib.value_or(kNone), 1) + " " +
+         column(accuracy.rpe_translation_rmse_m, 4) + " " +
+         column(accuracy.rpe_rotation_rmse_deg, 3) + " " + column(accuracy.ate_rmse_m, 4);
 }
 
 std::string contestants_table(const BenchReport& report) {
@@ -104,7 +104,7 @@ Json summary_json(const Summary& s) {
           {"points", s.points},
           {"keyframes", s.keyframes},
           {"tracked_fraction", s.tracked_fraction},
-          {"held_mib", s.held_mib},
+          {"map_mib", s.map_mib ? Json(*s.map_mib) : Json()},
           {"accuracy", accuracy_json(s)}};
 }
 

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "tools/bench/opencv_peer.h"
-#include "tools/bench/stopwatch.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
+#include "vo/core/stopwatch.h"
 
 namespace tools {
 namespace {
@@ -40,14 +40,15 @@ StageCosts stage_costs(const vo::StageTimes& times, double total_ms) {
 }
 
 FrameSample track_frame(vo::RgbdOdometry& odometry, const vo::RgbdFrame& frame) {
-  const CpuStopwatch cpu_watch;
-  Stopwatch watch;
+  const vo::CpuStopwatch cpu_watch;
+  vo::Stopwatch watch;
   const vo::TrackingResult result = odometry.track(frame);
   const double total_ms = watch.lap_ms();
   FrameSample sample{.costs = stage_costs(odometry.stage_times(), total_ms),
                      .cpu_ms = cpu_watch.elapsed_ms(),
                      .points = result.alignment.points,
-                     .is_keyframe = result.is_keyframe};
+                     .is_keyframe = result.is_keyframe,
+                     .map_bytes = odometry.tracker().map().memory_bytes()};
   if (result.status != vo::TrackingStatus::lost) {
     sample.T_world_camera = result.T_world_camera;
   }

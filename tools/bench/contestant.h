@@ -29,6 +29,7 @@ struct FrameSample {
   double cpu_ms = 0;       ///< of the thread: the same as the costs on an idle machine
   std::size_t points = 0;  ///< of the finest level, in the last alignment
   bool is_keyframe = false;
+  std::optional<std::size_t> map_bytes;   ///< images and points of what is kept; if known
   std::optional<vo::SE3> T_world_camera;  ///< nothing when lost
 };
 

@@ -6,8 +6,8 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/rgbd/depth.hpp>
 
-#include "tools/bench/stopwatch.h"
 #include "vo/core/fields.h"
+#include "vo/core/stopwatch.h"
 
 namespace tools {
 namespace {
@@ -50,8 +50,8 @@ class OpencvTracker {
   FrameSample track(const vo::RgbdFrame& frame) {
     const cv::Mat depth = with_nan_holes(frame.depth);  // not timed: a matter of the input's format
     FrameSample sample;
-    const CpuStopwatch cpu_watch;
-    Stopwatch watch;
+    const vo::CpuStopwatch cpu_watch;
+    vo::Stopwatch watch;
     cv::Ptr<OdometryFrame> current = OdometryFrame::create(gray(frame.image), depth);
     odometry_->prepareFrameCache(current, OdometryFrame::CACHE_ALL);
     sample.costs.pyramid_ms = watch.lap_ms();

@@ -5,7 +5,6 @@
 #include <functional>
 #include <utility>
 
-#include <malloc.h>
 #include <opencv2/core/utility.hpp>
 
 #include "vo/core/error.h"
@@ -14,11 +13,6 @@ namespace tools {
 namespace {
 
 constexpr std::size_t kBlock = 10;  // frames: long enough to fill the caches again
-
-double heap_mib() {
-  const struct mallinfo2 info = mallinfo2();
-  return static_cast<double>(info.uordblks + info.hblkhd) / (1 << 20);
-}
 
 /// One pass over the sequence.
 class Heat {
@@ -38,12 +32,8 @@ class Heat {
     }
   }
 
-  /// Ends the contestant's part and moves what it gave into its result.
-  void finish(std::size_t contestant, RaceResult& result) {
-    result.samples.push_back(std::move(samples_[contestant]));
-    const double before = heap_mib();
-    trackers_[contestant] = nullptr;
-    result.held_mib = before - heap_mib();
+  std::vector<FrameSample> take_samples(std::size_t contestant) {
+    return std::move(samples_[contestant]);
   }
 
  private:
@@ -82,7 +72,7 @@ std::vector<RaceResult> race(const Frames& input, const std::vector<Contestant>&
       }
     }
     for (std::size_t i = 0; i < count; ++i) {
-      heat.finish(i, results[i]);
+      results[i].samples.push_back(heat.take_samples(i));
     }
   }
   return results;

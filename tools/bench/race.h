@@ -21,7 +21,6 @@ struct RaceOptions {
 struct RaceResult {
   std::string name;
   std::vector<std::vector<FrameSample>> samples;  ///< [repeat][frame], with those of the warm-up
-  double held_mib = 0;  ///< heap that its state holds after the last frame
 };
 
 /// Every contestant tracks every frame, one thread, blocks of frames in turn, so that a machine

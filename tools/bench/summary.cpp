@@ -52,6 +52,12 @@ std::optional<Accuracy> accuracy(const vo::Trajectory& truth, const vo::Trajecto
   }
 }
 
+std::optional<double> map_mib(const FrameSample& sample) {
+  constexpr double kBytesPerMib = 1 << 20;
+  return sample.map_bytes ? std::optional(static_cast<double>(*sample.map_bytes) / kBytesPerMib)
+                          : std::nullopt;
+}
+
 }  // namespace
 
 Summary summarize(const RaceResult& result, const Frames& input, const RaceOptions& options) {
@@ -71,7 +77,7 @@ Summary summarize(const RaceResult& result, const Frames& input, const RaceOptio
           .keyframes = static_cast<std::size_t>(keyframes),
           .tracked_fraction =
               static_cast<double>(estimate.size()) / static_cast<double>(samples.size()),
-          .held_mib = result.held_mib,
+          .map_mib = map_mib(samples.back()),
           .accuracy = accuracy(input.truth, estimate)};
 }
 

@@ -25,7 +25,7 @@ struct Summary {
   double points = 0;  ///< median
   std::size_t keyframes = 0;
   double tracked_fraction = 0;
-  double held_mib = 0;
+  std::optional<double> map_mib;     ///< after the last frame
   std::optional<Accuracy> accuracy;  ///< nothing without enough ground truth
 };
 

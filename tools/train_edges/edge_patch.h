@@ -6,7 +6,7 @@
 #include <opencv2/core.hpp>
 
 #include "synth/edge_labels.h"
-#include "tools/train_edges/random.h"
+#include "tools/pipeline/random.h"
 
 namespace tools {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "synth/surface_tracer.h"
-#include "tools/train_edges/random.h"
+#include "tools/pipeline/random.h"
 
 namespace tools {
 

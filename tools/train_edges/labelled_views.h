@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "synth/edge_labels.h"
-#include "tools/train_edges/random.h"
+#include "tools/pipeline/random.h"
 #include "vo/core/image.h"
 #include "vo/core/progress.h"
 

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "tools/pipeline/random.h"
 #include "tools/train_edges/edge_patch.h"
 #include "tools/train_edges/labelled_views.h"
-#include "tools/train_edges/random.h"
 #include "vo/image/forest_features.h"
 
 namespace tools {

@@ -33,11 +33,16 @@ class ContentHash {
 
 /// A well-mixed 64-bit value of any other (splitmix64): what is chosen at random is the same
 /// wherever it is chosen.
-inline std::uint64_t mixed(std::uint64_t value) {
+constexpr std::uint64_t mixed(std::uint64_t value) {
   value += 0x9e3779b97f4a7c15U;
   value = (value ^ (value >> 30U)) * 0xbf58476d1ce4e5b9U;
   value = (value ^ (value >> 27U)) * 0x94d049bb133111ebU;
   return value ^ (value >> 31U);
+}
+
+/// The same, in [0, 1).
+constexpr double mixed_uniform(std::uint64_t value) {
+  return static_cast<double>(mixed(value) >> 11U) * 0x1p-53;
 }
 
 /// A random number in [0, 1) that is a fixed function of its key: seed, purpose, index, ...

@@ -9,6 +9,8 @@
 namespace vo {
 namespace {
 
+constexpr std::size_t kFloatsPerPoint = 8;
+
 EdgeMask edge_mask(const PyramidLevel& reference, const PyramidLevel& current, EdgeSource source) {
   if (source == EdgeSource::both) {
     EdgeMask either;
@@ -110,9 +112,7 @@ void thin_out(const EdgePointOptions& options, int width, EdgePointLevel& points
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const int index = points.pixel[i].y * width + points.pixel[i].x;
-    const double rank =
-        static_cast<double>(mixed(mixed(options.seed + 1) + static_cast<std::uint64_t>(index))) *
-        0x1p-64;
+    const double rank = mixed_uniform(mixed(options.seed + 1) + static_cast<std::uint64_t>(index));
     if (rank < share) {
       kept.push_back(i);
     }
@@ -122,10 +122,9 @@ void thin_out(const EdgePointOptions& options, int width, EdgePointLevel& points
 
 namespace {
 
-void collect_points(const PyramidLevel& reference, const EdgeMask& mask,
-                    const EdgePointOptions& options, int discontinuity_radius,
-                    EdgePointLevel& points) {
-  points.clear();
+EdgePointLevel collect_points(const PyramidLevel& reference, const EdgeMask& mask,
+                              const EdgePointOptions& options, int discontinuity_radius) {
+  EdgePointLevel points;
   for (int v = 0; v < mask.rows; ++v) {
     const uchar* row = mask[v];
     for (int u = 0; u < mask.cols; ++u) {
@@ -139,6 +138,7 @@ void collect_points(const PyramidLevel& reference, const EdgeMask& mask,
     }
   }
   thin_out(options, mask.cols, points);
+  return points;
 }
 
 }  // namespace
@@ -155,17 +155,9 @@ void EdgePointOptions::validate() const {
           discontinuity_ratio);
 }
 
-void EdgePointLevel::clear() {
-  for (std::vector<float>* values :
-       {&x_ref, &y_ref, &z_ref, &intensity, &dI_dx, &dI_dy, &dI_dz, &depth_sigma}) {
-    values->clear();
-  }
-  pixel.clear();
-}
-
 void EdgePointLevel::keep(const std::vector<std::size_t>& indices) {
-  for (std::vector<float>* values :
-       {&x_ref, &y_ref, &z_ref, &intensity, &dI_dx, &dI_dy, &dI_dz, &depth_sigma}) {
+  for (std::vector<float>* values : std::array<std::vector<float>*, kFloatsPerPoint>{
+           &x_ref, &y_ref, &z_ref, &intensity, &dI_dx, &dI_dy, &dI_dz, &depth_sigma}) {
     for (std::size_t i = 0; i < indices.size(); ++i) {
       (*values)[i] = (*values)[indices[i]];
     }
@@ -175,6 +167,15 @@ void EdgePointLevel::keep(const std::vector<std::size_t>& indices) {
     pixel[i] = pixel[indices[i]];
   }
   pixel.resize(indices.size());
+}
+
+std::size_t memory_bytes(const EdgePoints& points) {
+  constexpr std::size_t kBytesPerPoint = kFloatsPerPoint * sizeof(float) + sizeof(cv::Point);
+  std::size_t bytes = 0;
+  for (const EdgePointLevel& level : points.levels) {
+    bytes += level.size() * kBytesPerPoint;
+  }
+  return bytes;
 }
 
 std::size_t edge_pixels_with_depth(const PyramidLevel& level, const EdgePointOptions& options) {
@@ -191,11 +192,11 @@ EdgePoints edge_points(const FramePyramid& reference, const FramePyramid& curren
                        const EdgePointOptions& options) {
   assert(reference.levels.size() == current.levels.size());
   EdgePoints points;
-  points.levels.resize(reference.levels.size());
   for (std::size_t l = 0; l < reference.levels.size(); ++l) {
     const EdgeMask mask = edge_mask(reference.levels[l], current.levels[l], options.source);
-    collect_points(reference.levels[l], selected(reference.levels[l], mask, options), options,
-                   options.discontinuity_radius >> l, points.levels[l]);
+    points.levels.push_back(collect_points(reference.levels[l],
+                                           selected(reference.levels[l], mask, options), options,
+                                           options.discontinuity_radius >> l));
   }
   return points;
 }

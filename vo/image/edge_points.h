@@ -78,7 +78,6 @@ struct EdgePointLevel {
   std::vector<cv::Point> pixel;    ///< px, where in the reference
 
   std::size_t size() const { return x_ref.size(); }
-  void clear();                                        ///< keeps the memory
   void keep(const std::vector<std::size_t>& indices);  ///< ascending
 };
 
@@ -87,6 +86,8 @@ struct EdgePointLevel {
 struct EdgePoints {
   std::vector<EdgePointLevel> levels;
 };
+
+std::size_t memory_bytes(const EdgePoints& points);
 
 /// Standard deviation of a Kinect's depth (Khoshelham & Elberink 2012 and Nguyen, Izadi, Lovell
 /// 2012 agree in form), m.

@@ -138,4 +138,16 @@ void add_edges(FramePyramid& pyramid, const EdgeOptions& options) {
   add_edges(pyramid, EdgeFinder(options));
 }
 
+std::size_t memory_bytes(const FramePyramid& pyramid) {
+  std::size_t bytes = 0;
+  for (const PyramidLevel& level : pyramid.levels) {
+    for (const cv::Mat* image :
+         {static_cast<const cv::Mat*>(&level.intensity), static_cast<const cv::Mat*>(&level.edges),
+          static_cast<const cv::Mat*>(&level.depth)}) {
+      bytes += image->total() * image->elemSize();
+    }
+  }
+  return bytes;
+}
+
 }  // namespace vo

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -84,6 +85,9 @@ void add_edges(FramePyramid& pyramid, const EdgeFinder& finder);
 
 /// The same for a single frame.
 void add_edges(FramePyramid& pyramid, const EdgeOptions& options);
+
+/// Bytes of the images that are this frame's own; the rays belong to the camera.
+std::size_t memory_bytes(const FramePyramid& pyramid);
 
 /// Half the size, each pixel the mean of four. An odd last row or column is left out.
 GrayImage halve(const GrayImage& image);

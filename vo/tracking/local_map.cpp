@@ -49,6 +49,14 @@ void LocalMap::add(Keyframe keyframe) {
   }
 }
 
+std::size_t LocalMap::memory_bytes() const {
+  std::size_t bytes = 0;
+  for (const std::shared_ptr<const Keyframe>& keyframe : keyframes_) {
+    bytes += vo::memory_bytes(keyframe->pyramid) + vo::memory_bytes(*keyframe->points);
+  }
+  return bytes;
+}
+
 void LocalMap::set_last_velocity(const Vector6d& velocity) {
   Keyframe keyframe = *keyframes_.back();
   keyframe.velocity = velocity;

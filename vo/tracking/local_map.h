@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -54,6 +55,7 @@ class LocalMap {
   bool empty() const { return keyframes_.empty(); }
   const std::shared_ptr<const Keyframe>& last() const { return keyframes_.back(); }
   const std::deque<std::shared_ptr<const Keyframe>>& keyframes() const { return keyframes_; }
+  std::size_t memory_bytes() const;  ///< of the images and points of all keyframes
   void add(Keyframe keyframe);
   void set_last_velocity(const Vector6d& velocity);                ///< once the next frame has told
   void set_last_points(std::shared_ptr<const EdgePoints> points);  ///< as far as they are known now

@@ -80,28 +80,33 @@ SE3 Tracker::starting_pose(const FramePyramid& current) const {
              : T_world_predicted;
 }
 
-std::vector<AlignReference> Tracker::make_references(const FramePyramid& current,
-                                                     const SE3& T_world_guess) {
-  references_ = map_.references_for(T_world_guess);
-  points_of_references_.clear();
-  std::vector<AlignReference> references;
-  const SE3 T_first_world = references_.front()->T_world_keyframe.inverse();
-  for (const std::shared_ptr<const Keyframe>& keyframe : references_) {
-    points_of_references_.push_back(options_.points.source == EdgeSource::reference
-                                        ? keyframe->points
-                                        : std::make_shared<const EdgePoints>(edge_points(
-                                              keyframe->pyramid, current, options_.points)));
-    references.push_back({*points_of_references_.back(), T_first_world * keyframe->T_world_keyframe,
-                          options_.symmetric ? &keyframe->pyramid : nullptr,
-                          keyframe->velocity.value_or(Vector6d::Zero())});
+Tracker::References Tracker::references_for(const FramePyramid& current,
+                                            const SE3& T_world_guess) const {
+  References references{map_.references_for(T_world_guess), {}, {}};
+  const SE3 T_first_world = references.keyframes.front()->T_world_keyframe.inverse();
+  for (const std::shared_ptr<const Keyframe>& keyframe : references.keyframes) {
+    references.points.push_back(options_.points.source == EdgeSource::reference
+                                    ? keyframe->points
+                                    : std::make_shared<const EdgePoints>(edge_points(
+                                          keyframe->pyramid, current, options_.points)));
+    references.views.push_back({*references.points.back(),
+                                T_first_world * keyframe->T_world_keyframe,
+                                options_.symmetric ? &keyframe->pyramid : nullptr,
+                                keyframe->velocity.value_or(Vector6d::Zero())});
   }
-  reference_points_ = points_of_references_.front();
   return references;
 }
 
+bool Tracker::References::velocities_known() const {
+  return std::all_of(keyframes.begin(), keyframes.end(),
+                     [](const auto& keyframe) { return keyframe->velocity.has_value(); });
+}
+
 TrackingResult Tracker::aligned_from(const FramePyramid& current, const SE3& T_world_guess) {
-  const std::vector<AlignReference> references = make_references(current, T_world_guess);
-  const SE3 T_world_first = references_.front()->T_world_keyframe;
+  const References references = references_for(current, T_world_guess);
+  const Keyframe& first = *references.keyframes.front();
+  const SE3& T_world_first = first.T_world_keyframe;
+  reference_points_ = references.points.front();
   AlignCurrent frame{current, current_points_.get(), {}};
   const double seconds = current.timestamp - last_timestamp_;
   if (!was_lost_ && tells_velocity(seconds)) {
@@ -109,22 +114,22 @@ TrackingResult Tracker::aligned_from(const FramePyramid& current, const SE3& T_w
   }
   TrackingResult result{.timestamp = current.timestamp, .T_world_camera = T_world_last_};
   result.readout_s = options_.align.readout;
-  result.reference_timestamp = references_.front()->pyramid.timestamp;
+  result.reference_timestamp = first.pyramid.timestamp;
   result.T_cur_ref_guess = T_world_guess.inverse() * T_world_first;
-  result.alignment = align(references, frame, result.T_cur_ref_guess, options_.align);
+  result.alignment = align(references.views, frame, result.T_cur_ref_guess, options_.align);
   result.reason = judge(result.alignment);
   if (result.reason == LostReason::none) {
     result.status = TrackingStatus::tracked;
     result.T_world_camera = T_world_first * result.alignment.T_cur_ref.inverse();
-    if (options_.shutter == ShutterModel::estimated && frame.previous && velocities_known()) {
-      readout_.update(references, frame, result.alignment.T_cur_ref, options_.align);
+    if (options_.shutter == ShutterModel::estimated && frame.previous &&
+        references.velocities_known()) {
+      readout_.update(references.views, frame, result.alignment.T_cur_ref, options_.align);
       options_.align.readout = readout_.seconds();
     }
   }
   return result;
 }
 
-/// Tries the last pose turned and the keyframes that look most alike, and believes the alignment
 /// Aligns from turned poses and from the keyframes that look most alike, too; the result with the
 /// highest correlation is believed. After a jump the motion model starts from rest.
 TrackingResult Tracker::searched(const FramePyramid& current, const TrackingResult& first) {
@@ -232,12 +237,6 @@ void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyf
 
 void Tracker::update_keyframe(std::shared_ptr<const EdgePoints> points) {
   map_.set_last_points(std::move(points));
-}
-
-/// Of all references of the frame that is tracked. The first keyframe's is known a frame later.
-bool Tracker::velocities_known() const {
-  return std::all_of(references_.begin(), references_.end(),
-                     [](const auto& keyframe) { return keyframe->velocity.has_value(); });
 }
 
 bool Tracker::can_be_reference(const FramePyramid& frame) const {

@@ -78,25 +78,29 @@ class Tracker {
   const EdgePoints& reference_points() const { return *reference_points_; }
 
  private:
+  /// What a frame is aligned to: keyframes, which of their points, and how they lie to each other.
+  struct References {
+    std::vector<std::shared_ptr<const Keyframe>> keyframes;
+    std::vector<std::shared_ptr<const EdgePoints>> points;
+    std::vector<AlignReference> views;  ///< of these points
+
+    bool velocities_known() const;  ///< the first keyframe's is known a frame later
+  };
+
   SE3 starting_pose(const FramePyramid& current) const;
   TrackingResult aligned_from(const FramePyramid& current, const SE3& T_world_guess);
   TrackingResult searched(const FramePyramid& current, const TrackingResult& first);
-  std::vector<AlignReference> make_references(const FramePyramid& current,
-                                              const SE3& T_world_guess);
+  References references_for(const FramePyramid& current, const SE3& T_world_guess) const;
   LostReason judge(const AlignResult& alignment) const;
   void accept(const FramePyramid& current, TrackingResult& result);
-  bool velocities_known() const;
   bool can_be_reference(const FramePyramid& frame) const;
 
   TrackerOptions options_;
   LocalMap map_;
   ReadoutEstimate readout_;
 
-  /// Of the frame that is tracked: what it is aligned to, and with which points of its own.
-  std::vector<std::shared_ptr<const Keyframe>> references_;
-  std::vector<std::shared_ptr<const EdgePoints>> points_of_references_;
   std::shared_ptr<const EdgePoints> reference_points_;
-  std::shared_ptr<const EdgePoints> current_points_;
+  std::shared_ptr<const EdgePoints> current_points_;  ///< of the tracked frame, where symmetric
 
   int frames_since_keyframe_ = 0;
   double last_timestamp_ = 0;  ///< s, of the last tracked frame

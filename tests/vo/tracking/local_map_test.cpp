@@ -148,6 +148,20 @@ TEST(LocalMap, AVelocityThatIsKnownLaterIsTheLastKeyframes) {
   EXPECT_EQ(positions_of(map.references_for(moved_by(0.1))), (std::vector{0.1, 0.0}));
 }
 
+/// Per point eight floats and a pixel; per pixel two floats and an edge byte.
+TEST(LocalMap, MemoryIsThatOfPointsAndImages) {
+  vo::FramePyramid frame = cameras_only();
+  frame.levels[1].intensity.create(120, 160);
+  frame.levels[1].depth.create(120, 160);
+  frame.levels[1].edges.create(120, 160);
+  vo::LocalMap map{vo::MapOptions{}};
+  EXPECT_EQ(map.memory_bytes(), 0U);
+  const auto points = std::make_shared<const vo::EdgePoints>(wall_points({{1, 1}, {5, 7}}));
+  map.add({frame, points, SE3()});
+  map.add({frame, points, SE3()});
+  EXPECT_EQ(map.memory_bytes(), 2U * (2 * (8 * 4 + 8) + 120 * 160 * 9));
+}
+
 TEST(LocalMap, OptionsOutOfRangeAreErrors) {
   EXPECT_THROW(vo::MapOptions{.references = 0}.validate(), vo::Error);
   EXPECT_THROW((vo::MapOptions{.references = 3, .max_keyframes = 2}.validate()), vo::Error);

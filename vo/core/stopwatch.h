@@ -3,9 +3,9 @@
 #include <chrono>
 #include <ctime>
 
-namespace tools {
+namespace vo {
 
-/// Milliseconds since it was made or last asked.
+/// Wall-clock milliseconds since it was made or last asked. Diagnostic: no result depends on it.
 class Stopwatch {
  public:
   double lap_ms() {
@@ -19,7 +19,7 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Milliseconds that this thread has run for since it was made: other processes do not add to it.
+/// Milliseconds that this thread has run for since it was made: other processes add little to it.
 class CpuStopwatch {
  public:
   double elapsed_ms() const { return now_ms() - start_ms_; }
@@ -34,4 +34,4 @@ class CpuStopwatch {
   double start_ms_ = now_ms();
 };
 
-}  // namespace tools
+}  // namespace vo
