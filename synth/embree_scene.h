@@ -26,6 +26,8 @@ class EmbreeScene {
   /// Whether each ray hits anything: see `is_occluded`.
   void occlude(std::vector<RTCRay>& rays) const;
 
+  RTCScene hierarchy() const { return hierarchy_.get(); }
+
  private:
   struct Release {
     void operator()(RTCDevice device) const { rtcReleaseDevice(device); }

@@ -42,6 +42,8 @@ class SurfaceTracer {
   SurfaceView trace(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera) const;
 
   Eigen::AlignedBox3d bounds() const { return visible_bounds(flat_); }  ///< m, world
+  const FlatScene& flat() const { return flat_; }
+  const EmbreeScene& embree() const { return *embree_; }
 
  private:
   void trace_row(const View& view, int v, SurfaceView& surfaces) const;

@@ -14,6 +14,7 @@ using support::PoseNear;
 using support::TempFolder;
 using tools::PathKind;
 
+const std::filesystem::path kNoScene;  // none of these paths looks at it
 constexpr support::PoseTolerance kFilePrecision{.translation_m = 1e-8, .rotation_deg = 1e-6};
 
 constexpr support::PoseTolerance kNearAStraightLine{.translation_m = 1e-2, .rotation_deg = 1};
@@ -22,7 +23,8 @@ TEST(PathOptions, ATrajectoryIsTakenAsItIs) {
   const TempFolder folder;
   const vo::Trajectory truth = support::example_trajectory(7, 10, 5.0);
   const auto file = folder.write("t.txt", vo::format_trajectory(truth));
-  const vo::Trajectory path = tools::make_trajectory({.kind = PathKind::trajectory, .file = file});
+  const vo::Trajectory path =
+      tools::make_trajectory({.kind = PathKind::trajectory, .file = file}, kNoScene);
   ASSERT_EQ(path.size(), truth.size());
   EXPECT_THAT(path[3].T_world_camera, PoseNear(truth[3].T_world_camera, kFilePrecision));
 }
@@ -32,7 +34,7 @@ TEST(PathOptions, ASplineOfAFileRunsThroughItsPosesAtTheirTimes) {
   const vo::Trajectory keys = support::example_trajectory(5, 2, 100.0);
   const auto file = folder.write("t.txt", vo::format_trajectory(keys));
   const vo::Trajectory path =
-      tools::make_trajectory({.kind = PathKind::spline, .rate = 20, .file = file});
+      tools::make_trajectory({.kind = PathKind::spline, .rate = 20, .file = file}, kNoScene);
   ASSERT_EQ(path.size(), 41U) << "two seconds at 20 Hz, both ends";
   for (std::size_t i = 0; i < keys.size(); ++i) {
     EXPECT_NEAR(path[10 * i].timestamp, keys[i].timestamp, 1e-6);
@@ -46,7 +48,7 @@ TEST(PathOptions, ASplineOfEyesLooksAtItsTargets) {
                                    .duration = 2,
                                    .eyes = {{0, 1, 2}, {1, 1, 2}, {1, 1.5, 1}},
                                    .targets = {{0, 1, 0}, {0, 1, 0}, {0.5, 1, -1}}};
-  const vo::Trajectory path = tools::make_trajectory(options);
+  const vo::Trajectory path = tools::make_trajectory(options, kNoScene);
   ASSERT_EQ(path.size(), 21U);
   for (std::size_t i = 0; i < options.eyes.size(); ++i) {
     const vo::SE3& T_world_camera = path[10 * i].T_world_camera;
@@ -61,7 +63,8 @@ TEST(PathOptions, ARecordingIsPutIntoTheSceneAndResampled) {
   const vo::Trajectory keys = support::example_trajectory(5, 2, 100.0);
   const auto file = folder.write("t.txt", vo::format_trajectory(keys));
   const vo::Trajectory path = tools::make_trajectory(
-      {.kind = PathKind::recorded, .rate = 20, .file = file, .recorded = {.by = {0, 0, 5}}});
+      {.kind = PathKind::recorded, .rate = 20, .file = file, .recorded = {.by = {0, 0, 5}}},
+      kNoScene);
   ASSERT_EQ(path.size(), 41U);
   const vo::SE3& key = keys[2].T_world_camera;
   EXPECT_THAT(path[20].T_world_camera,
@@ -71,9 +74,9 @@ TEST(PathOptions, ARecordingIsPutIntoTheSceneAndResampled) {
 
 TEST(PathOptions, AHandShakesAnyPath) {
   tools::PathOptions options{.kind = PathKind::still, .rate = 10, .duration = 1};
-  const vo::Trajectory steady = tools::make_trajectory(options);
+  const vo::Trajectory steady = tools::make_trajectory(options, kNoScene);
   options.shake.amplitude = 0.01;
-  const vo::Trajectory shaken = tools::make_trajectory(options);
+  const vo::Trajectory shaken = tools::make_trajectory(options, kNoScene);
   ASSERT_EQ(shaken.size(), 11U);
   EXPECT_EQ(vo::path_length(steady), 0);
   EXPECT_GT(vo::path_length(shaken), 0.01);
@@ -83,7 +86,8 @@ TEST(PathOptions, APathCanBeAskedBetweenItsFrames) {
   const TempFolder folder;
   const vo::Trajectory truth = support::example_trajectory(7, 10, 5.0);
   const auto file = folder.write("t.txt", vo::format_trajectory(truth));
-  const tools::TimedPath timed = tools::make_path({.kind = PathKind::trajectory, .file = file});
+  const tools::TimedPath timed =
+      tools::make_path({.kind = PathKind::trajectory, .file = file}, kNoScene);
   const double between = (timed.times[2] + timed.times[3]) / 2;
   const vo::SE3 halfway = *vo::pose_at(truth, between);
   EXPECT_THAT(timed.path(between), PoseNear(halfway, kNearAStraightLine));

@@ -10,12 +10,11 @@
 
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
+#include "tools/cli/scene_arguments.h"
 #include "tools/commands/commands.h"
-#include "tools/pipeline/path_options.h"
 #include "tools/pipeline/render_plan.h"
 #include "tools/pipeline/render_sequence.h"
 #include "vo/core/error.h"
-#include "vo/io/camera_file.h"
 
 namespace tools {
 namespace {
@@ -38,6 +37,7 @@ constexpr const char* kExamples =
     "  edvo render room.gltf --path orbit --orbit.centre 0,1,0 --orbit.radius 1.5 \\\n"
     "       --camera tum-default --duration 10 --out sequence\n"
     "  edvo render room.gltf --path spline --trajectory keys.txt --rate 30 --out sequence\n"
+    "  edvo render room.gltf --path explore --duration 20 --explore.seed 3 --out sequence\n"
     "  edvo render room.gltf --path pan --move.eye 0,1.4,0.5 --move.target 0,1.2,-2 \\\n"
     "       --move.turn-deg 90 --shake.amplitude 0.003 --shake.amplitude-deg 0.3 --out sequence\n"
     "  edvo render room.gltf --trajectory poses.txt --plan\n"
@@ -47,12 +47,8 @@ constexpr const char* kExamples =
 struct RenderArguments {
   CommonOptions common;
   std::string scene;
-  std::string size = "640x480";
-  std::string intrinsics;
-  std::string camera;
-  double fov_deg = 60;
-  std::string path_kind;
-  PathOptions path;
+  CameraArguments camera;
+  PathArguments path;
   std::string frames;
   std::string shard;
   bool plan = false;
@@ -60,35 +56,6 @@ struct RenderArguments {
   RenderJob job;
   std::string out;
 };
-
-vo::RgbdCamera chosen_camera(const RenderArguments& arguments) {
-  if (!arguments.camera.empty()) {
-    return vo::load_camera(arguments.camera);
-  }
-  const auto [width, height] = parse_size(arguments.size);
-  if (arguments.intrinsics.empty()) {
-    return {vo::PinholeCamera::from_horizontal_fov(width, height, arguments.fov_deg)};
-  }
-  try {
-    const std::vector<double> k = vo::parse_reals(arguments.intrinsics, 4);
-    return {{width, height, k[0], k[1], k[2], k[3]}};
-  } catch (const vo::Error& error) {
-    vo::fail_as(vo::ErrorKind::usage, "--intrinsics: ", error.what());
-  }
-}
-
-PathOptions chosen_path(const RenderArguments& arguments) {
-  PathOptions path = arguments.path;
-  if (!arguments.path_kind.empty()) {
-    path.kind = vo::parse_enum<PathKind>(arguments.path_kind);
-  } else if (!path.file.empty()) {
-    path.kind = PathKind::trajectory;
-  } else {
-    vo::fail_as(vo::ErrorKind::usage, "render: expected --trajectory POSES.txt or --path KIND");
-  }
-  check_usage([&] { path.validate(); });
-  return path;
-}
 
 void print_notes(const RenderArguments& arguments, const std::vector<std::string>& notes) {
   for (const std::string& note : notes) {
@@ -148,7 +115,7 @@ RenderJob chosen_job(const RenderArguments& arguments) {
   RenderJob job = arguments.job;
   job.scene = arguments.scene;
   check_usage([&] {
-    job.recipe.camera = chosen_camera(arguments);
+    job.recipe.camera = chosen_camera(arguments.camera);
     job.recipe.camera.validate();
     job.recipe.render.validate();
     job.recipe.sensor.validate();
@@ -160,7 +127,7 @@ RenderJob chosen_job(const RenderArguments& arguments) {
   if (!arguments.shard.empty()) {
     parse_shard(arguments.shard, job.share);
   }
-  job.recipe.truth = make_trajectory(chosen_path(arguments));
+  job.recipe.truth = make_trajectory(chosen_path(arguments.path), job.scene);
   job.recipe.float_depth = arguments.float_depth ? vo::FloatDepth::npy : vo::FloatDepth::none;
   return job;
 }
@@ -176,25 +143,6 @@ void render(RenderArguments& arguments) {
   ProgressBar bar("rendering", arguments.common.verbosity());
   print(arguments,
         render_sequence(arguments.job, arguments.out, arguments.common.existing(), bar.callback()));
-}
-
-std::vector<std::string> path_kinds() {
-  std::vector<std::string> names;
-  for (const auto& [kind, name] : enum_names(PathKind{})) {
-    names.emplace_back(name);
-  }
-  return names;
-}
-
-/// The path's own fields, without those that have an option of another name.
-std::vector<vo::Field> path_fields(PathOptions& path) {
-  std::vector<vo::Field> fields;
-  for (const vo::Field& field : vo::fields_of(path)) {
-    if (field.key != "kind" && field.key != "file") {
-      fields.push_back(field);
-    }
-  }
-  return fields;
 }
 
 std::vector<vo::Field> render_fields(RenderJob& job) {
@@ -216,26 +164,14 @@ void add_render_command(CLI::App& program, int& /*exit_code*/) {
   command.footer(kExamples);
   command.add_option("SCENE", arguments->scene, "glTF 2.0 file, .gltf or .glb")->required();
   command.add_option("--out", arguments->out, "folder to make; required without --plan");
-  command.add_option("--size", arguments->size, "WIDTHxHEIGHT, px [640x480]")->group("Camera");
-  command.add_option("--intrinsics", arguments->intrinsics, "fx,fy,cx,cy, px")->group("Camera");
-  command.add_option("--fov", arguments->fov_deg, "horizontal, deg, without --intrinsics [60]")
-      ->group("Camera");
-  command.add_option("--camera", arguments->camera, "preset or FILE.toml, instead of these")
-      ->group("Camera");
-  command
-      .add_option("--trajectory", arguments->path.file,
-                  "TUM trajectory, or EuRoC's (.csv): one frame per pose without --path")
-      ->group("Path");
-  command.add_option("--path", arguments->path_kind, "how the camera moves")
-      ->check(CLI::IsMember(path_kinds()))
-      ->group("Path");
+  add_camera_options(command, arguments->camera);
+  add_path_options(command, arguments->path);
   command.add_flag("--plan", arguments->plan, "frames, bytes and CPU time, nothing written")
       ->group("Scale");
   command.add_option("--frames", arguments->frames, "A:B, only frames A to B - 1")->group("Scale");
   command.add_option("--shard", arguments->shard, "K/N, only the K-th of N parts, K from 1")
       ->group("Scale");
   command.add_flag("--float-depth", arguments->float_depth, "write depth_float/*.npy too");
-  add_field_options(command, path_fields(arguments->path), "Path");
   add_field_options(command, render_fields(arguments->job), "Rendering");
   add_common_options(command, arguments->common);
   command.callback([arguments] { render(*arguments); });

@@ -1,5 +1,8 @@
 #include "tools/pipeline/path_options.h"
 
+#include "synth/gltf.h"
+#include "synth/renderer.h"
+#include "synth/surface_tracer.h"
 #include "vo/core/error.h"
 #include "vo/io/trajectory_file.h"
 
@@ -56,7 +59,15 @@ TimedPath as_recorded(const vo::Trajectory& poses) {
   return result;
 }
 
-TimedPath steady_path(const PathOptions& options) {
+TimedPath explored(const PathOptions& options, const std::filesystem::path& file) {
+  const synth::Scene scene = synth::load_gltf(file);
+  const synth::SurfaceTracer tracer(scene, synth::RenderOptions{}.ambient);
+  const synth::ExploredPath found = synth::explore(tracer, options.duration, options.explore);
+  const double duration = options.explore.length > 0 ? found.duration : options.duration;
+  return {found.path, synth::sample_times(options.rate, duration)};
+}
+
+TimedPath steady_path(const PathOptions& options, const std::filesystem::path& scene) {
   const auto timed = [&](synth::CameraPath path) {
     return TimedPath{std::move(path), synth::sample_times(options.rate, options.duration)};
   };
@@ -78,6 +89,8 @@ TimedPath steady_path(const PathOptions& options) {
       return timed(synth::pan(options.move, options.duration));
     case PathKind::roll:
       return timed(synth::roll(options.move, options.duration));
+    case PathKind::explore:
+      return explored(options, scene);
   }
   return {};
 }
@@ -106,6 +119,8 @@ void validate_kind(const PathOptions& options) {
     case PathKind::pan:
     case PathKind::roll:
       return options.move.validate();
+    case PathKind::explore:
+      return options.explore.validate();
   }
 }
 
@@ -119,17 +134,17 @@ void PathOptions::validate() const {
   validate_kind(*this);
 }
 
-TimedPath make_path(const PathOptions& options) {
+TimedPath make_path(const PathOptions& options, const std::filesystem::path& scene) {
   options.validate();
-  TimedPath result = steady_path(options);
+  TimedPath result = steady_path(options, scene);
   if (options.shake.moves()) {
     result.path = synth::with_hand_shake(result.path, options.shake);
   }
   return result;
 }
 
-vo::Trajectory make_trajectory(const PathOptions& options) {
-  const TimedPath timed = make_path(options);
+vo::Trajectory make_trajectory(const PathOptions& options, const std::filesystem::path& scene) {
+  const TimedPath timed = make_path(options, scene);
   return synth::sample(timed.path, timed.times);
 }
 

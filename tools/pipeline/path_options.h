@@ -7,6 +7,7 @@
 
 #include "synth/camera_move.h"
 #include "synth/camera_path.h"
+#include "synth/explore.h"
 #include "synth/hand_shake.h"
 #include "synth/recorded_path.h"
 #include "vo/core/trajectory.h"
@@ -22,6 +23,7 @@ enum class PathKind {
   dolly,       ///< straight on
   pan,         ///< about the vertical
   roll,        ///< about the optical axis
+  explore,     ///< through the scene's free space, as it finds it
 };
 
 constexpr auto enum_names(PathKind) {
@@ -32,7 +34,8 @@ constexpr auto enum_names(PathKind) {
                     std::pair{PathKind::still, "still"},
                     std::pair{PathKind::dolly, "dolly"},
                     std::pair{PathKind::pan, "pan"},
-                    std::pair{PathKind::roll, "roll"}};
+                    std::pair{PathKind::roll, "roll"},
+                    std::pair{PathKind::explore, "explore"}};
 }
 
 struct PathOptions {
@@ -45,6 +48,7 @@ struct PathOptions {
   std::filesystem::path file;            ///< TUM trajectory, or EuRoC's where it ends in .csv
   synth::RecordedOptions recorded;
   synth::MoveOptions move;
+  synth::ExploreOptions explore;
   synth::ShakeOptions shake;  ///< on top of any path
 
   void validate() const;  ///< throws vo::Error
@@ -61,6 +65,7 @@ void visit_fields(Visitor& visit, PathOptions& options) {
   visit("file", options.file, "TUM trajectory, or EuRoC's (.csv): the poses, or the spline's");
   visit("recorded", options.recorded, "");
   visit("move", options.move, "");
+  visit("explore", options.explore, "");
   visit("shake", options.shake, "");
 }
 
@@ -70,9 +75,10 @@ struct TimedPath {
   std::vector<double> times;
 };
 
-TimedPath make_path(const PathOptions& options);
+/// `scene` is the glTF file, which is read where the camera explores it.
+TimedPath make_path(const PathOptions& options, const std::filesystem::path& scene);
 
 /// T_world_camera of each frame.
-vo::Trajectory make_trajectory(const PathOptions& options);
+vo::Trajectory make_trajectory(const PathOptions& options, const std::filesystem::path& scene);
 
 }  // namespace tools

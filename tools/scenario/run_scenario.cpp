@@ -62,7 +62,7 @@ bool Outcome::passed() const {
 
 RenderJob render_job(const Scenario& scenario) {
   return {.scene = scenario.scene_file(),
-          .recipe = {.truth = make_trajectory(scenario.resolved_path()),
+          .recipe = {.truth = make_trajectory(scenario.resolved_path(), scenario.scene_file()),
                      .camera = scenario.camera.camera(),
                      .render = scenario.render,
                      .sensor = scenario.sensor}};

@@ -1,0 +1,84 @@
+#include "tools/cli/scene_arguments.h"
+
+#include <utility>
+#include <vector>
+
+#include "tools/cli/options.h"
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+#include "vo/io/camera_file.h"
+
+namespace tools {
+namespace {
+
+std::vector<std::string> path_kinds() {
+  std::vector<std::string> names;
+  for (const auto& [kind, name] : enum_names(PathKind{})) {
+    names.emplace_back(name);
+  }
+  return names;
+}
+
+/// The path's own fields, without those that have an option of another name.
+std::vector<vo::Field> path_fields(PathOptions& path) {
+  std::vector<vo::Field> fields;
+  for (const vo::Field& field : vo::fields_of(path)) {
+    if (field.key != "kind" && field.key != "file") {
+      fields.push_back(field);
+    }
+  }
+  return fields;
+}
+
+}  // namespace
+
+void add_camera_options(CLI::App& command, CameraArguments& arguments) {
+  command.add_option("--size", arguments.size, "WIDTHxHEIGHT, px [640x480]")->group("Camera");
+  command.add_option("--intrinsics", arguments.intrinsics, "fx,fy,cx,cy, px")->group("Camera");
+  command.add_option("--fov", arguments.fov_deg, "horizontal, deg, without --intrinsics [60]")
+      ->group("Camera");
+  command.add_option("--camera", arguments.camera, "preset or FILE.toml, instead of these")
+      ->group("Camera");
+}
+
+vo::RgbdCamera chosen_camera(const CameraArguments& arguments) {
+  if (!arguments.camera.empty()) {
+    return vo::load_camera(arguments.camera);
+  }
+  const auto [width, height] = parse_size(arguments.size);
+  if (arguments.intrinsics.empty()) {
+    return {vo::PinholeCamera::from_horizontal_fov(width, height, arguments.fov_deg)};
+  }
+  try {
+    const std::vector<double> k = vo::parse_reals(arguments.intrinsics, 4);
+    return {{width, height, k[0], k[1], k[2], k[3]}};
+  } catch (const vo::Error& error) {
+    vo::fail_as(vo::ErrorKind::usage, "--intrinsics: ", error.what());
+  }
+}
+
+void add_path_options(CLI::App& command, PathArguments& arguments) {
+  command
+      .add_option("--trajectory", arguments.options.file,
+                  "TUM trajectory, or EuRoC's (.csv): one frame per pose without --path")
+      ->group("Path");
+  command.add_option("--path", arguments.kind, "how the camera moves")
+      ->check(CLI::IsMember(path_kinds()))
+      ->group("Path");
+  add_field_options(command, path_fields(arguments.options), "Path");
+}
+
+PathOptions chosen_path(const PathArguments& arguments) {
+  PathOptions path = arguments.options;
+  if (!arguments.kind.empty()) {
+    path.kind = vo::parse_enum<PathKind>(arguments.kind);
+  } else if (!path.file.empty()) {
+    path.kind = PathKind::trajectory;
+  } else {
+    vo::fail_as(vo::ErrorKind::usage, "expected --trajectory POSES.txt or --path KIND");
+  }
+  check_usage([&] { path.validate(); });
+  return path;
+}
+
+}  // namespace tools

@@ -1,0 +1,130 @@
+#include <array>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "synth/gltf.h"
+#include "tools/cli/exit_code.h"
+#include "tools/cli/options.h"
+#include "tools/cli/scene_arguments.h"
+#include "tools/commands/commands.h"
+#include "tools/pipeline/path_check.h"
+
+namespace tools {
+namespace {
+
+constexpr const char* kCheckHelp =
+    "Says what a camera path does in a scene, before anything is rendered: least distance to any\n"
+    "surface, collisions, blank views, speed, acceleration, optical flow. The scene is at rest.\n"
+    "Exit code 4 where a limit that is given is not kept.";
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  edvo path check room.gltf --path explore --explore.seed 3 --json\n"
+    "  edvo path check room.gltf --trajectory poses.txt --limit.min-clearance 0.2 \\\n"
+    "       --limit.max-turn-deg 60 --limit.max-flow-px 30";
+
+struct CheckArguments {
+  CommonOptions common;
+  std::string scene;
+  CameraArguments camera;
+  PathArguments path;
+  PathLimits limits;
+};
+
+/// A value of the report, by name.
+struct Quantity {
+  const char* name;
+  const char* unit;
+  double FrameCheck::*value;
+};
+
+constexpr std::array kQuantities = {
+    Quantity{"clearance", "m", &FrameCheck::clearance},
+    Quantity{"speed", "m/s", &FrameCheck::speed},
+    Quantity{"turn_deg", "deg/s", &FrameCheck::turn_deg},
+    Quantity{"acceleration", "m/s^2", &FrameCheck::acceleration},
+    Quantity{"flow_px", "px", &FrameCheck::flow_px},
+    Quantity{"depth_share", "of pixels", &FrameCheck::depth_share},
+    Quantity{"textured_share", "of tiles", &FrameCheck::textured_share}};
+
+nlohmann::ordered_json to_json(const PathReport& report) {
+  nlohmann::ordered_json json = {{"frames", report.frames.size()},
+                                 {"duration", report.duration},
+                                 {"length", report.length},
+                                 {"collisions", report.collisions},
+                                 {"blank_views", report.blank_views}};
+  for (const Quantity& quantity : kQuantities) {
+    const Range range = range_of(report.frames, quantity.value);
+    json[quantity.name] = {{"min", range.min}, {"median", range.median}, {"max", range.max}};
+  }
+  json["violations"] = report.violations;
+  nlohmann::ordered_json& frames = json["per_frame"];
+  for (const FrameCheck& frame : report.frames) {
+    nlohmann::ordered_json values = {{"time", frame.time}};
+    for (const Quantity& quantity : kQuantities) {
+      values[quantity.name] = frame.*quantity.value;
+    }
+    frames.push_back(values);
+  }
+  return json;
+}
+
+void print(const PathReport& report) {
+  std::cout << std::setprecision(4) << report.frames.size() << " frames, " << report.duration
+            << " s, " << report.length << " m; " << report.collisions << " collisions, "
+            << report.blank_views << " blank views\n"
+            << std::left << std::setw(16) << "" << std::right << std::setw(10) << "min"
+            << std::setw(10) << "median" << std::setw(10) << "max"
+            << "\n";
+  for (const Quantity& quantity : kQuantities) {
+    const Range range = range_of(report.frames, quantity.value);
+    std::cout << std::left << std::setw(16) << quantity.name << std::right << std::setw(10)
+              << range.min << std::setw(10) << range.median << std::setw(10) << range.max << "  "
+              << quantity.unit << "\n";
+  }
+  for (const std::string& violation : report.violations) {
+    std::cout << "violated: " << violation << "\n";
+  }
+}
+
+void check(const CheckArguments& arguments, int& exit_code) {
+  vo::RgbdCamera camera;
+  check_usage([&] {
+    camera = chosen_camera(arguments.camera);
+    camera.validate();
+    arguments.limits.validate();
+  });
+  const TimedPath timed = make_path(chosen_path(arguments.path), arguments.scene);
+  const synth::Scene scene = synth::load_gltf(arguments.scene);
+  const PathReport report = check_path(scene, camera.pinhole, timed, arguments.limits);
+  if (arguments.common.json) {
+    std::cout << to_json(report).dump(2) << "\n";
+  } else {
+    print(report);
+  }
+  if (!report.violations.empty()) {
+    exit_code = tools::exit_code::kBoundViolated;
+  }
+}
+
+}  // namespace
+
+void add_path_command(CLI::App& program, int& exit_code) {
+  CLI::App& path = *program.add_subcommand("path", "Camera paths: see `edvo path check --help`.");
+  path.require_subcommand(1);
+  CLI::App& command = *path.add_subcommand("check", kCheckHelp);
+  const auto arguments = std::make_shared<CheckArguments>();
+  command.footer(kExamples);
+  command.add_option("SCENE", arguments->scene, "glTF 2.0 file, .gltf or .glb")->required();
+  add_camera_options(command, arguments->camera);
+  add_path_options(command, arguments->path);
+  add_field_options(command, vo::fields_of(arguments->limits, "limit."), "Limits, 0 = none");
+  add_common_options(command, arguments->common);
+  command.callback([arguments, &exit_code] { check(*arguments, exit_code); });
+}
+
+}  // namespace tools
