@@ -18,6 +18,7 @@ constexpr const char* kDescription =
     "Edge-direct visual odometry and its synthetic RGB-D laboratory.\n\n"
     "  edvo render       a glTF scene and a camera path -> an RGB-D sequence with exact poses\n"
     "  edvo path         what a camera path does in a scene: clearance, speed, flow, blank views\n"
+    "  edvo convert      an RGB-D sequence -> TUM, EuRoC or ICL-NUIM\n"
     "  edvo track        an RGB-D sequence -> a trajectory\n"
     "  edvo evaluate     two trajectories -> their errors\n"
     "  edvo run          a scenario: all three, and a verdict\n"
@@ -39,6 +40,7 @@ int run(int argc, char** argv) {
   int exit_code = tools::exit_code::kOk;
   tools::add_render_command(program, exit_code);
   tools::add_path_command(program, exit_code);
+  tools::add_convert_command(program, exit_code);
   tools::add_track_command(program, exit_code);
   tools::add_evaluate_command(program, exit_code);
   tools::add_run_command(program, exit_code);

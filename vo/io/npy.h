@@ -3,14 +3,15 @@
 #include <filesystem>
 #include <string>
 
-#include "vo/core/image.h"
+#include <opencv2/core.hpp>
 
 namespace vo {
 
-/// A float image as the bytes of NumPy's .npy format, version 1.0: shape (height, width), '<f4'.
-std::string encode_npy(const cv::Mat_<float>& image);
+/// A float image as the bytes of NumPy's .npy format, version 1.0: '<f4', shape (height, width), or
+/// (height, width, 3) of one with three channels.
+std::string encode_npy(const cv::Mat& image);
 
 /// Reads what `encode_npy` writes; throws Error naming the file for anything else.
-cv::Mat_<float> read_npy(const std::filesystem::path& path);
+cv::Mat read_npy(const std::filesystem::path& path);
 
 }  // namespace vo

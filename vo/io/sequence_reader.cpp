@@ -3,6 +3,7 @@
 #include "vo/core/associate.h"
 #include "vo/core/error.h"
 #include "vo/io/camera_file.h"
+#include "vo/io/depth_units.h"
 #include "vo/io/png.h"
 #include "vo/io/sequence.h"
 #include "vo/io/text_lines.h"
@@ -12,9 +13,6 @@ namespace vo {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// 16-bit depth at its ceiling is a sensor's or a writer's mark for "beyond range", not a distance.
-constexpr std::uint16_t kSaturatedDepth = 65535;
 
 struct ImageList {
   std::vector<double> timestamps;
@@ -47,29 +45,6 @@ RgbdCamera camera_of(const fs::path& folder, const std::optional<RgbdCamera>& gi
   return read_camera(path);
 }
 
-cv::Mat read_image(const fs::path& path, const PinholeCamera& camera) {
-  cv::Mat image = read_png(path);
-  require(image.cols == camera.width && image.rows == camera.height, path.string(), ": is ",
-          image.cols, "x", image.rows, " px, expected the camera's ", camera.width, "x",
-          camera.height);
-  return image;
-}
-
-DepthImage read_depth(const fs::path& path, const RgbdCamera& camera) {
-  cv::Mat_<std::uint16_t> raw;
-  {
-    const cv::Mat image = read_image(path, camera.pinhole);
-    require(image.type() == CV_16UC1, path.string(),
-            ": expected depth of 16 bits in one channel, got ",
-            image.channels() == 3 ? "colour" : "8 bits");
-    raw = image;
-  }
-  raw.setTo(0, raw == kSaturatedDepth);
-  DepthImage depth;
-  raw.convertTo(depth, CV_32F, 1 / camera.depth_units_per_m);
-  return depth;
-}
-
 }  // namespace
 
 SequenceReader::SequenceReader(const fs::path& folder, std::optional<RgbdCamera> camera,
@@ -93,10 +68,11 @@ RgbdFrame SequenceReader::read(std::size_t index) const {
   const Entry& entry = entries_.at(index);
   RgbdFrame frame;
   frame.timestamp = entry.timestamp;
-  frame.image = read_image(entry.image, camera_.pinhole);
+  frame.image = read_png(entry.image);
+  require_size(frame.image, camera_.pinhole, entry.image);
   require(frame.image.depth() == CV_8U, entry.image.string(),
           ": expected 8 bits per channel, got 16");
-  frame.depth = read_depth(entry.depth, camera_);
+  frame.depth = read_depth_png(entry.depth, camera_);
   return frame;
 }
 

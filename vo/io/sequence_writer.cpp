@@ -1,10 +1,10 @@
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <utility>
 
 #include "vo/core/error.h"
 #include "vo/io/camera_file.h"
+#include "vo/io/depth_units.h"
 #include "vo/io/npy.h"
 #include "vo/io/output.h"
 #include "vo/io/png.h"
@@ -15,19 +15,6 @@ namespace vo {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Depth beyond what 16 bits hold is written as "no measurement".
-cv::Mat_<std::uint16_t> quantised(const DepthImage& depth, double units_per_m) {
-  constexpr double kMaxUnits = 65534;
-  cv::Mat_<std::uint16_t> units(depth.size());
-  for (int v = 0; v < depth.rows; ++v) {
-    for (int u = 0; u < depth.cols; ++u) {
-      const double value = std::round(depth(v, u) * units_per_m);
-      units(v, u) = value >= 0 && value <= kMaxUnits ? static_cast<std::uint16_t>(value) : 0;
-    }
-  }
-  return units;
-}
 
 std::string format_list(const char* title, const char* folder, const char* extension,
                         const Trajectory& truth) {
@@ -66,7 +53,7 @@ std::vector<NamedBytes> encode_frame(const SequenceLayout& layout, std::size_t i
   const std::vector<std::string> names = frame_files(layout, index);
   std::vector<NamedBytes> files = {
       {names[0], encode_png(frame.image)},
-      {names[1], encode_png(quantised(frame.depth, layout.camera.depth_units_per_m))}};
+      {names[1], encode_png(to_depth_units(frame.depth, layout.camera.depth_units_per_m))}};
   if (layout.float_depth == FloatDepth::npy) {
     files.push_back({names[2], encode_npy(frame.depth)});
   }

@@ -76,6 +76,16 @@ Trajectory read_euroc_trajectory(const std::filesystem::path& path) {
   return read_poses(path, parse_euroc_pose);
 }
 
+std::string format_euroc_pose(const StampedPose& pose) {
+  const Eigen::Vector3d& t = pose.T_world_camera.translation();
+  const Eigen::Quaterniond& q = pose.T_world_camera.rotation();
+  std::array<char, 256> line{};
+  std::snprintf(line.data(), line.size(), "%lld,%.12g,%.12g,%.12g,%.12g,%.12g,%.12g,%.12g",
+                std::llround(pose.timestamp * 1e9), t.x(), t.y(), t.z(), q.w(), q.x(), q.y(),
+                q.z());
+  return line.data();
+}
+
 std::string format_trajectory(const Trajectory& trajectory) {
   std::string text = "# timestamp tx ty tz qx qy qz qw\n";
   for (const StampedPose& pose : trajectory) {

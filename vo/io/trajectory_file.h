@@ -16,6 +16,9 @@ Trajectory read_trajectory(const std::filesystem::path& path);
 /// metres, whatever follows left out. Errors as above.
 Trajectory read_euroc_trajectory(const std::filesystem::path& path);
 
+/// A line of that format, without velocity and biases.
+std::string format_euroc_pose(const StampedPose& pose);
+
 /// The TUM format with 6 decimals of a second and 9 decimals of a pose.
 std::string format_trajectory(const Trajectory& trajectory);
 

@@ -1,0 +1,95 @@
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/cli/options.h"
+#include "tools/cli/progress_bar.h"
+#include "tools/commands/commands.h"
+#include "tools/pipeline/convert_sequence.h"
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+#include "vo/io/camera_file.h"
+
+namespace tools {
+namespace {
+
+constexpr const char* kHelp =
+    "Writes a sequence in another format, its poses, camera and IMU included:\n"
+    "  tum       rgb/, depth/ (16 bit), rgb.txt, depth.txt, groundtruth.txt, camera.toml, imu.csv\n"
+    "  euroc     mav0/cam0, imu0, state_groundtruth_estimate0 (ns, quaternion w first), and\n"
+    "            mav0/depth0 (16 bit, planar), which is ours\n"
+    "  icl-nuim  scene_00_NNNN.png, .depth (text, m along the ray), .txt (POV-Ray's camera)\n"
+    "  icl-tum   the \"TUM compatible\" form: rgb/N.png, depth/N.png, associations.txt,\n"
+    "            *.gt.freiburg\n"
+    "Both forms of ICL-NUIM have a camera with y up (fy < 0) in a left-handed world and no stamps\n"
+    "(30 Hz): converting turns them round. Depth beyond 16 bit becomes 0 and is counted.";
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  edvo convert sequence sequence_euroc --format euroc\n"
+    "  edvo convert living_room_traj0 sequence --format tum";
+
+struct ConvertArguments {
+  CommonOptions common;
+  std::string in;
+  std::string out;
+  std::string format;
+  std::string from;
+  std::string camera;
+};
+
+ConvertJob chosen_job(const ConvertArguments& arguments) {
+  ConvertJob job{.in = arguments.in, .out = arguments.out};
+  check_usage([&] {
+    job.to = vo::parse_enum<vo::SequenceFormat>(arguments.format);
+    if (!arguments.from.empty()) {
+      job.from = vo::parse_enum<vo::SequenceFormat>(arguments.from);
+    }
+  });
+  if (!arguments.camera.empty()) {
+    job.camera = vo::load_camera(arguments.camera);
+  }
+  return job;
+}
+
+void print(const ConvertArguments& arguments, const ConvertOutcome& outcome) {
+  if (arguments.common.json) {
+    const nlohmann::ordered_json result = {{"out", arguments.out},
+                                           {"from", vo::to_string(outcome.from)},
+                                           {"format", arguments.format},
+                                           {"frames", outcome.frames},
+                                           {"poses", outcome.poses},
+                                           {"imu_samples", outcome.imu_samples},
+                                           {"depth_beyond_16_bit", outcome.depth_beyond_16_bit}};
+    std::cout << result.dump(2) << "\n";
+    return;
+  }
+  std::cout << arguments.out << ": " << outcome.frames << " frames, " << outcome.poses << " poses, "
+            << outcome.imu_samples << " IMU samples\n";
+  if (outcome.depth_beyond_16_bit > 0) {
+    std::cout << outcome.depth_beyond_16_bit << " depth pixels beyond 16 bit became 0\n";
+  }
+}
+
+}  // namespace
+
+void add_convert_command(CLI::App& program, int& /*exit_code*/) {
+  CLI::App& command = *program.add_subcommand("convert", kHelp);
+  const auto arguments = std::make_shared<ConvertArguments>();
+  command.footer(kExamples);
+  command.add_option("IN", arguments->in, "folder of a sequence")->required();
+  command.add_option("OUT", arguments->out, "folder to make")->required();
+  command.add_option("--format", arguments->format, "tum | euroc | icl-nuim | icl-tum")->required();
+  command.add_option("--from", arguments->from, "the format of IN, where it is not found out");
+  command.add_option("--camera", arguments->camera, "preset or FILE.toml, instead of IN's own");
+  add_common_options(command, arguments->common);
+  command.callback([arguments] {
+    const ConvertJob job = chosen_job(*arguments);
+    ProgressBar bar("converting", arguments->common.verbosity());
+    print(*arguments, convert_sequence(job, arguments->common.existing(), bar.callback()));
+  });
+}
+
+}  // namespace tools
