@@ -109,6 +109,11 @@ SurfaceHit surface_hit(const RTCHit& hit) {
           .weights = {1 - hit.u - hit.v, hit.u, hit.v}};
 }
 
+void aim_along(RTCRayHit& ray, const Eigen::Vector3f& from, const Eigen::Vector3f& direction) {
+  aim(ray.ray, from, direction, kNear, kInfinity);
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+}
+
 void aim_at_light(RTCRay& ray, const SurfacePoint& point, const DirectLight& direct,
                   const Light& light) {
   const Eigen::Vector3f start = point.position + point.rounding * point.face_normal;

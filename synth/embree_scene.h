@@ -42,6 +42,9 @@ bool has_hit(const RTCRayHit& ray);
 bool is_occluded(const RTCRay& ray);  ///< after `occlude`
 SurfaceHit surface_hit(const RTCHit& hit);
 
+/// A ray from a point of the flat scene along a direction that is 1 along the optical axis.
+void aim_along(RTCRayHit& ray, const Eigen::Vector3f& from, const Eigen::Vector3f& direction);
+
 /// A ray from a surface point to the light that `direct` is about.
 void aim_at_light(RTCRay& ray, const SurfacePoint& point, const DirectLight& direct,
                   const Light& light);

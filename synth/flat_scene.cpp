@@ -51,6 +51,7 @@ FlatScene flatten(const Scene& scene) {
     }
     FlatMesh& added = flat.meshes.emplace_back();
     added.mesh = &scene.meshes[instance.mesh];
+    added.instance = static_cast<int>(&instance - scene.instances.data());
     const int material = added.mesh->material;
     added.material = material == kNone ? &kDefaultMaterial : &scene.materials[material];
     added.T_world_mesh = instance.T_world_mesh;

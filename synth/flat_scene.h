@@ -15,6 +15,7 @@ namespace synth {
 struct FlatMesh {
   const Mesh* mesh = nullptr;
   const Material* material = nullptr;
+  int instance = kNone;  ///< of Scene::instances
   Eigen::Affine3d T_world_mesh = Eigen::Affine3d::Identity();
   std::vector<Eigen::Vector3f> positions;  ///< and one more: Embree reads 16 bytes at each
   std::vector<Eigen::Vector3f> normals;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <mutex>
 #include <numeric>
+#include <utility>
 
 #include <tbb/parallel_for.h>
 
@@ -47,16 +48,31 @@ FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe)
   if (exposed_.exposure == 0) {
     exposed_.exposure = meter_exposure(scene, *renderer_, recipe.camera.pinhole, recipe.truth);
   }
+  if (!recipe.channels.channels.empty()) {
+    truth_ = std::make_unique<const TruthGenerator>(
+        TruthSubject{scene, recipe.camera.pinhole, recipe.truth, recipe.render.ambient},
+        recipe.channels);
+  }
 }
 
 std::vector<vo::NamedBytes> FrameGenerator::make(std::size_t index) const {
   const auto& [timestamp, T_world_camera] = recipe_.truth.at(index);
   const RenderedFrame ideal = renderer_->render(recipe_.camera.pinhole, T_world_camera);
-  return vo::encode_frame(layout_of(recipe_), index, measure(ideal, timestamp, exposed_));
+  std::vector<vo::NamedBytes> files =
+      vo::encode_frame(layout_of(recipe_), index, measure(ideal, timestamp, exposed_));
+  if (truth_) {
+    const std::vector<vo::NamedBytes> exact = truth_->make(index);
+    files.insert(files.end(), exact.begin(), exact.end());
+  }
+  return files;
 }
 
 std::vector<std::string> frame_files(const SequenceRecipe& recipe, std::size_t index) {
-  return vo::frame_files(layout_of(recipe), index);
+  std::vector<std::string> files = vo::frame_files(layout_of(recipe), index);
+  for (const TruthFile& file : truth_files(recipe.channels, index, recipe.truth.size())) {
+    files.push_back(file.name);
+  }
+  return files;
 }
 
 std::vector<std::size_t> missing_frames(const SequenceRecipe& recipe,
@@ -92,7 +108,12 @@ void generate_frames(const Scene& scene, const SequenceRecipe& recipe,
 }
 
 void finish_sequence(const SequenceRecipe& recipe, const std::filesystem::path& folder) {
-  for (const auto& [name, bytes] : vo::encode_lists(layout_of(recipe), recipe.truth)) {
+  std::vector<vo::NamedBytes> files = vo::encode_lists(layout_of(recipe), recipe.truth);
+  for (vo::NamedBytes& file : encode_motion(recipe.channels, recipe.path, recipe.truth)) {
+    files.push_back(std::move(file));
+  }
+  for (const auto& [name, bytes] : files) {
+    vo::make_folders_of(folder, {name});
     vo::write_file(folder / name, bytes, vo::ExistingOutput::replace);
   }
 }

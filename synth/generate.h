@@ -9,6 +9,8 @@
 #include "synth/renderer.h"
 #include "synth/scene.h"
 #include "synth/sensor.h"
+#include "synth/truth_channels.h"
+#include "synth/truth_generator.h"
 #include "vo/core/camera.h"
 #include "vo/core/progress.h"
 #include "vo/core/trajectory.h"
@@ -24,6 +26,8 @@ struct SequenceRecipe {
   RenderOptions render;
   SensorOptions sensor;
   vo::FloatDepth float_depth = vo::FloatDepth::none;
+  TruthOptions channels;  ///< of exact ground truth, beside the poses
+  CameraPath path;        ///< between the poses: for the velocity and imu channels
 };
 
 /// Makes the frames of one sequence, from any thread: each is a pure function of the scene, the
@@ -38,6 +42,7 @@ class FrameGenerator {
   const SequenceRecipe& recipe_;
   std::unique_ptr<const Renderer> renderer_;
   SensorOptions exposed_;
+  std::unique_ptr<const TruthGenerator> truth_;  ///< none where no channel is asked for
 };
 
 /// The names of the files that `FrameGenerator::make` makes.
@@ -54,7 +59,7 @@ void generate_frames(const Scene& scene, const SequenceRecipe& recipe,
                      const vo::Progress& progress);
 
 /// Writes what a folder with all frames still lacks: the lists, groundtruth.txt, which is
-/// `recipe.truth`, and camera.toml.
+/// `recipe.truth`, camera.toml and the channels that are not of single frames.
 void finish_sequence(const SequenceRecipe& recipe, const std::filesystem::path& folder);
 
 /// All frames, and the rest.

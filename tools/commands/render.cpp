@@ -53,6 +53,8 @@ struct RenderArguments {
   std::string shard;
   bool plan = false;
   bool float_depth = false;
+  std::string channels;
+  std::string float_format = "npy";
   RenderJob job;
   std::string out;
 };
@@ -119,6 +121,11 @@ RenderJob chosen_job(const RenderArguments& arguments) {
     job.recipe.camera.validate();
     job.recipe.render.validate();
     job.recipe.sensor.validate();
+    if (!arguments.channels.empty()) {
+      job.recipe.channels.channels = synth::parse_channels(arguments.channels);
+    }
+    job.recipe.channels.float_format = vo::parse_enum<vo::FloatFormat>(arguments.float_format);
+    job.recipe.channels.validate();
     vo::require(!arguments.out.empty() || arguments.plan, "--out: expected a folder to make");
   });
   if (!arguments.frames.empty()) {
@@ -127,7 +134,9 @@ RenderJob chosen_job(const RenderArguments& arguments) {
   if (!arguments.shard.empty()) {
     parse_shard(arguments.shard, job.share);
   }
-  job.recipe.truth = make_trajectory(chosen_path(arguments.path), job.scene);
+  TimedPath path = make_path(chosen_path(arguments.path), job.scene);
+  job.recipe.truth = synth::sample(path.path, path.times);
+  job.recipe.path = std::move(path.path);
   job.recipe.float_depth = arguments.float_depth ? vo::FloatDepth::npy : vo::FloatDepth::none;
   return job;
 }
@@ -172,6 +181,18 @@ void add_render_command(CLI::App& program, int& /*exit_code*/) {
   command.add_option("--shard", arguments->shard, "K/N, only the K-th of N parts, K from 1")
       ->group("Scale");
   command.add_flag("--float-depth", arguments->float_depth, "write depth_float/*.npy too");
+  command
+      .add_option("--channels", arguments->channels,
+                  "exact ground truth, all or some of depth,normal,instance,material,flow,\n"
+                  "occlusion,edges,moving,velocity,imu; sequence.toml says how each is written")
+      ->group("Ground truth");
+  command
+      .add_option("--float-format", arguments->float_format,
+                  "of channels in floats, npy | pfm | tiff [npy]")
+      ->group("Ground truth");
+  synth::TruthOptions& truth = arguments->job.recipe.channels;
+  add_field_options(command, vo::fields_of(truth.edges, "edges."), "Ground truth");
+  add_field_options(command, vo::fields_of(truth.imu, "imu."), "Ground truth");
   add_field_options(command, render_fields(arguments->job), "Rendering");
   add_common_options(command, arguments->common);
   command.callback([arguments] { render(*arguments); });

@@ -19,6 +19,30 @@ namespace fs = std::filesystem;
 
 constexpr const char* kManifest = "sequence.toml";
 
+/// How the exact ground truth is written, and what it was made with.
+std::string describe_channels(const synth::SequenceRecipe& recipe) {
+  synth::TruthOptions options = recipe.channels;
+  std::string text;
+  for (const synth::TruthChannel channel : options.channels) {
+    text +=
+        vo::concat("truth.", vo::to_string(channel), " = ",
+                   vo::quoted_toml(synth::truth_convention(channel, options.float_format)), "\n");
+  }
+  if (options.has(synth::TruthChannel::edges)) {
+    text += vo::format_toml(vo::fields_of(options.edges, "edges."));
+  }
+  if (options.has(synth::TruthChannel::imu)) {
+    text += vo::format_toml(vo::fields_of(options.imu, "imu."));
+  }
+  vo::ContentHash motion;  // the poses do not tell how the camera moves between them
+  for (const vo::NamedBytes& file : synth::encode_motion(options, recipe.path, recipe.truth)) {
+    motion.add(file.bytes);
+    text += "motion_hash." + fs::path(file.name).stem().string() + " = \"" +
+            vo::to_hex(motion.value()) + "\"\n";
+  }
+  return text;
+}
+
 /// What a reader of the folder must know, and what two equal folders have in common.
 std::string format_manifest(const RenderJob& job, const synth::Scene& scene) {
   synth::RenderOptions render = job.recipe.render;
@@ -41,6 +65,7 @@ std::string format_manifest(const RenderJob& job, const synth::Scene& scene) {
   text += vo::format_toml(vo::fields_of(camera, "camera."));
   text += vo::format_toml(vo::fields_of(render, "render."));
   text += vo::format_toml(vo::fields_of(sensor, "sensor."));
+  text += describe_channels(job.recipe);
   return text;
 }
 

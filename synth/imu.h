@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+
+#include <Eigen/Core>
+
+#include "synth/camera_path.h"
+#include "vo/core/imu.h"
+
+namespace synth {
+
+/// An inertial measurement unit in the camera: its axes and its place are the camera's. The
+/// defaults are perfect. Noise is white, sigma = density sqrt(rate) per sample; biases start at 0
+/// and walk by sigma = density / sqrt(rate) from sample to sample.
+struct ImuOptions {
+  double rate = 200;           ///< Hz
+  double gravity = 9.81;       ///< m/s^2 along the world's -y
+  double gyro_noise = 0;       ///< rad/s/sqrt(Hz)
+  double gyro_bias_walk = 0;   ///< rad/s^2/sqrt(Hz)
+  double accel_noise = 0;      ///< m/s^2/sqrt(Hz)
+  double accel_bias_walk = 0;  ///< m/s^3/sqrt(Hz)
+  std::uint64_t seed = 1;
+
+  void validate() const;  ///< throws vo::Error
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, ImuOptions& options) {
+  visit("rate", options.rate, "samples per second");
+  visit("gravity", options.gravity, "along the world's -y, m/s^2");
+  visit("gyro_noise", options.gyro_noise, "white noise density, rad/s/sqrt(Hz)");
+  visit("gyro_bias_walk", options.gyro_bias_walk, "density of the bias's walk, rad/s^2/sqrt(Hz)");
+  visit("accel_noise", options.accel_noise, "white noise density, m/s^2/sqrt(Hz)");
+  visit("accel_bias_walk", options.accel_bias_walk, "density of the bias's walk, m/s^3/sqrt(Hz)");
+  visit("seed", options.seed, "of noise and biases");
+}
+
+struct TimeSpan {
+  double begin = 0;  ///< s
+  double end = 0;    ///< s
+};
+
+/// How a path moves at a time within the span. Only the path within the span counts.
+struct PathMotion {
+  Eigen::Vector3d velocity;          ///< m/s, world
+  Eigen::Vector3d acceleration;      ///< m/s^2, world
+  Eigen::Vector3d angular_velocity;  ///< rad/s, camera's axes
+};
+
+PathMotion path_motion(const CameraPath& path, const TimeSpan& span, double time);
+
+/// Samples at the span's begin and every 1 / rate seconds after it.
+vo::ImuRecord measure_imu(const CameraPath& path, const TimeSpan& span, const ImuOptions& options);
+
+}  // namespace synth
