@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "synth/cofactors.h"
+
 namespace synth {
 namespace {
 
 const Material kDefaultMaterial;  // glTF's, of a mesh without one
-
-/// The matrix that turns normals with a surface that A deforms: det(A) A^-T, singular or not.
-Eigen::Matrix3d cofactors(const Eigen::Matrix3d& A) {
-  Eigen::Matrix3d result;
-  result << A.col(1).cross(A.col(2)), A.col(2).cross(A.col(0)), A.col(0).cross(A.col(1));
-  return result;
-}
 
 Eigen::AlignedBox3d bounds(const FlatMesh& flat) {
   Eigen::AlignedBox3d box;

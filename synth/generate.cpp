@@ -7,6 +7,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "synth/scene_motion.h"
 #include "vo/core/error.h"
 
 namespace synth {
@@ -39,8 +40,12 @@ vo::SequenceLayout layout_of(const SequenceRecipe& recipe) {
 
 }  // namespace
 
+double scene_time(const vo::Trajectory& truth, double timestamp) {
+  return timestamp - truth.front().timestamp;
+}
+
 FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe)
-    : recipe_(recipe), exposed_(recipe.sensor) {
+    : scene_(scene), recipe_(recipe), moves_(moves(scene)), exposed_(recipe.sensor) {
   vo::require(!recipe.truth.empty(), "sequence: no poses to render, expected at least one");
   recipe.camera.validate();
   recipe.sensor.validate();
@@ -55,11 +60,20 @@ FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe)
   }
 }
 
-std::vector<vo::NamedBytes> FrameGenerator::make(std::size_t index) const {
+RenderedFrame FrameGenerator::render(std::size_t index) const {
   const auto& [timestamp, T_world_camera] = recipe_.truth.at(index);
-  const RenderedFrame ideal = renderer_->render(recipe_.camera.pinhole, T_world_camera);
+  const vo::PinholeCamera& camera = recipe_.camera.pinhole;
+  if (!moves_) {
+    return renderer_->render(camera, T_world_camera);
+  }
+  const Scene now = scene_at(scene_, scene_time(recipe_.truth, timestamp));
+  return make_renderer(now, recipe_.render)->render(camera, T_world_camera);
+}
+
+std::vector<vo::NamedBytes> FrameGenerator::make(std::size_t index) const {
+  const double timestamp = recipe_.truth.at(index).timestamp;
   std::vector<vo::NamedBytes> files =
-      vo::encode_frame(layout_of(recipe_), index, measure(ideal, timestamp, exposed_));
+      vo::encode_frame(layout_of(recipe_), index, measure(render(index), timestamp, exposed_));
   if (truth_) {
     const std::vector<vo::NamedBytes> exact = truth_->make(index);
     files.insert(files.end(), exact.begin(), exact.end());

@@ -30,6 +30,9 @@ struct SequenceRecipe {
   CameraPath path;        ///< between the poses: for the velocity and imu channels
 };
 
+/// The time of the scene's animations, s, at a timestamp: they start with the first pose.
+double scene_time(const vo::Trajectory& truth, double timestamp);
+
 /// Makes the frames of one sequence, from any thread: each is a pure function of the scene, the
 /// recipe and its index. Both must outlive it.
 class FrameGenerator {
@@ -39,8 +42,12 @@ class FrameGenerator {
   std::vector<vo::NamedBytes> make(std::size_t index) const;  ///< all files of a frame
 
  private:
+  RenderedFrame render(std::size_t index) const;
+
+  const Scene& scene_;
   const SequenceRecipe& recipe_;
-  std::unique_ptr<const Renderer> renderer_;
+  bool moves_;                                ///< each frame has a renderer of its own
+  std::unique_ptr<const Renderer> renderer_;  ///< of the scene at rest
   SensorOptions exposed_;
   std::unique_ptr<const TruthGenerator> truth_;  ///< none where no channel is asked for
 };

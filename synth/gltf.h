@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,9 +12,28 @@ namespace synth {
 /// What a file holds that the Scene leaves out, one sentence each.
 using Notes = std::vector<std::string>;
 
-/// Reads .gltf or .glb (its default scene). Throws vo::Error naming the file, the element and what
-/// was expected; nothing outside the file's own folder is opened. `notes`, if given, receives what
-/// was skipped.
+/// Which part of a file to read. Names are the file's; its elements are also known by their
+/// numbers, from 0.
+struct GltfOptions {
+  std::string scene;      ///< "" = the file's default, else its first; all nodes if it has none
+  std::string animation;  ///< "" = in the file's order all that move nothing twice, "none", or one
+  bool loop = false;      ///< animations start again at their end instead of holding still
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, GltfOptions& options) {
+  visit("scene", options.scene, "scene of the file, name or number [the default one]");
+  visit("animation", options.animation, "animation that plays, name or number, or none [all]");
+  visit("loop", options.loop, "animations start again at their end instead of holding still");
+}
+
+/// Of each file, of all geometry, and of all images.
+inline constexpr std::size_t kMostGltfBytes = std::size_t{1} << 30U;
+
+/// Reads .gltf or .glb. Throws vo::Error naming the file, the element and what was expected;
+/// nothing outside the file's own folder is opened. `notes`, if given, receives what was skipped.
+Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options,
+                Notes* notes = nullptr);
 Scene load_gltf(const std::filesystem::path& path, Notes* notes = nullptr);
 
 }  // namespace synth

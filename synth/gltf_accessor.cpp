@@ -110,16 +110,19 @@ void apply_sparse(const tinygltf::Model& model, const tinygltf::Accessor& access
   }
 }
 
+std::size_t components_of(const tinygltf::Accessor& accessor) {
+  const auto type = static_cast<std::uint32_t>(accessor.type);
+  return static_cast<std::size_t>(tinygltf::GetNumComponentsInType(type));
+}
+
 /// Fills `out`, which begins as zeros, with all components of the accessor.
 template <typename Out>
 void read_accessor(const tinygltf::Model& model, const tinygltf::Accessor& accessor,
                    const std::string& place, Out* out) {
-  const auto type = static_cast<std::uint32_t>(accessor.type);
-  const ElementArray layout{
-      .count = accessor.count,
-      .components = static_cast<std::size_t>(tinygltf::GetNumComponentsInType(type)),
-      .component_type = accessor.componentType,
-      .normalized = accessor.normalized};
+  const ElementArray layout{.count = accessor.count,
+                            .components = components_of(accessor),
+                            .component_type = accessor.componentType,
+                            .normalized = accessor.normalized};
   if (accessor.bufferView >= 0) {
     read_elements(locate(model, accessor.bufferView, accessor.byteOffset, layout), out);
   }
@@ -146,10 +149,21 @@ template std::vector<Eigen::Vector2f> read_vectors(const tinygltf::Model&, int, 
 template std::vector<Eigen::Vector3f> read_vectors(const tinygltf::Model&, int, const std::string&);
 template std::vector<Eigen::Vector4f> read_vectors(const tinygltf::Model&, int, const std::string&);
 
+std::vector<float> read_numbers(const tinygltf::Model& model, int accessor,
+                                const std::string& place) {
+  const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
+  std::vector<float> numbers(source.count * components_of(source), 0);
+  read_accessor(model, source, place, numbers.data());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    vo::require(std::isfinite(numbers[i]), place, ": number ", i, " is infinite or not a number");
+  }
+  return numbers;
+}
+
 std::vector<std::uint32_t> read_indices(const tinygltf::Model& model, int accessor,
                                         const std::string& place) {
   const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
-  std::vector<std::uint32_t> indices(source.count, 0);
+  std::vector<std::uint32_t> indices(source.count * components_of(source), 0);
   read_accessor(model, source, place, indices.data());
   return indices;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -16,7 +17,11 @@ template <typename Vector>
 std::vector<Vector> read_vectors(const tinygltf::Model& model, int accessor,
                                  const std::string& place);
 
-/// The elements of an accessor of unsigned integers.
+/// The same, component by component, for accessors of any type but matrices of bytes or shorts.
+std::vector<float> read_numbers(const tinygltf::Model& model, int accessor,
+                                const std::string& place);
+
+/// The components of an accessor of unsigned integers.
 std::vector<std::uint32_t> read_indices(const tinygltf::Model& model, int accessor,
                                         const std::string& place);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "synth/gltf_check_buffers.h"
+#include "synth/gltf_check_motion.h"
 #include "synth/gltf_check_nodes.h"
 #include "synth/gltf_json.h"
 #include "vo/core/error.h"
@@ -214,6 +215,7 @@ void check_document(const GltfFile& file) {
   }
   check_meshes(root);
   check_node_graph(root);
+  check_motion(root);
 }
 
 }  // namespace synth

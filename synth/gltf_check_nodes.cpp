@@ -109,15 +109,6 @@ void check_nodes(const JsonObject& root, const std::vector<JsonObject>& nodes) {
   }
 }
 
-void check_skins(const JsonObject& root, std::size_t nodes) {
-  const std::size_t accessors = root.objects("accessors").size();
-  for (const JsonObject& skin : root.objects("skins")) {
-    skin.index("skeleton", nodes);
-    skin.index("inverseBindMatrices", accessors);
-    skin.indices("joints", nodes);
-  }
-}
-
 Parents find_parents(const std::vector<JsonObject>& nodes) {
   Parents parents(nodes.size());
   for (std::size_t parent = 0; parent < nodes.size(); ++parent) {
@@ -171,7 +162,6 @@ void check_scenes(const JsonObject& root, const Parents& parents) {
 void check_node_graph(const JsonObject& root) {
   const std::vector<JsonObject> nodes = root.objects("nodes");
   check_nodes(root, nodes);
-  check_skins(root, nodes.size());
   const Parents parents = find_parents(nodes);
   check_for_cycles(nodes, parents);
   check_scenes(root, parents);

@@ -71,6 +71,14 @@ ImageSize encoded_size(const Bytes& bytes, const std::string& place) {
   return jpeg_size(bytes);
 }
 
+ImageSize checked_size(const Bytes& encoded, const std::string& place) {
+  const ImageSize size = encoded_size(encoded, place);
+  require(size.width > 0 && size.height > 0, place, ": has no texels, expected at least one");
+  require(size.height <= kMostTexels / size.width, place, ": has ", size.width, " x ", size.height,
+          " texels, expected at most ", kMostTexels);
+  return size;
+}
+
 /// The four channels of each texel, 16-bit ones rounded to 8.
 cv::Mat_<cv::Vec4b> to_rgba8(const tinygltf::Image& image) {
   cv::Mat_<cv::Vec4b> rgba(image.height, image.width);
@@ -88,11 +96,13 @@ cv::Mat_<cv::Vec4b> to_rgba8(const tinygltf::Image& image) {
 
 }  // namespace
 
+std::size_t texels_in(const Bytes& encoded, const std::string& place) {
+  const ImageSize size = checked_size(encoded, place);
+  return size.width * size.height;
+}
+
 cv::Mat_<cv::Vec4b> decode_image(const Bytes& encoded, const std::string& place) {
-  const ImageSize size = encoded_size(encoded, place);
-  require(size.width > 0 && size.height > 0, place, ": has no texels, expected at least one");
-  require(size.height <= kMostTexels / size.width, place, ": has ", size.width, " x ", size.height,
-          " texels, expected at most ", kMostTexels);
+  const ImageSize size = checked_size(encoded, place);
   require(encoded.size() <= std::numeric_limits<int>::max(), place, ": has ", encoded.size(),
           " bytes, expected less than 2 GB");
   tinygltf::Image image;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include <opencv2/core.hpp>
@@ -7,6 +8,9 @@
 #include "synth/gltf_file.h"
 
 namespace synth {
+
+/// How many texels an encoded image says that it has. Throws what decode_image does.
+std::size_t texels_in(const Bytes& encoded, const std::string& place);
 
 /// Decodes a PNG or JPEG to 8-bit RGBA. Throws vo::Error beginning with `place` for other formats,
 /// damaged data and sizes that no texture has.

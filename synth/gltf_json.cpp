@@ -97,14 +97,19 @@ std::string JsonObject::required_text(const std::string& key) const {
 }
 
 std::vector<double> JsonObject::numbers(const std::string& key, std::size_t size) const {
+  std::vector<double> numbers = all_numbers(key);
+  vo::require(!has(key) || numbers.size() == size, place(), ": ", key, " has ", numbers.size(),
+              " elements, expected ", size);
+  return numbers;
+}
+
+std::vector<double> JsonObject::all_numbers(const std::string& key) const {
   std::vector<double> numbers;
   const json* values = find_array(key);
   if (values == nullptr) {
     return numbers;
   }
-  vo::require(values->size() == size, place(), ": ", key, " has ", values->size(),
-              " elements, expected ", size);
-  for (std::size_t i = 0; i < size; ++i) {
+  for (std::size_t i = 0; i < values->size(); ++i) {
     if (!(*values)[i].is_number()) {
       reject(numbered(key, i), (*values)[i], "a number");
     }

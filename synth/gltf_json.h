@@ -29,6 +29,7 @@ class JsonObject {
   std::string required_text(const std::string& key) const;
   /// Exactly `size` numbers, or none if absent.
   std::vector<double> numbers(const std::string& key, std::size_t size) const;
+  std::vector<double> all_numbers(const std::string& key) const;
   std::vector<std::string> texts(const std::string& key) const;
 
   /// A number that selects one of the `size` elements of an array.

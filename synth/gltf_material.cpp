@@ -101,11 +101,11 @@ Eigen::Vector3f read_emission(const tinygltf::Material& source) {
 
 }  // namespace
 
-MaterialReader::MaterialReader(const GltfModel& model, Scene& scene, Notes& notes)
-    : model_(model),
+MaterialReader::MaterialReader(GltfReading& reading, Scene& scene)
+    : reading_(reading),
+      model_(reading.model),
       scene_(scene),
-      notes_(notes),
-      materials_(model.content.materials.size(), kNone) {}
+      materials_(model_.content.materials.size(), kNone) {}
 
 int MaterialReader::material(int gltf_index) {
   if (gltf_index == kNone) {
@@ -170,7 +170,8 @@ TextureSlot MaterialReader::slot(const TextureInfo& info, TexelEncoding encoding
     }
   }
   if (slot.texcoord_set >= kTexcoordSets) {
-    add_note(notes_, "textures that use texture coordinates beyond TEXCOORD_1 are left out");
+    add_note(reading_.notes,
+             "textures that use texture coordinates beyond TEXCOORD_1 are left out");
     return {};
   }
   slot.texture = texture(info.index, encoding);
@@ -183,7 +184,7 @@ int MaterialReader::texture(int gltf_index, TexelEncoding encoding) {
   }
   const tinygltf::Texture& source = model_.content.textures[at(gltf_index)];
   if (source.source == kNone) {
-    add_note(notes_, "textures without PNG or JPEG image are left out");
+    add_note(reading_.notes, "textures without PNG or JPEG image are left out");
     return kNone;
   }
   const auto [entry, is_new] = textures_.try_emplace({gltf_index, encoding});
@@ -203,7 +204,9 @@ int MaterialReader::image(int gltf_index, TexelEncoding encoding) {
   const auto [entry, is_new] = images_.try_emplace({gltf_index, encoding});
   if (is_new) {
     const std::string place = model_.place("images", gltf_index);
-    const cv::Mat_<cv::Vec4b> image = decode_image(read_encoded_image(model_, gltf_index), place);
+    const Bytes encoded = read_encoded_image(model_, gltf_index);
+    image_budget_.take(texels_in(encoded, place) / 3 * 4 * sizeof(cv::Vec4b), place);
+    const cv::Mat_<cv::Vec4b> image = decode_image(encoded, place);
     entry->second = static_cast<int>(scene_.images.size());
     scene_.images.push_back(build_mip_levels(image, encoding));
   }
@@ -212,11 +215,11 @@ int MaterialReader::image(int gltf_index, TexelEncoding encoding) {
 
 void MaterialReader::note_what_is_left_out(const tinygltf::Material& source) {
   if (source.alphaMode == "BLEND" || source.alphaMode == "MASK") {
-    add_note(notes_, "materials of alphaMode " + source.alphaMode + " are taken as opaque");
+    add_note(reading_.notes, "materials of alphaMode " + source.alphaMode + " are taken as opaque");
   }
   if (source.normalTexture.index != kNone || source.occlusionTexture.index != kNone ||
       source.pbrMetallicRoughness.metallicRoughnessTexture.index != kNone) {
-    add_note(notes_, "normal, occlusion and metallic-roughness textures are left out");
+    add_note(reading_.notes, "normal, occlusion and metallic-roughness textures are left out");
   }
 }
 

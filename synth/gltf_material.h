@@ -4,8 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "synth/gltf.h"
-#include "synth/gltf_model.h"
+#include "synth/gltf_reading.h"
 #include "synth/scene.h"
 
 namespace synth {
@@ -13,8 +12,8 @@ namespace synth {
 /// Puts those materials, textures and images of a model into a scene that are asked for.
 class MaterialReader {
  public:
-  /// All three must outlive the reader.
-  MaterialReader(const GltfModel& model, Scene& scene, Notes& notes);
+  /// Both must outlive the reader.
+  MaterialReader(GltfReading& reading, Scene& scene);
 
   /// The scene's index of a glTF material; kNone stays kNone. Throws vo::Error if an image that
   /// it needs cannot be decoded.
@@ -33,9 +32,10 @@ class MaterialReader {
   /// What was read already: the scene's index by glTF's and by what its channels mean.
   using Read = std::map<std::pair<int, TexelEncoding>, int>;
 
+  GltfReading& reading_;
   const GltfModel& model_;
   Scene& scene_;
-  Notes& notes_;
+  MemoryBudget image_budget_;
   std::vector<int> materials_;  ///< scene indices, kNone where not read yet
   Read textures_, images_;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <numeric>
 #include <vector>
 
@@ -108,52 +109,100 @@ std::vector<Eigen::Vector4f> read_tangents(const tinygltf::Model& model, int acc
   return tangents;
 }
 
-void read_attributes(const GltfModel& model, const tinygltf::Primitive& primitive,
-                     const std::string& place, Mesh& mesh, Notes& notes) {
+void read_attributes(GltfReading& reading, const tinygltf::Primitive& primitive,
+                     const std::string& place, Mesh& mesh) {
+  const tinygltf::Model& model = reading.model.content;
   const int normal = find_attribute(primitive, "NORMAL");
   if (normal != kNone) {
-    mesh.normals = read_normals(model.content, normal, place + ": NORMAL", notes);
+    mesh.normals = read_normals(model, normal, place + ": NORMAL", reading.notes);
   }
   const int color = find_attribute(primitive, "COLOR_0");
   if (color != kNone) {
-    mesh.colors = read_colors(model.content, color, place + ": COLOR_0");
+    mesh.colors = read_colors(model, color, place + ": COLOR_0");
   }
   const int tangent = find_attribute(primitive, "TANGENT");
   if (tangent != kNone && !mesh.normals.empty()) {
-    mesh.tangents = read_tangents(model.content, tangent, place + ": TANGENT", notes);
+    mesh.tangents = read_tangents(model, tangent, place + ": TANGENT", reading.notes);
   }
   for (std::size_t set = 0; set < mesh.texcoords.size(); ++set) {
     const std::string name = "TEXCOORD_" + std::to_string(set);
     const int texcoords = find_attribute(primitive, name);
     if (texcoords != kNone) {
-      mesh.texcoords[set] =
-          read_vectors<Eigen::Vector2f>(model.content, texcoords, place + ": " + name);
+      mesh.texcoords[set] = read_vectors<Eigen::Vector2f>(model, texcoords, place + ": " + name);
     }
   }
 }
 
+std::vector<Eigen::Vector3f> read_displacements(const tinygltf::Model& model,
+                                                const std::map<std::string, int>& target,
+                                                const std::string& name, const std::string& place) {
+  const auto found = target.find(name);
+  return found == target.end()
+             ? std::vector<Eigen::Vector3f>()
+             : read_vectors<Eigen::Vector3f>(model, found->second, place + ": " + name);
+}
+
+std::vector<MorphTarget> read_targets(GltfReading& reading, const tinygltf::Primitive& primitive,
+                                      const std::string& place) {
+  const tinygltf::Model& model = reading.model.content;
+  std::vector<MorphTarget> targets;
+  for (std::size_t i = 0; i < primitive.targets.size(); ++i) {
+    const std::map<std::string, int>& source = primitive.targets[i];
+    const std::string named = place + ".targets[" + std::to_string(i) + ']';
+    targets.push_back({.positions = read_displacements(model, source, "POSITION", named),
+                       .normals = read_displacements(model, source, "NORMAL", named),
+                       .tangents = read_displacements(model, source, "TANGENT", named)});
+    for (const auto& [name, accessor] : source) {
+      if (name.compare(0, 9, "TEXCOORD_") == 0 || name.compare(0, 6, "COLOR_") == 0) {
+        add_note(reading.notes, "morphing of texture coordinates and colours is left out");
+      }
+    }
+  }
+  return targets;
+}
+
+/// What reading the primitive will allocate, twice over as some of it is copied.
+std::size_t memory_of(const tinygltf::Model& model, const tinygltf::Primitive& primitive) {
+  constexpr std::size_t kVertexBytes = 2 * 4 * sizeof(float);
+  const auto bytes_of = [&](int accessor) {
+    return model.accessors[static_cast<std::size_t>(accessor)].count * kVertexBytes;
+  };
+  std::size_t bytes = primitive.indices == kNone ? 0 : bytes_of(primitive.indices);
+  for (const auto& [name, accessor] : primitive.attributes) {
+    bytes += bytes_of(accessor);
+  }
+  for (const std::map<std::string, int>& target : primitive.targets) {
+    for (const auto& [name, accessor] : target) {
+      bytes += bytes_of(accessor);
+    }
+  }
+  return bytes;
+}
+
 }  // namespace
 
-std::optional<Mesh> read_primitive(const GltfModel& model, const tinygltf::Primitive& primitive,
-                                   const std::string& place, Notes& notes) {
+std::optional<PrimitiveGeometry> read_primitive(GltfReading& reading,
+                                                const tinygltf::Primitive& primitive,
+                                                const std::string& place) {
   if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
-    add_note(notes, "points and lines are left out");
+    add_note(reading.notes, "points and lines are left out");
     return std::nullopt;
   }
   const int position = find_attribute(primitive, "POSITION");
   if (position == kNone) {
-    add_note(notes, "primitives without POSITION are left out");
+    add_note(reading.notes, "primitives without POSITION are left out");
     return std::nullopt;
   }
-  if (!primitive.targets.empty()) {
-    add_note(notes, "morph targets are left out");
-  }
-  Mesh mesh;
-  mesh.positions = read_vectors<Eigen::Vector3f>(model.content, position, place + ": POSITION");
-  mesh.triangles = assemble(primitive.mode,
-                            read_corners(model.content, primitive, mesh.positions.size(), place));
-  read_attributes(model, primitive, place, mesh, notes);
-  return mesh;
+  const tinygltf::Model& model = reading.model.content;
+  reading.budget.take(memory_of(model, primitive), place);
+  PrimitiveGeometry geometry;
+  Mesh& mesh = geometry.mesh;
+  mesh.positions = read_vectors<Eigen::Vector3f>(model, position, place + ": POSITION");
+  mesh.triangles =
+      assemble(primitive.mode, read_corners(model, primitive, mesh.positions.size(), place));
+  read_attributes(reading, primitive, place, mesh);
+  geometry.targets = read_targets(reading, primitive, place);
+  return geometry;
 }
 
 }  // namespace synth

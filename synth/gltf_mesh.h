@@ -2,17 +2,23 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "synth/gltf.h"
-#include "synth/gltf_model.h"
+#include "synth/gltf_reading.h"
 #include "synth/scene.h"
 
 namespace synth {
 
-/// The triangles of a primitive in the frame of its mesh; the material is left as kNone. Nothing
-/// for points, lines and primitives without positions. Throws vo::Error beginning with `place`
-/// for vertex indices out of range and values that are not finite.
-std::optional<Mesh> read_primitive(const GltfModel& model, const tinygltf::Primitive& primitive,
-                                   const std::string& place, Notes& notes);
+/// A primitive in the frame of its mesh.
+struct PrimitiveGeometry {
+  Mesh mesh;  ///< the material is left as kNone
+  std::vector<MorphTarget> targets;
+};
+
+/// Nothing for points, lines and primitives without positions. Throws vo::Error beginning with
+/// `place` for vertex indices out of range and values that are not finite.
+std::optional<PrimitiveGeometry> read_primitive(GltfReading& reading,
+                                                const tinygltf::Primitive& primitive,
+                                                const std::string& place);
 
 }  // namespace synth

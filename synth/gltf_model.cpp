@@ -73,7 +73,7 @@ std::vector<tinygltf::Image> list_images(const GltfFile& file, const JsonObject&
 
 /// Lets tinygltf read what needs no other file; it gets no way to open one.
 tinygltf::Model parse_structure(nlohmann::json document, const std::string& place) {
-  for (const char* key : {"buffers", "images", "animations", "skins", "extras"}) {
+  for (const char* key : {"buffers", "images", "extras"}) {
     document.erase(key);
   }
   const std::string text = document.dump();

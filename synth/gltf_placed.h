@@ -14,10 +14,4 @@ Light place_light(const tinygltf::Light& source, const Eigen::Affine3d& T_world_
 /// glTF's camera looks along -z of its node and has y up; scale does not change it.
 SceneCamera place_camera(const tinygltf::Camera& source, const Eigen::Affine3d& T_world_node);
 
-/// T_world_camera, x right, y down, z forward, of a glTF camera on a node.
-vo::SE3 T_world_camera_of(const Eigen::Affine3d& T_world_node);
-
-/// Where a light on a node shines to: -z; zero where the node's z is.
-Eigen::Vector3d light_direction_of(const Eigen::Affine3d& T_world_node);
-
 }  // namespace synth

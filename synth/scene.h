@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <opencv2/core.hpp>
 
+#include "synth/motion.h"
 #include "vo/core/se3.h"
 
 namespace synth {
@@ -123,6 +124,7 @@ struct Scene {
   std::vector<TextureImage> images;
   std::vector<Light> lights;
   std::vector<SceneCamera> cameras;
+  SceneMotion motion;  ///< how it leaves its rest; empty where nothing moves
 };
 
 }  // namespace synth

@@ -36,6 +36,11 @@ void add(vo::ContentHash& hash, const Mesh& mesh) {
   add_numbers(hash, {mesh.material});
 }
 
+void add(vo::ContentHash& hash, const Instance& instance) {
+  add_numbers(hash, {instance.mesh});
+  add_matrix(hash, instance.T_world_mesh.matrix());
+}
+
 void add(vo::ContentHash& hash, const TextureSlot& slot) {
   add_numbers(hash, {slot.texture, slot.texcoord_set});
   add_matrix(hash, slot.T_image_texcoord.matrix());
@@ -79,29 +84,73 @@ void add(vo::ContentHash& hash, const Light& light) {
   hash.add_values(std::span<const double>(shape));
 }
 
+void add(vo::ContentHash& hash, const MotionNode& node) {
+  add_numbers(hash, {node.parent});
+  add_matrix(hash, node.T_parent_node.matrix());
+  add_matrix(hash, node.translation);
+  add_matrix(hash, node.rotation.coeffs());
+  add_matrix(hash, node.scale);
+  hash.add_values(std::span<const float>(node.weights));
+}
+
+void add(vo::ContentHash& hash, const Animation& animation) {
+  for (const AnimationChannel& channel : animation.channels) {
+    add_numbers(hash, {channel.node, static_cast<int>(channel.property),
+                       static_cast<int>(channel.curve.interpolation)});
+    hash.add_values(std::span<const float>(channel.curve.times));
+    hash.add_values(std::span<const float>(channel.curve.values));
+  }
+}
+
+void add(vo::ContentHash& hash, const MeshShape& shape) {
+  add_vectors(hash, shape.positions);
+  add_vectors(hash, shape.normals);
+  for (const MorphTarget& target : shape.targets) {
+    add_vectors(hash, target.positions);
+    add_vectors(hash, target.normals);
+  }
+  hash.add_values(std::span<const std::array<int, 4>>(shape.followed.joints));
+  add_vectors(hash, shape.followed.weights);
+}
+
+void add(vo::ContentHash& hash, const Skin& skin) {
+  hash.add_values(std::span<const int>(skin.joints));
+  for (const Eigen::Affine3d& T_joint_mesh : skin.T_joint_mesh) {
+    add_matrix(hash, T_joint_mesh.matrix());
+  }
+}
+
+template <typename Element>
+void add_all(vo::ContentHash& hash, const std::vector<Element>& elements) {
+  for (const Element& element : elements) {
+    add(hash, element);
+  }
+}
+
+void add(vo::ContentHash& hash, const SceneMotion& motion) {
+  add_all(hash, motion.nodes);
+  add_all(hash, motion.animations);
+  add_all(hash, motion.shapes);
+  add_all(hash, motion.skins);
+  hash.add_values(std::span<const int>(motion.instance_nodes));
+  hash.add_values(std::span<const int>(motion.light_nodes));
+  for (const BendingMesh& bending : motion.bending) {
+    add_numbers(hash, {bending.instance, bending.shape, bending.node, bending.skin});
+  }
+  add_numbers(hash, {static_cast<int>(motion.loop)});
+}
+
 }  // namespace
 
 std::uint64_t content_hash(const Scene& scene) {
   vo::ContentHash hash;
-  for (const Mesh& mesh : scene.meshes) {
-    add(hash, mesh);
-  }
-  for (const Instance& instance : scene.instances) {
-    add_numbers(hash, {instance.mesh});
-    add_matrix(hash, instance.T_world_mesh.matrix());
-  }
-  for (const Material& material : scene.materials) {
-    add(hash, material);
-  }
-  for (const Texture& texture : scene.textures) {
-    add(hash, texture);
-  }
-  for (const TextureImage& image : scene.images) {
-    add(hash, image);
-  }
-  for (const Light& light : scene.lights) {
-    add(hash, light);
-  }
+  add_all(hash, scene.meshes);
+  add_all(hash, scene.instances);
+  add_all(hash, scene.materials);
+  add_all(hash, scene.textures);
+  add_all(hash, scene.images);
+  add_all(hash, scene.lights);
+  add(hash, scene.motion);
   return hash.value();
 }
 

@@ -1,0 +1,235 @@
+#include "synth/gltf_check_motion.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "vo/core/error.h"
+
+namespace synth {
+namespace {
+
+using vo::require;
+
+constexpr std::size_t kFloatType = 5126;
+
+struct Document {
+  std::vector<JsonObject> accessors, nodes;
+  std::vector<std::size_t> target_counts;  ///< of each mesh
+};
+
+/// The mesh's number of morph targets; none without a mesh.
+std::size_t targets_of(const JsonObject& node, const Document& document) {
+  const std::optional<std::size_t> mesh = node.index("mesh", document.target_counts.size());
+  return mesh ? document.target_counts[*mesh] : 0;
+}
+
+std::size_t count_of(const JsonObject& accessor) {
+  return accessor.required_whole_number("count");
+}
+
+/// The accessor's type and component type; integers must be normalised to stand for fractions.
+void require_type(const JsonObject& accessor, const std::string& type, const std::string& place) {
+  require(accessor.required_text("type") == type, place, ": ", accessor.place(), " is of type ",
+          accessor.required_text("type"), ", expected ", type);
+}
+
+void require_fractions(const JsonObject& accessor, const std::string& place) {
+  const std::size_t component = accessor.required_whole_number("componentType");
+  const bool is_fraction =
+      component == kFloatType || (component <= 5123 && accessor.flag("normalized").value_or(false));
+  require(is_fraction, place, ": ", accessor.place(), " has components of type ", component,
+          ", expected float or normalised integers");
+}
+
+void require_floats(const JsonObject& accessor, const std::string& place) {
+  const std::size_t component = accessor.required_whole_number("componentType");
+  require(component == kFloatType, place, ": ", accessor.place(), " has components of type ",
+          component, ", expected float");
+}
+
+/// Of the primitives of a mesh, which all must have as many.
+std::size_t target_count(const JsonObject& mesh) {
+  const std::vector<JsonObject> primitives = mesh.objects("primitives");
+  std::optional<std::size_t> targets;
+  for (const JsonObject& primitive : primitives) {
+    const std::size_t count = primitive.objects("targets").size();
+    require(targets.value_or(count) == count, primitive.place(), ": has ", count,
+            " targets, expected ", targets.value_or(0), " as the mesh's first primitive has");
+    targets = count;
+  }
+  return targets.value_or(0);
+}
+
+/// Returns how many there are.
+std::size_t check_targets(const JsonObject& mesh, const std::vector<JsonObject>& accessors) {
+  const std::size_t targets = target_count(mesh);
+  const std::vector<double> weights = mesh.all_numbers("weights");
+  require(weights.empty() || weights.size() == targets, mesh.place(), ": has ", weights.size(),
+          " weights, expected one for each of its ", targets, " targets");
+  for (const JsonObject& primitive : mesh.objects("primitives")) {
+    const JsonObject attributes = primitive.required_object("attributes");
+    for (const JsonObject& target : primitive.objects("targets")) {
+      for (const std::string& name : target.keys()) {
+        const JsonObject& accessor = accessors[target.required_index(name, accessors.size())];
+        require(attributes.has(name), target.place(), ": moves ", name,
+                ", expected an attribute that the primitive has");
+        const std::size_t count =
+            count_of(accessors[attributes.required_index(name, accessors.size())]);
+        require(count_of(accessor) == count, target.place(), ": ", name, " has ",
+                count_of(accessor), " elements, expected ", count, " as the attribute has");
+        if (name == "POSITION" || name == "NORMAL" || name == "TANGENT") {
+          require_type(accessor, "VEC3", target.place() + ": " + name);
+        }
+      }
+    }
+  }
+  return targets;
+}
+
+std::size_t outputs_per_key(const std::string& path, const JsonObject& node,
+                            const Document& document) {
+  if (path != "weights") {
+    return 1;
+  }
+  const std::size_t targets = targets_of(node, document);
+  require(targets > 0, node.place(),
+          ": an animation moves its weights, expected a mesh with morph targets");
+  return targets;
+}
+
+void check_output(const std::string& path, const JsonObject& sampler, std::size_t values_per_key,
+                  const std::vector<JsonObject>& accessors) {
+  const JsonObject& input = accessors[sampler.required_index("input", accessors.size())];
+  const JsonObject& output = accessors[sampler.required_index("output", accessors.size())];
+  const std::string place = sampler.place() + ": output";
+  const bool is_spline = sampler.text("interpolation").value_or("LINEAR") == "CUBICSPLINE";
+  const std::size_t rows = is_spline ? 3 : 1;
+  require(count_of(output) % (rows * values_per_key) == 0 &&
+              count_of(output) / (rows * values_per_key) == count_of(input),
+          place, ": has ", count_of(output), " elements, expected ", rows * values_per_key,
+          " for each of the ", count_of(input), " keys");
+  if (path == "rotation" || path == "weights") {
+    require_type(output, path == "rotation" ? "VEC4" : "SCALAR", place);
+    require_fractions(output, place);
+  } else {
+    require_type(output, "VEC3", place);
+    require_floats(output, place);
+  }
+}
+
+void check_sampler(const JsonObject& sampler, const std::vector<JsonObject>& accessors) {
+  const JsonObject& input = accessors[sampler.required_index("input", accessors.size())];
+  sampler.required_index("output", accessors.size());
+  require_type(input, "SCALAR", sampler.place() + ": input");
+  require_floats(input, sampler.place() + ": input");
+  const std::string interpolation = sampler.text("interpolation").value_or("LINEAR");
+  require(interpolation == "LINEAR" || interpolation == "STEP" || interpolation == "CUBICSPLINE",
+          sampler.place(), ": interpolation is ", interpolation,
+          ", expected LINEAR, STEP or CUBICSPLINE");
+  require(interpolation != "CUBICSPLINE" || count_of(input) >= 2, sampler.place(),
+          ": a cubic spline has one key, expected two or more");
+}
+
+void check_animation(const JsonObject& animation, const Document& document) {
+  const std::vector<JsonObject> samplers = animation.objects("samplers");
+  for (const JsonObject& sampler : samplers) {
+    check_sampler(sampler, document.accessors);
+  }
+  std::set<std::pair<std::size_t, std::string>> moved;
+  for (const JsonObject& channel : animation.objects("channels")) {
+    const std::size_t sampler = channel.required_index("sampler", samplers.size());
+    const JsonObject target = channel.required_object("target");
+    const std::string path = target.required_text("path");
+    const std::optional<std::size_t> node = target.index("node", document.nodes.size());
+    if (!node || path == "pointer") {
+      continue;
+    }
+    require(path == "translation" || path == "rotation" || path == "scale" || path == "weights",
+            target.place(), ": path is ", path,
+            ", expected translation, rotation, scale or weights");
+    require(moved.insert({*node, path}).second, target.place(), ": moves the ", path, " of nodes[",
+            *node, "] a second time, expected once");
+    const JsonObject& moving = document.nodes[*node];
+    require(path == "weights" || !moving.has("matrix"), target.place(), ": moves nodes[", *node,
+            "], which has a matrix, expected a node with translation, rotation and scale");
+    check_output(path, samplers[sampler], outputs_per_key(path, moving, document),
+                 document.accessors);
+  }
+}
+
+void check_skin(const JsonObject& skin, const Document& document) {
+  skin.index("skeleton", document.nodes.size());
+  const std::vector<std::size_t> joints = skin.indices("joints", document.nodes.size());
+  require(!joints.empty(), skin.place(), ": has no joints, expected at least one");
+  require(std::set<std::size_t>(joints.begin(), joints.end()).size() == joints.size(), skin.place(),
+          ": names a joint twice, expected each once");
+  const auto matrices = skin.index("inverseBindMatrices", document.accessors.size());
+  if (matrices) {
+    const JsonObject& accessor = document.accessors[*matrices];
+    const std::string place = skin.place() + ": inverseBindMatrices";
+    require_type(accessor, "MAT4", place);
+    require_floats(accessor, place);
+    require(count_of(accessor) >= joints.size(), place, ": has ", count_of(accessor),
+            " matrices, expected one for each of the ", joints.size(), " joints");
+  }
+}
+
+void check_joints(const JsonObject& primitive, const std::vector<JsonObject>& accessors) {
+  const JsonObject attributes = primitive.required_object("attributes");
+  for (const std::string& name : attributes.keys()) {
+    const bool is_joints = name.compare(0, 7, "JOINTS_") == 0;
+    if (!is_joints && name.compare(0, 8, "WEIGHTS_") != 0) {
+      continue;
+    }
+    const std::string number = name.substr(is_joints ? 7 : 8);
+    const std::string partner = (is_joints ? "WEIGHTS_" : "JOINTS_") + number;
+    require(attributes.has(partner), attributes.place(), ": has ", name, " without ", partner,
+            ", expected both");
+    const JsonObject& accessor = accessors[attributes.required_index(name, accessors.size())];
+    const std::string place = attributes.place() + ": " + name;
+    require_type(accessor, "VEC4", place);
+    if (is_joints) {
+      const std::size_t component = accessor.required_whole_number("componentType");
+      require(component == 5121 || component == 5123, place, ": ", accessor.place(),
+              " has components of type ", component, ", expected unsigned byte or short");
+    } else {
+      require_fractions(accessor, place);
+    }
+  }
+}
+
+void check_node(const JsonObject& node, const Document& document) {
+  require(!node.has("skin") || node.has("mesh"), node.place(),
+          ": has a skin without a mesh, expected both");
+  const std::vector<double> weights = node.all_numbers("weights");
+  const std::size_t targets = targets_of(node, document);
+  require(weights.empty() || weights.size() == targets, node.place(), ": has ", weights.size(),
+          " weights, expected one for each of the ", targets, " targets of its mesh");
+}
+
+}  // namespace
+
+void check_motion(const JsonObject& root) {
+  Document document{root.objects("accessors"), root.objects("nodes"), {}};
+  for (const JsonObject& mesh : root.objects("meshes")) {
+    document.target_counts.push_back(check_targets(mesh, document.accessors));
+    for (const JsonObject& primitive : mesh.objects("primitives")) {
+      check_joints(primitive, document.accessors);
+    }
+  }
+  for (const JsonObject& skin : root.objects("skins")) {
+    check_skin(skin, document);
+  }
+  for (const JsonObject& node : document.nodes) {
+    check_node(node, document);
+  }
+  for (const JsonObject& animation : root.objects("animations")) {
+    check_animation(animation, document);
+  }
+}
+
+}  // namespace synth

@@ -1,0 +1,252 @@
+#include "synth/gltf_scene.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "synth/gltf_animation.h"
+#include "synth/gltf_material.h"
+#include "synth/gltf_mesh.h"
+#include "synth/gltf_nodes.h"
+#include "synth/gltf_notes.h"
+#include "synth/gltf_placed.h"
+#include "synth/gltf_reading.h"
+#include "synth/gltf_select.h"
+#include "synth/gltf_skin.h"
+#include "synth/scene_motion.h"
+#include "vo/core/error.h"
+
+namespace synth {
+namespace {
+
+using vo::require;
+
+/// Bounds what nodes that share a mesh of many primitives may multiply to.
+constexpr std::size_t kMostInstances = 1'000'000;
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+class SceneReader {
+ public:
+  SceneReader(const GltfModel& model, Notes& notes)
+      : model_(model),
+        reading_{model, notes, budget_},
+        materials_(reading_, scene_),
+        forest_(read_nodes(model.content)),
+        skins_(model.content.skins.size(), kNone) {}
+
+  Scene read(const GltfOptions& options) {
+    place_nodes();
+    for (const int index : scene_nodes(model_, options.scene)) {
+      read_node(index);
+    }
+    SceneMotion& motion = scene_.motion;
+    motion.nodes = forest_.nodes;
+    motion.loop = options.loop;
+    motion.animations = read_animations(reading_, forest_, options.animation);
+    Scene scene = at_rest();
+    if (moves(scene_) || moves_cameras(scene_)) {
+      scene.motion = std::move(motion);
+    }
+    return scene;
+  }
+
+ private:
+  void place_nodes() {
+    for (const MotionNode& node : forest_.nodes) {
+      T_world_node_.push_back(node.parent == kNone
+                                  ? node.T_parent_node
+                                  : T_world_node_[at(node.parent)] * node.T_parent_node);
+    }
+  }
+
+  void read_node(int index) {
+    const tinygltf::Node& node = model_.content.nodes[at(index)];
+    const int moved_by = forest_.of_gltf[at(index)];
+    const Eigen::Affine3d& T_world_node = T_world_node_[at(moved_by)];
+    require(T_world_node.matrix().allFinite(), model_.place("nodes", index),
+            ": its transform overflows, expected finite numbers");
+    if (node.mesh != kNone && (node.skin != kNone || has_targets(node.mesh))) {
+      add_bending(node, moved_by, T_world_node);
+    } else if (node.mesh != kNone) {
+      for (const int mesh : meshes_of(node.mesh)) {
+        add_instance({mesh, T_world_node}, moved_by);
+      }
+    }
+    const auto light = node.extensions.find("KHR_lights_punctual");
+    if (light != node.extensions.end()) {
+      add_light(light->second.Get("light").GetNumberAsInt(), moved_by, T_world_node);
+    }
+    if (node.camera != kNone) {
+      add_camera(node, moved_by, T_world_node);
+    }
+  }
+
+  void add_instance(const Instance& instance, int moved_by) {
+    require(scene_.instances.size() < kMostInstances, model_.path.string(),
+            ": has more instances of primitives than ", kMostInstances,
+            ", expected at most as many");
+    scene_.instances.push_back(instance);
+    scene_.motion.instance_nodes.push_back(moved_by);
+  }
+
+  bool has_targets(int gltf_mesh) const {
+    const auto& primitives = model_.content.meshes[at(gltf_mesh)].primitives;
+    return std::any_of(primitives.begin(), primitives.end(),
+                       [](const tinygltf::Primitive& p) { return !p.targets.empty(); });
+  }
+
+  std::string place_of(int gltf_mesh, std::size_t primitive) const {
+    return model_.place("meshes", gltf_mesh) + ".primitives[" + std::to_string(primitive) + ']';
+  }
+
+  int add_mesh(Mesh mesh) {
+    scene_.meshes.push_back(std::move(mesh));
+    return static_cast<int>(scene_.meshes.size()) - 1;
+  }
+
+  /// The scene's meshes for the primitives of a glTF mesh, read when first asked for.
+  const std::vector<int>& meshes_of(int gltf_mesh) {
+    const auto [entry, is_new] = meshes_.try_emplace(gltf_mesh);
+    if (is_new) {
+      const auto& primitives = model_.content.meshes[at(gltf_mesh)].primitives;
+      for (std::size_t i = 0; i < primitives.size(); ++i) {
+        auto geometry = read_primitive(reading_, primitives[i], place_of(gltf_mesh, i));
+        if (geometry && !geometry->mesh.triangles.empty()) {
+          geometry->mesh.material = materials_.material(primitives[i].material);
+          entry->second.push_back(add_mesh(std::move(geometry->mesh)));
+        }
+      }
+    }
+    return entry->second;
+  }
+
+  /// Each node has meshes of its own, as each may bend in its own way.
+  void add_bending(const tinygltf::Node& node, int moved_by, const Eigen::Affine3d& T_world_node) {
+    const auto& primitives = model_.content.meshes[at(node.mesh)].primitives;
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+      auto geometry = read_primitive(reading_, primitives[i], place_of(node.mesh, i));
+      if (!geometry || geometry->mesh.triangles.empty()) {
+        continue;
+      }
+      geometry->mesh.material = materials_.material(primitives[i].material);
+      BendingMesh bending;
+      bending.instance = static_cast<int>(scene_.instances.size());
+      bending.node = moved_by;
+      bending.skin = node.skin == kNone ? kNone : skin(node.skin);
+      VertexJoints joints = joints_of(primitives[i], bending.skin, place_of(node.mesh, i));
+      if (joints.sets == 0) {
+        bending.skin = kNone;
+      }
+      const Mesh& mesh = geometry->mesh;
+      bending.shape = static_cast<int>(scene_.motion.shapes.size());
+      scene_.motion.shapes.push_back({.positions = mesh.positions,
+                                      .normals = mesh.normals,
+                                      .tangents = mesh.tangents,
+                                      .targets = std::move(geometry->targets),
+                                      .followed = std::move(joints)});
+      add_instance({add_mesh(std::move(geometry->mesh)), T_world_node}, moved_by);
+      scene_.motion.bending.push_back(bending);
+    }
+  }
+
+  VertexJoints joints_of(const tinygltf::Primitive& primitive, int skin_index,
+                         const std::string& place) {
+    if (skin_index == kNone) {
+      return {};
+    }
+    VertexJoints joints =
+        read_joints(model_, primitive, scene_.motion.skins[at(skin_index)].joints.size(), place);
+    if (joints.sets == 0) {
+      add_note(reading_.notes, "meshes without joints and weights do not follow their skin");
+    }
+    return joints;
+  }
+
+  int skin(int gltf_index) {
+    int& index = skins_[at(gltf_index)];
+    if (index == kNone) {
+      index = static_cast<int>(scene_.motion.skins.size());
+      scene_.motion.skins.push_back(read_skin(model_, gltf_index, forest_));
+    }
+    return index;
+  }
+
+  void add_light(int index, int moved_by, const Eigen::Affine3d& T_world_light) {
+    const Light light = place_light(model_.content.lights[at(index)], T_world_light);
+    require(light.direction.squaredNorm() > 0, model_.path.string(),
+            ": a light that has a direction is on a node of scale zero, expected a direction");
+    scene_.lights.push_back(light);
+    scene_.motion.light_nodes.push_back(moved_by);
+  }
+
+  void add_camera(const tinygltf::Node& node, int moved_by, const Eigen::Affine3d& T_world_node) {
+    SceneCamera camera = place_camera(model_.content.cameras[at(node.camera)], T_world_node);
+    if (camera.name.empty()) {
+      camera.name = node.name;
+    }
+    scene_.cameras.push_back(camera);
+    scene_.motion.camera_nodes.push_back(moved_by);
+  }
+
+  Scene at_rest() const {
+    if (scene_.motion.bending.empty()) {
+      Scene scene = scene_;
+      scene.motion = {};
+      return scene;
+    }
+    try {
+      return scene_at_rest(scene_);
+    } catch (const vo::Error& error) {
+      vo::fail(model_.path.string(), ": ", error.what());
+    }
+  }
+
+  const GltfModel& model_;
+  MemoryBudget budget_;
+  Scene scene_;
+  GltfReading reading_;
+  MaterialReader materials_;
+  NodeForest forest_;
+  std::vector<Eigen::Affine3d> T_world_node_;  ///< of the forest's
+  std::map<int, std::vector<int>> meshes_;
+  std::vector<int> skins_;
+};
+
+/// Of the scene that is wanted, or all if the file has none.
+std::vector<int> scene_roots(const GltfModel& model, const std::string& wanted) {
+  const std::vector<tinygltf::Scene>& scenes = model.content.scenes;
+  if (scenes.empty() && wanted.empty()) {
+    return root_nodes(model.content);
+  }
+  if (wanted.empty()) {
+    const int chosen = model.content.defaultScene;
+    return scenes[chosen == kNone ? 0 : at(chosen)].nodes;
+  }
+  std::vector<std::string> names;
+  for (const tinygltf::Scene& scene : scenes) {
+    names.push_back(scene.name);
+  }
+  return scenes[at(select_one(wanted, names, "scene", model.path.string()))].nodes;
+}
+
+}  // namespace
+
+Scene read_scene(const GltfModel& model, const GltfOptions& options, Notes& notes) {
+  Scene scene = SceneReader(model, notes).read(options);
+  if (scene.instances.empty()) {
+    add_note(notes, "the scene has no triangles");
+  }
+  return scene;
+}
+
+std::vector<int> scene_nodes(const GltfModel& model, const std::string& wanted) {
+  return nodes_below(model.content, scene_roots(model, wanted));
+}
+
+}  // namespace synth
