@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,5 +37,10 @@ inline constexpr std::size_t kMostGltfBytes = std::size_t{1} << 30U;
 Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options,
                 Notes* notes = nullptr);
 Scene load_gltf(const std::filesystem::path& path, Notes* notes = nullptr);
+
+/// The same of a file's content. `path` names it in messages; its folder is where the file's own
+/// references lead.
+Scene parse_gltf(std::span<const std::uint8_t> content, const std::filesystem::path& path,
+                 const GltfOptions& options = {}, Notes* notes = nullptr);
 
 }  // namespace synth

@@ -8,9 +8,12 @@
 #include <vector>
 
 #include "synth/gltf_check_buffers.h"
+#include "synth/gltf_check_meshes.h"
 #include "synth/gltf_check_motion.h"
 #include "synth/gltf_check_nodes.h"
+#include "synth/gltf_draco.h"
 #include "synth/gltf_json.h"
+#include "synth/gltf_meshopt.h"
 #include "vo/core/error.h"
 
 namespace synth {
@@ -19,15 +22,18 @@ namespace {
 using vo::require;
 
 constexpr std::array kSupportedExtensions = {
-    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_unlit",
-    "KHR_mesh_quantization", "KHR_texture_transform"};
+    "EXT_meshopt_compression", "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",     "KHR_materials_emissive_strength",
+    "KHR_materials_unlit",     "KHR_mesh_quantization",
+    "KHR_texture_transform"};
 
 /// The glTF Transform commands that write a file without the extension.
-constexpr std::array<std::pair<const char*, const char*>, 5> kConversions = {
-    {{"KHR_draco_mesh_compression", "copy"},
-     {"EXT_meshopt_compression", "copy"},
+constexpr std::array<std::pair<const char*, const char*>, 6> kConversions = {
+    {{"KHR_meshopt_compression", "copy"},
+     {"EXT_mesh_gpu_instancing", "uninstance"},
      {"KHR_texture_basisu", "ktxdecompress"},
      {"EXT_texture_webp", "png"},
+     {"EXT_texture_avif", "png"},
      {"KHR_materials_pbrSpecularGlossiness", "metalrough"}}};
 
 std::string expected_instead_of(const std::string& extension) {
@@ -45,7 +51,8 @@ void check_asset(const JsonObject& root) {
   require(version.compare(0, 2, "2.") == 0, asset.place(), ": version is ", version,
           ", expected 2.0");
   const std::string least = asset.text("minVersion").value_or("2.0");
-  require(least == "2.0", asset.place(), ": minVersion is ", least, ", expected 2.0");
+  require(least.compare(0, 2, "2.") == 0, asset.place(), ": minVersion is ", least,
+          ", expected 2.0");
 }
 
 void check_extensions(const JsonObject& root) {
@@ -79,6 +86,10 @@ void check_textures(const JsonObject& root) {
   for (const JsonObject& texture : root.objects("textures")) {
     texture.index("sampler", samplers);
     texture.index("source", images.size());
+    const std::optional<JsonObject> extensions = texture.object("extensions");
+    for (const std::string& name : extensions ? extensions->keys() : std::vector<std::string>()) {
+      extensions->required_object(name).index("source", images.size());
+    }
   }
 }
 
@@ -130,71 +141,6 @@ void check_material(const JsonObject& material, std::size_t textures) {
   }
 }
 
-/// Nothing for attributes that the loader does not read.
-std::vector<std::string> attribute_types(const std::string& name) {
-  if (name == "POSITION" || name == "NORMAL") {
-    return {"VEC3"};
-  }
-  if (name.compare(0, 9, "TEXCOORD_") == 0) {
-    return {"VEC2"};
-  }
-  if (name == "TANGENT") {
-    return {"VEC4"};
-  }
-  if (name == "COLOR_0") {
-    return {"VEC3", "VEC4"};
-  }
-  return {};
-}
-
-void check_attributes(const JsonObject& attributes, const std::vector<JsonObject>& accessors) {
-  std::optional<std::size_t> vertices;
-  if (const auto position = attributes.index("POSITION", accessors.size())) {
-    vertices = accessors[*position].required_whole_number("count");
-  }
-  for (const std::string& name : attributes.keys()) {
-    const JsonObject& accessor = accessors[attributes.required_index(name, accessors.size())];
-    const std::size_t count = accessor.required_whole_number("count");
-    require(!vertices || count == *vertices, attributes.place(), ": ", name, " has ", count,
-            " elements, expected ", vertices.value_or(0), " as POSITION has");
-    const std::vector<std::string> types = attribute_types(name);
-    const std::string type = accessor.required_text("type");
-    require(types.empty() || std::find(types.begin(), types.end(), type) != types.end(),
-            attributes.place(), ": ", name, " is of type ", type, ", expected ",
-            types.empty() ? "" : types.front());
-  }
-}
-
-void check_primitive(const JsonObject& primitive, const std::vector<JsonObject>& accessors,
-                     std::size_t materials) {
-  primitive.index("material", materials);
-  const std::size_t mode = primitive.whole_number("mode").value_or(4);
-  require(mode <= 6, primitive.place(), ": mode is ", mode, ", expected 0 to 6");
-  if (const auto indices = primitive.index("indices", accessors.size())) {
-    const JsonObject& accessor = accessors[*indices];
-    require(accessor.required_text("type") == "SCALAR" &&
-                is_unsigned_component(accessor.required_whole_number("componentType")),
-            primitive.place(), ": indices is accessors[", *indices,
-            "] of another type, expected unsigned SCALAR");
-  }
-  check_attributes(primitive.required_object("attributes"), accessors);
-  for (const JsonObject& target : primitive.objects("targets")) {
-    for (const std::string& name : target.keys()) {
-      target.index(name, accessors.size());
-    }
-  }
-}
-
-void check_meshes(const JsonObject& root) {
-  const std::vector<JsonObject> accessors = root.objects("accessors");
-  const std::size_t materials = root.objects("materials").size();
-  for (const JsonObject& mesh : root.objects("meshes")) {
-    for (const JsonObject& primitive : mesh.objects("primitives")) {
-      check_primitive(primitive, accessors, materials);
-    }
-  }
-}
-
 }  // namespace
 
 bool is_supported_extension(const std::string& name) {
@@ -216,6 +162,8 @@ void check_document(const GltfFile& file) {
   check_meshes(root);
   check_node_graph(root);
   check_motion(root);
+  check_meshopt(root);
+  check_draco(root);
 }
 
 }  // namespace synth

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "synth/gltf.h"
 #include "vo/core/error.h"
 
 namespace synth {
@@ -44,23 +45,24 @@ json parse_json(std::string_view text, const std::string& place) {
   }
 }
 
-std::uint32_t read_uint32(const Bytes& bytes, std::size_t offset) {
+std::uint32_t read_uint32(std::span<const std::uint8_t> bytes, std::size_t offset) {
   return static_cast<std::uint32_t>(bytes[offset]) |
          static_cast<std::uint32_t>(bytes[offset + 1]) << 8U |
          static_cast<std::uint32_t>(bytes[offset + 2]) << 16U |
          static_cast<std::uint32_t>(bytes[offset + 3]) << 24U;
 }
 
-std::string_view as_text(const Bytes& bytes, std::size_t offset, std::size_t size) {
+std::string_view as_text(std::span<const std::uint8_t> bytes, std::size_t offset,
+                         std::size_t size) {
   return {reinterpret_cast<const char*>(bytes.data()) + offset, size};
 }
 
-bool is_glb(const Bytes& bytes) {
+bool is_glb(std::span<const std::uint8_t> bytes) {
   return bytes.size() >= 4 && as_text(bytes, 0, 4) == "glTF";
 }
 
 /// Checks the header and returns the length it states.
-std::size_t glb_length(const Bytes& bytes, const std::string& place) {
+std::size_t glb_length(std::span<const std::uint8_t> bytes, const std::string& place) {
   require(bytes.size() >= kGlbHeader + kChunkHeader, place, ": is a .glb of ", bytes.size(),
           " bytes, expected a header and a JSON chunk");
   const std::uint32_t version = read_uint32(bytes, 4);
@@ -71,7 +73,7 @@ std::size_t glb_length(const Bytes& bytes, const std::string& place) {
   return length;
 }
 
-void read_glb(const Bytes& bytes, GltfFile& file) {
+void read_glb(std::span<const std::uint8_t> bytes, GltfFile& file) {
   const std::string place = file.path.string();
   const std::size_t length = glb_length(bytes, place);
   std::size_t begin = kGlbHeader;
@@ -135,14 +137,16 @@ bool has_control_character(const std::string& name) {
 }  // namespace
 
 GltfFile read_gltf_file(const fs::path& path) {
+  return parse_gltf_file(read_file(path, file_size(path, {}), {}), path);
+}
+
+GltfFile parse_gltf_file(std::span<const std::uint8_t> content, const fs::path& path) {
   GltfFile file;
   file.path = path;
-  const std::string place = path.string();
-  const Bytes bytes = read_file(path, file_size(path, {}), {});
-  if (is_glb(bytes)) {
-    read_glb(bytes, file);
+  if (is_glb(content)) {
+    read_glb(content, file);
   } else {
-    file.json = parse_json(as_text(bytes, 0, bytes.size()), place);
+    file.json = parse_json(as_text(content, 0, content.size()), path.string());
   }
   return file;
 }
@@ -167,6 +171,8 @@ fs::path resolve_uri(const fs::path& folder, const std::string& uri, const std::
 
 Bytes read_file(const fs::path& path, std::size_t size, const std::string& place) {
   const std::size_t available = file_size(path, place);
+  require(size <= kMostGltfBytes, named(path, place), " has ", size, " bytes, expected at most ",
+          kMostGltfBytes);
   require(available >= size, named(path, place), " has ", available, " bytes, expected ", size);
   Bytes bytes(size);
   std::ifstream stream(path, std::ios::binary);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct GltfFile {
 
 /// Tells .gltf and .glb apart by their content. Throws vo::Error.
 GltfFile read_gltf_file(const std::filesystem::path& path);
+GltfFile parse_gltf_file(std::span<const std::uint8_t> content, const std::filesystem::path& path);
 
 /// Whether the URI holds its data itself.
 bool is_data_uri(const std::string& uri);

@@ -50,6 +50,14 @@ Triangles assemble(int mode, const std::vector<std::uint32_t>& corners) {
   return triangles;
 }
 
+/// The index that glTF reserves: the largest of its type.
+std::uint32_t restart_index(const tinygltf::Model& model, int accessor) {
+  const int type = model.accessors[static_cast<std::size_t>(accessor)].componentType;
+  return type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE    ? 0xFFU
+         : type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ? 0xFFFFU
+                                                          : 0xFFFFFFFFU;
+}
+
 std::vector<std::uint32_t> read_corners(const tinygltf::Model& model,
                                         const tinygltf::Primitive& primitive, std::size_t vertices,
                                         const std::string& place) {
@@ -59,7 +67,10 @@ std::vector<std::uint32_t> read_corners(const tinygltf::Model& model,
     return corners;
   }
   corners = read_indices(model, primitive.indices, place);
+  const std::uint32_t restart = restart_index(model, primitive.indices);
   for (std::size_t i = 0; i < corners.size(); ++i) {
+    vo::require(corners[i] != restart, place, ": index ", i, " is ", restart,
+                ", which restarts a primitive, expected none of these");
     vo::require(corners[i] < vertices, place, ": index ", i, " is ", corners[i],
                 ", expected one below the ", vertices, " vertices");
   }

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "synth/gltf_check.h"
+#include "synth/gltf_draco.h"
 #include "synth/gltf_json.h"
+#include "synth/gltf_meshopt.h"
 #include "vo/core/error.h"
 
 namespace synth {
@@ -31,6 +33,9 @@ Bytes decode_data_uri(const std::string& uri, std::optional<std::size_t> size,
 Bytes read_buffer(const GltfFile& file, const JsonObject& buffer, bool is_first) {
   const std::size_t length = buffer.required_whole_number("byteLength");
   const std::optional<std::string> uri = buffer.text("uri");
+  if (!uri && is_meshopt_fallback(buffer)) {
+    return {};
+  }
   if (uri && is_data_uri(*uri)) {
     return decode_data_uri(*uri, length, buffer.place());
   }
@@ -76,6 +81,11 @@ tinygltf::Model parse_structure(nlohmann::json document, const std::string& plac
   for (const char* key : {"buffers", "images", "extras"}) {
     document.erase(key);
   }
+  for (nlohmann::json& mesh : document["meshes"]) {
+    for (nlohmann::json& primitive : mesh["primitives"]) {
+      primitive.erase("indices");  // tinygltf refuses accessors without a view as indices
+    }
+  }
   const std::string text = document.dump();
   require(text.size() <= std::numeric_limits<unsigned>::max(), place, ": its JSON has ",
           text.size(), " bytes, expected at most 4 GB");
@@ -90,6 +100,18 @@ tinygltf::Model parse_structure(nlohmann::json document, const std::string& plac
   return model;
 }
 
+void set_indices(const JsonObject& root, tinygltf::Model& model) {
+  const std::size_t accessors = model.accessors.size();
+  const std::vector<JsonObject> meshes = root.objects("meshes");
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    const std::vector<JsonObject> primitives = meshes[m].objects("primitives");
+    for (std::size_t p = 0; p < primitives.size(); ++p) {
+      const auto indices = primitives[p].index("indices", accessors);
+      model.meshes[m].primitives[p].indices = indices ? static_cast<int>(*indices) : -1;
+    }
+  }
+}
+
 }  // namespace
 
 std::string GltfModel::place(const std::string& array, int index) const {
@@ -100,8 +122,11 @@ GltfModel read_gltf_model(const GltfFile& file) {
   check_document(file);
   const JsonObject root(file.json, file.path.string());
   GltfModel model{file.path, parse_structure(file.json, root.place())};
+  set_indices(root, model.content);
   model.content.buffers = read_buffers(file, root);
   model.content.images = list_images(file, root, model.content.bufferViews.size());
+  decode_meshopt(root, model);
+  decode_draco(root, model);
   return model;
 }
 

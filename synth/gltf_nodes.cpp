@@ -1,5 +1,6 @@
 #include "synth/gltf_nodes.h"
 
+#include <cmath>
 #include <cstddef>
 
 #include "synth/scene.h"
@@ -11,13 +12,20 @@ std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
 
+/// As it is written if it is nearly unit, so that bounds are those that other readers find.
+Eigen::Quaterniond read_rotation(const std::vector<double>& xyzw) {
+  constexpr double kNearlyUnit = 1e-3;
+  const Eigen::Quaterniond rotation(Eigen::Map<const Eigen::Vector4d>(xyzw.data()));
+  return std::abs(rotation.norm() - 1) < kNearlyUnit ? rotation : rotation.normalized();
+}
+
 MotionNode read_node(const tinygltf::Model& model, const tinygltf::Node& source) {
   MotionNode node;
   if (!source.translation.empty()) {
     node.translation = Eigen::Map<const Eigen::Vector3d>(source.translation.data());
   }
   if (!source.rotation.empty()) {
-    node.rotation = Eigen::Map<const Eigen::Quaterniond>(source.rotation.data()).normalized();
+    node.rotation = read_rotation(source.rotation);
   }
   if (!source.scale.empty()) {
     node.scale = Eigen::Map<const Eigen::Vector3d>(source.scale.data());

@@ -27,6 +27,9 @@ using vo::require;
 /// Bounds what nodes that share a mesh of many primitives may multiply to.
 constexpr std::size_t kMostInstances = 1'000'000;
 
+/// A position and a normal, which renderers keep for each vertex of each instance.
+constexpr std::size_t kPlacedVertexBytes = 2 * sizeof(Eigen::Vector3f);
+
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
@@ -38,13 +41,15 @@ class SceneReader {
         reading_{model, notes, budget_},
         materials_(reading_, scene_),
         forest_(read_nodes(model.content)),
-        skins_(model.content.skins.size(), kNone) {}
+        skins_(model.content.skins.size(), kNone),
+        is_read_(model.content.meshes.size(), false) {}
 
   Scene read(const GltfOptions& options) {
     place_nodes();
     for (const int index : scene_nodes(model_, options.scene)) {
       read_node(index);
     }
+    check_the_rest();
     SceneMotion& motion = scene_.motion;
     motion.nodes = forest_.nodes;
     motion.loop = options.loop;
@@ -65,12 +70,33 @@ class SceneReader {
     }
   }
 
+  /// Meshes and skins that no node of the scene uses must be sound too.
+  void check_the_rest() {
+    Notes unused;
+    MemoryBudget budget;
+    GltfReading reading{model_, unused, budget};
+    for (std::size_t m = 0; m < model_.content.meshes.size(); ++m) {
+      const auto& primitives = model_.content.meshes[m].primitives;
+      for (std::size_t i = 0; i < primitives.size() && !is_read_[m]; ++i) {
+        read_primitive(reading, primitives[i], place_of(static_cast<int>(m), i));
+      }
+    }
+    for (std::size_t i = 0; i < skins_.size(); ++i) {
+      if (skins_[i] == kNone) {
+        read_skin(model_, static_cast<int>(i), forest_);
+      }
+    }
+  }
+
   void read_node(int index) {
     const tinygltf::Node& node = model_.content.nodes[at(index)];
     const int moved_by = forest_.of_gltf[at(index)];
     const Eigen::Affine3d& T_world_node = T_world_node_[at(moved_by)];
     require(T_world_node.matrix().allFinite(), model_.place("nodes", index),
             ": its transform overflows, expected finite numbers");
+    if (node.mesh != kNone) {
+      is_read_[at(node.mesh)] = true;
+    }
     if (node.mesh != kNone && (node.skin != kNone || has_targets(node.mesh))) {
       add_bending(node, moved_by, T_world_node);
     } else if (node.mesh != kNone) {
@@ -91,6 +117,8 @@ class SceneReader {
     require(scene_.instances.size() < kMostInstances, model_.path.string(),
             ": has more instances of primitives than ", kMostInstances,
             ", expected at most as many");
+    const std::size_t vertices = scene_.meshes[at(instance.mesh)].positions.size();
+    placed_budget_.take(vertices * kPlacedVertexBytes, model_.path.string());
     scene_.instances.push_back(instance);
     scene_.motion.instance_nodes.push_back(moved_by);
   }
@@ -208,7 +236,7 @@ class SceneReader {
   }
 
   const GltfModel& model_;
-  MemoryBudget budget_;
+  MemoryBudget budget_, placed_budget_;
   Scene scene_;
   GltfReading reading_;
   MaterialReader materials_;
@@ -216,6 +244,7 @@ class SceneReader {
   std::vector<Eigen::Affine3d> T_world_node_;  ///< of the forest's
   std::map<int, std::vector<int>> meshes_;
   std::vector<int> skins_;
+  std::vector<bool> is_read_;  ///< of glTF's meshes
 };
 
 /// Of the scene that is wanted, or all if the file has none.

@@ -44,6 +44,32 @@ cv::Mat_<cv::Vec4b> encode_image(const cv::Mat_<cv::Vec4f>& linear, TexelEncodin
   return image;
 }
 
+cv::Size half_of(const cv::Size& size) {
+  return {std::max(1, size.width / 2), std::max(1, size.height / 2)};
+}
+
+cv::Mat_<cv::Vec4f> halve(const cv::Mat_<cv::Vec4f>& linear) {
+  cv::Mat_<cv::Vec4f> smaller;
+  cv::resize(linear, smaller, half_of(linear.size()), 0, 0, cv::INTER_AREA);
+  return smaller;
+}
+
+/// The first level's linear values are four times its size: where rows come in pairs only a strip
+/// of them is there at a time.
+cv::Mat_<cv::Vec4f> decode_halved(const cv::Mat_<cv::Vec4b>& image, TexelEncoding encoding) {
+  constexpr int kStrip = 64;  // rows
+  if (image.rows % 2 != 0) {
+    return halve(decode_image(image, encoding));
+  }
+  cv::Mat_<cv::Vec4f> halved(half_of(image.size()));
+  for (int begin = 0; begin < image.rows; begin += kStrip) {
+    const int end = std::min(begin + kStrip, image.rows);
+    halve(decode_image(image.rowRange(begin, end), encoding))
+        .copyTo(halved.rowRange(begin / 2, end / 2));
+  }
+  return halved;
+}
+
 /// Brings a coordinate into [0, 1]. What is not a number becomes 0.
 inline float fold(float coordinate, Wrap wrap) {
   if (coordinate >= 0 && coordinate <= 1) {
@@ -129,13 +155,10 @@ TextureImage build_mip_levels(const cv::Mat_<cv::Vec4b>& image, TexelEncoding en
   TextureImage result;
   result.encoding = encoding;
   result.levels.push_back(image);
-  cv::Mat_<cv::Vec4f> linear = decode_image(image, encoding);
-  while (linear.rows > 1 || linear.cols > 1) {
-    const cv::Size half(std::max(1, linear.cols / 2), std::max(1, linear.rows / 2));
-    cv::Mat_<cv::Vec4f> smaller;
-    cv::resize(linear, smaller, half, 0, 0, cv::INTER_AREA);
-    result.levels.push_back(encode_image(smaller, encoding));
-    linear = smaller;
+  cv::Mat_<cv::Vec4f> linear;
+  while (result.levels.back().total() > 1) {
+    linear = linear.empty() ? decode_halved(image, encoding) : halve(linear);
+    result.levels.push_back(encode_image(linear, encoding));
   }
   return result;
 }

@@ -21,6 +21,8 @@ MAY_INCLUDE = {  # layer: what it may include beside itself
 ONLY_IN = {  # third-party header: the files that may name it
     "embree3/": ["synth/embree_scene"],
     "tiny_gltf.h": ["synth/gltf"],
+    "draco/": ["synth/gltf_draco.cpp"],
+    "meshoptimizer.h": ["synth/gltf_meshopt.cpp"],
     "toml++/": ["vo/io/toml_file.cpp"],
     "png.h": ["vo/io/png.cpp"],
     "zlib.h": ["vo/io/gzip.cpp"],

@@ -16,6 +16,7 @@ namespace {
 
 constexpr const char* kDescription =
     "Edge-direct visual odometry and its synthetic RGB-D laboratory.\n\n"
+    "  edvo inspect      what a glTF scene holds\n"
     "  edvo render       a glTF scene and a camera path -> an RGB-D sequence with exact poses\n"
     "  edvo path         what a camera path does in a scene: clearance, speed, flow, blank views\n"
     "  edvo convert      an RGB-D sequence -> TUM, EuRoC or ICL-NUIM\n"
@@ -38,6 +39,7 @@ int run(int argc, char** argv) {
   program.set_version_flag("--version", std::string("edvo ") + tools::version());
   program.require_subcommand(1);
   int exit_code = tools::exit_code::kOk;
+  tools::add_inspect_command(program, exit_code);
   tools::add_render_command(program, exit_code);
   tools::add_path_command(program, exit_code);
   tools::add_convert_command(program, exit_code);

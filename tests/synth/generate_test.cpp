@@ -105,5 +105,42 @@ TEST(GenerateSequence, NeedsAPose) {
   EXPECT_THAT(error_text(generate_nothing), HasSubstr("no poses to render"));
 }
 
+/// A wall 2 m away at first, and 4 m away after a second.
+Scene receding_wall() {
+  Scene scene;
+  add(scene, square_at(2, 9), diffuse({0.7F, 0.7F, 0.7F}));
+  scene.motion.nodes.resize(1);
+  scene.motion.instance_nodes = {0};
+  scene.motion.animations = {
+      {.duration = 1,
+       .channels = {{.property = AnimatedProperty::translation,
+                     .curve = {.width = 3, .times = {0, 1}, .values = {0, 0, 0, 0, 0, 2}}}}}};
+  return scene;
+}
+
+TEST(GenerateSequence, MovesTheSceneFromTheFirstStampOn) {
+  const support::TempFolder folder;
+  const vo::Trajectory truth = {{1e9, {}}, {1e9 + 0.5, {}}, {1e9 + 2, {}}};
+  generate_sequence(receding_wall(),
+                    {.truth = truth, .camera = kCamera, .float_depth = vo::FloatDepth::npy},
+                    folder.path(), {});
+  const std::vector<float> expected = {2, 3, 4};  // m
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const fs::path file = folder.path() / ("depth_float/00000" + std::to_string(i) + ".npy");
+    EXPECT_NEAR(vo::read_npy(file)(24, 32), expected[i], 1e-6) << "frame " << i;
+  }
+}
+
+TEST(GenerateSequence, AFrameOfAMovingSceneDependsOnItsIndexAlone) {
+  const support::TempFolder all;
+  const support::TempFolder last;
+  const SequenceRecipe recipe{.truth = {{5, {}}, {5.25, {}}, {5.75, {}}}, .camera = kCamera};
+  generate_frames(receding_wall(), recipe, {0, 1, 2}, all.path(), {});
+  generate_frames(receding_wall(), recipe, {2}, last.path(), {});
+  for (const std::string& file : frame_files(recipe, 2)) {
+    EXPECT_EQ(vo::read_file(all.path() / file), vo::read_file(last.path() / file)) << file;
+  }
+}
+
 }  // namespace
 }  // namespace synth

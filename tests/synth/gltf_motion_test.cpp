@@ -37,12 +37,13 @@ Scene load(const GltfDocument& document, const GltfOptions& options = {}, Notes*
   return load_gltf(document.write(folder), options, notes);
 }
 
-/// Adds to an animation a channel with keys at whole seconds.
+/// Adds to an animation a channel with keys at whole seconds; weights are those of two targets.
 void animate(GltfDocument& document, int node, const std::string& path,
              const std::vector<float>& values, const std::string& interpolation = "LINEAR") {
   const std::size_t width = path == "weights" ? 1 : path == "rotation" ? 4 : 3;
   const std::size_t rows = values.size() / width;
-  const std::size_t keys = interpolation == "CUBICSPLINE" ? rows / 3 : rows;
+  const std::size_t keys =
+      rows / ((interpolation == "CUBICSPLINE" ? 3 : 1) * (path == "weights" ? 2 : 1));
   std::vector<float> times;
   for (std::size_t i = 0; i < keys; ++i) {
     times.push_back(static_cast<float>(i));

@@ -193,6 +193,7 @@ void add_render_command(CLI::App& program, int& /*exit_code*/) {
   synth::TruthOptions& truth = arguments->job.recipe.channels;
   add_field_options(command, vo::fields_of(truth.edges, "edges."), "Ground truth");
   add_field_options(command, vo::fields_of(truth.imu, "imu."), "Ground truth");
+  add_field_options(command, vo::fields_of(arguments->job.file), "Scene");
   add_field_options(command, render_fields(arguments->job), "Rendering");
   add_common_options(command, arguments->common);
   command.callback([arguments] { render(*arguments); });

@@ -35,7 +35,7 @@ void measure(const synth::Scene& scene, const RenderJob& job,
 
 RenderPlan plan_sequence(const RenderJob& job, const std::filesystem::path& folder) {
   const double start_ms = processor_ms();
-  const synth::Scene scene = synth::load_gltf(job.scene, nullptr);
+  const synth::Scene scene = synth::load_gltf(job.scene, job.file);
   const double loading_s = kSecondsPerMs * (processor_ms() - start_ms);
   const std::size_t frames = frames_of(job.share, job.recipe.truth.size()).size();
   const std::vector<std::size_t> missing = frames_to_render(job, scene, folder);

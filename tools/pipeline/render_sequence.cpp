@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "synth/gltf.h"
 #include "synth/scene_hash.h"
 #include "tools/version.h"
 #include "vo/core/error.h"
@@ -131,7 +130,7 @@ RenderOutcome render_sequence(const RenderJob& job, const fs::path& folder,
   job.recipe.camera.validate();
   share_of(job);  // throws before any work
   RenderOutcome outcome{.folder = folder};
-  const synth::Scene scene = synth::load_gltf(job.scene, &outcome.notes);
+  const synth::Scene scene = synth::load_gltf(job.scene, job.file, &outcome.notes);
   const std::string manifest = format_manifest(job, scene);
   if (holds(folder, manifest, job)) {
     outcome.was_there = true;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "synth/generate.h"
+#include "synth/gltf.h"
 #include "tools/pipeline/frame_share.h"
 #include "vo/core/progress.h"
 #include "vo/io/output.h"
@@ -15,6 +16,7 @@ namespace tools {
 /// All that determines a synthetic sequence, and how much of it to render now.
 struct RenderJob {
   std::filesystem::path scene;
+  synth::GltfOptions file;  ///< which part of the scene's file
   synth::SequenceRecipe recipe;
   FrameShare share;
 };

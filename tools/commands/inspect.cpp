@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <numbers>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "synth/gltf_summary.h"
+#include "synth/scene_motion.h"
+#include "tools/cli/options.h"
+#include "tools/commands/commands.h"
+
+namespace tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr const char* kHelp =
+    "Reads a glTF 2.0 scene and says what is in it. triangles, draw_calls and vertices are those "
+    "of\n"
+    "the file, each primitive once, as the Khronos validator counts; bounds are those of the "
+    "scene's\n"
+    "meshes where their nodes put them, before skins and morph targets; bounds_at_rest is what is\n"
+    "rendered. Lengths in m, world: right-handed, y up. Exit code 3 and a sentence if it cannot "
+    "be\n"
+    "read.";
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  edvo inspect room.gltf\n"
+    "  edvo inspect fox.glb --animation Walk --json";
+
+struct InspectArguments {
+  CommonOptions common;
+  std::string scene;
+  synth::GltfOptions options;
+};
+
+ordered_json as_json(const Eigen::Vector3d& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+ordered_json as_json(const Eigen::AlignedBox3d& box) {
+  if (box.isEmpty()) {
+    return nullptr;
+  }
+  return {{"min", as_json(box.min())}, {"max", as_json(box.max())}};
+}
+
+const char* name_of(synth::LightKind kind) {
+  return kind == synth::LightKind::point  ? "point"
+         : kind == synth::LightKind::spot ? "spot"
+                                          : "directional";
+}
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+ordered_json as_json(const synth::Light& light) {
+  ordered_json json = {{"kind", name_of(light.kind)},
+                       {"intensity", as_json(Eigen::Vector3d(light.intensity.cast<double>()))}};
+  if (light.kind != synth::LightKind::directional) {
+    json["position"] = as_json(light.position);
+  }
+  if (light.kind != synth::LightKind::point) {
+    json["direction"] = as_json(light.direction);
+  }
+  return json;
+}
+
+ordered_json as_json(const synth::SceneCamera& camera) {
+  const Eigen::Quaterniond& q = camera.T_world_camera.rotation();
+  return {{"name", camera.name},
+          {"position", as_json(camera.T_world_camera.translation())},
+          {"rotation_xyzw", {q.x(), q.y(), q.z(), q.w()}},
+          {"vertical_fov_deg", camera.vertical_fov * kDegrees}};
+}
+
+ordered_json as_json(const synth::AnimationSummary& animation) {
+  return {
+      {"name", animation.name}, {"duration", animation.duration}, {"channels", animation.channels}};
+}
+
+template <typename Element>
+ordered_json list(const std::vector<Element>& elements) {
+  ordered_json json = ordered_json::array();
+  for (const Element& element : elements) {
+    json.push_back(as_json(element));
+  }
+  return json;
+}
+
+std::size_t count_moving(const synth::Scene& scene) {
+  const std::vector<bool> moving = synth::moving_instances(scene);
+  return static_cast<std::size_t>(std::count(moving.begin(), moving.end(), true));
+}
+
+ordered_json as_json(const InspectArguments& arguments, const synth::GltfSummary& summary) {
+  return {{"scene", arguments.scene},
+          {"triangles", summary.triangles},
+          {"draw_calls", summary.draw_calls},
+          {"vertices", summary.vertices},
+          {"bounds", as_json(summary.bounds)},
+          {"bounds_at_rest", as_json(summary.bounds_at_rest)},
+          {"scenes", summary.scenes},
+          {"nodes", summary.nodes},
+          {"instances", summary.scene.instances.size()},
+          {"moving_instances", count_moving(summary.scene)},
+          {"materials", summary.materials},
+          {"textures", summary.textures},
+          {"images", summary.images},
+          {"skins", summary.skins},
+          {"lights", list(summary.scene.lights)},
+          {"cameras", list(summary.scene.cameras)},
+          {"animations", list(summary.animations)},
+          {"extensions_used", summary.extensions_used},
+          {"extensions_required", summary.extensions_required},
+          {"notes", summary.notes}};
+}
+
+std::string as_text(const Eigen::AlignedBox3d& box) {
+  if (box.isEmpty()) {
+    return "none";
+  }
+  return vo::concat(box.min().transpose(), "  to  ", box.max().transpose(), "  m");
+}
+
+std::string as_text(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) {
+    text += (text.empty() ? "" : ", ") + (name.empty() ? "(unnamed)" : name);
+  }
+  return names.empty() ? "none" : text;
+}
+
+void print_table(const synth::GltfSummary& summary) {
+  std::vector<std::string> animations;
+  for (const synth::AnimationSummary& animation : summary.animations) {
+    animations.push_back(vo::concat(animation.name, " (", animation.duration, " s)"));
+  }
+  std::vector<std::string> cameras;
+  for (const synth::SceneCamera& camera : summary.scene.cameras) {
+    cameras.push_back(camera.name);
+  }
+  std::cout << "triangles       " << summary.triangles << " in " << summary.draw_calls
+            << " draw calls, " << summary.vertices << " vertices\n"
+            << "instances       " << summary.scene.instances.size() << ", "
+            << count_moving(summary.scene) << " moving\n"
+            << "bounds          " << as_text(summary.bounds) << "\n"
+            << "bounds at rest  " << as_text(summary.bounds_at_rest) << "\n"
+            << "scenes          " << as_text(summary.scenes) << "\n"
+            << "materials       " << as_text(summary.materials) << "\n"
+            << "textures        " << summary.textures << " of " << summary.images << " images\n"
+            << "lights          " << summary.scene.lights.size() << "\n"
+            << "cameras         " << as_text(cameras) << "\n"
+            << "animations      " << as_text(animations) << "\n"
+            << "extensions      " << as_text(summary.extensions_used) << "\n"
+            << "  required      " << as_text(summary.extensions_required) << "\n";
+  for (const std::string& note : summary.notes) {
+    std::cout << "note            " << note << "\n";
+  }
+}
+
+void inspect(const InspectArguments& arguments) {
+  const synth::GltfSummary summary = synth::summarize_gltf(arguments.scene, arguments.options);
+  if (arguments.common.json) {
+    std::cout
+        << as_json(arguments, summary).dump(2, ' ', false, ordered_json::error_handler_t::replace)
+        << "\n";
+  } else {
+    print_table(summary);
+  }
+}
+
+}  // namespace
+
+void add_inspect_command(CLI::App& program, int& /*exit_code*/) {
+  CLI::App& command = *program.add_subcommand("inspect", kHelp);
+  const auto arguments = std::make_shared<InspectArguments>();
+  command.footer(kExamples);
+  command.add_option("SCENE", arguments->scene, "glTF 2.0 file, .gltf or .glb")->required();
+  add_field_options(command, vo::fields_of(arguments->options), "File");
+  add_common_options(command, arguments->common);
+  command.callback([arguments] { inspect(*arguments); });
+}
+
+}  // namespace tools
