@@ -127,7 +127,8 @@ TEST(GenerateSequence, MovesTheSceneFromTheFirstStampOn) {
   const std::vector<float> expected = {2, 3, 4};  // m
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const fs::path file = folder.path() / ("depth_float/00000" + std::to_string(i) + ".npy");
-    EXPECT_NEAR(vo::read_npy(file)(24, 32), expected[i], 1e-6) << "frame " << i;
+    const cv::Mat_<float> depth = vo::read_npy(file);
+    EXPECT_NEAR(depth(24, 32), expected[i], 1e-6) << "frame " << i;
   }
 }
 
