@@ -1,5 +1,6 @@
 #include "synth/embree_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -12,9 +13,9 @@
 namespace synth {
 namespace {
 
-constexpr float kNear = 0.01F;  // m along the optical axis
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr std::uint64_t kInstants = 0x1257;  // the purpose of their random numbers
+constexpr float kNear = 0.01F;               // m along the optical axis
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 struct ReleaseGeometry {
   void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
@@ -28,7 +29,44 @@ void keep_first_error(void* message, RTCError /*code*/, const char* text) {
   }
 }
 
-void attach(RTCDevice device, RTCScene hierarchy, const FlatMesh& flat, unsigned index) {
+/// There are no instances, so the context's place for them tells the filter what the query sees;
+/// Embree's own initial value means solid surfaces alone.
+constexpr unsigned kSeesLayers = 0;
+
+RTCIntersectContext coherent_context(Sight sight) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  if (sight == Sight::layers) {
+    context.instID[0] = kSeesLayers;
+  }
+  return context;
+}
+
+/// Lets rays pass where the alpha says that nothing is.
+void drop_invisible(const RTCFilterFunctionNArguments* arguments) {
+  const auto& flat = *static_cast<const FlatScene*>(arguments->geometryUserPtr);
+  const bool sees_layers = arguments->context->instID[0] == kSeesLayers;
+  const unsigned count = arguments->N;
+  for (unsigned i = 0; i < count; ++i) {
+    if (arguments->valid[i] != -1) {
+      continue;
+    }
+    const float u = RTCHitN_u(arguments->hit, count, i);
+    const float v = RTCHitN_v(arguments->hit, count, i);
+    const SurfaceHit hit{.mesh = static_cast<int>(RTCHitN_geomID(arguments->hit, count, i)),
+                         .triangle = static_cast<int>(RTCHitN_primID(arguments->hit, count, i)),
+                         .weights = {1 - u - v, u, v}};
+    const Material& material = *flat.meshes[static_cast<std::size_t>(hit.mesh)].material;
+    const bool is_layer = material.alpha_mode == AlphaMode::blend && sees_layers;
+    if (!is_layer && surface_alpha(flat, hit) < solid_from(material)) {
+      arguments->valid[i] = 0;
+    }
+  }
+}
+
+void attach(RTCDevice device, RTCScene hierarchy, const FlatScene& scene, unsigned index) {
+  const FlatMesh& flat = scene.meshes[index];
   const Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
   rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                              flat.positions.data(), 0, sizeof(Eigen::Vector3f),
@@ -36,35 +74,61 @@ void attach(RTCDevice device, RTCScene hierarchy, const FlatMesh& flat, unsigned
   rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                              flat.mesh->triangles.data(), 0, sizeof(flat.mesh->triangles[0]),
                              flat.mesh->triangles.size());
+  if (flat.material->alpha_mode != AlphaMode::opaque) {
+    rtcSetGeometryUserData(geometry.get(), const_cast<FlatScene*>(&scene));  // only read
+    rtcSetGeometryIntersectFilterFunction(geometry.get(), drop_invisible);
+    rtcSetGeometryOccludedFilterFunction(geometry.get(), drop_invisible);
+  }
   rtcCommitGeometry(geometry.get());
   rtcAttachGeometryByID(hierarchy, geometry.get(), index);
 }
 
-RTCIntersectContext coherent_context() {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  return context;
-}
-
-/// `reach` is in lengths of the direction.
-void aim(RTCRay& ray, const Eigen::Vector3f& from, const Eigen::Vector3f& direction, float near,
-         float reach) {
-  ray.org_x = from.x();
-  ray.org_y = from.y();
-  ray.org_z = from.z();
-  ray.dir_x = direction.x();
-  ray.dir_y = direction.y();
-  ray.dir_z = direction.z();
-  ray.tnear = near;
-  ray.tfar = reach;
+void aim(RTCRay& ray, const Aim& aim) {
+  ray.org_x = aim.from.x();
+  ray.org_y = aim.from.y();
+  ray.org_z = aim.from.z();
+  ray.dir_x = aim.direction.x();
+  ray.dir_y = aim.direction.y();
+  ray.dir_z = aim.direction.z();
+  ray.tnear = aim.near;
+  ray.tfar = aim.reach;
   ray.mask = std::numeric_limits<unsigned>::max();
 }
 
-/// World axes; 1 along the optical axis, so that multiples of it are depths.
-Eigen::Vector3d direction(const vo::PinholeCamera& camera, const Eye& eye,
-                          const Eigen::Vector2d& pixel) {
-  return eye.R_world_camera * camera.unproject(pixel, 1);
+void aim_lane(RTCRay16& rays, int lane, const Aim& aim) {
+  rays.org_x[lane] = aim.from.x();
+  rays.org_y[lane] = aim.from.y();
+  rays.org_z[lane] = aim.from.z();
+  rays.dir_x[lane] = aim.direction.x();
+  rays.dir_y[lane] = aim.direction.y();
+  rays.dir_z[lane] = aim.direction.z();
+  rays.tnear[lane] = aim.near;
+  rays.tfar[lane] = aim.reach;
+  rays.time[lane] = 0;
+  rays.mask[lane] = std::numeric_limits<unsigned>::max();
+}
+
+/// Embree's way to say which lanes hold a ray: -1 in them.
+struct LaneMask {
+  explicit LaneMask(int size) {
+    std::fill_n(valid.begin(), size, -1);
+    std::fill(valid.begin() + size, valid.end(), 0);
+  }
+  alignas(64) std::array<int, kPacketSize> valid;
+};
+
+Aim aim_at(const SurfacePoint& point, const DirectLight& direct, const PlacedLight& light) {
+  return {point.position + point.rounding * point.face_normal, direct.to_light, 0,
+          light.has_place() ? 1 : kInfinity};
+}
+
+Eigen::Matrix3d inverse_of_intrinsics(const vo::PinholeCamera& camera) {
+  Eigen::Matrix3d result = Eigen::Matrix3d::Identity();
+  result(0, 0) = 1 / camera.fx;
+  result(1, 1) = 1 / camera.fy;
+  result(0, 2) = -camera.cx / camera.fx;
+  result(1, 2) = -camera.cy / camera.fy;
+  return result;
 }
 
 }  // namespace
@@ -75,8 +139,9 @@ EmbreeScene::EmbreeScene(const FlatScene& flat) : device_(rtcNewDevice(nullptr))
   rtcSetDeviceErrorFunction(device_.get(), keep_first_error, &error);
   hierarchy_.reset(rtcNewScene(device_.get()));
   rtcSetSceneFlags(hierarchy_.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(hierarchy_.get(), RTC_BUILD_QUALITY_HIGH);
   for (unsigned i = 0; i < flat.meshes.size(); ++i) {
-    attach(device_.get(), hierarchy_.get(), flat.meshes[i], i);
+    attach(device_.get(), hierarchy_.get(), flat, i);
   }
   rtcCommitScene(hierarchy_.get());
   rtcSetDeviceErrorFunction(device_.get(), nullptr, nullptr);
@@ -84,15 +149,33 @@ EmbreeScene::EmbreeScene(const FlatScene& flat) : device_(rtcNewDevice(nullptr))
 }
 
 void EmbreeScene::intersect(std::vector<RTCRayHit>& rays) const {
-  RTCIntersectContext context = coherent_context();
+  RTCIntersectContext context = coherent_context(Sight::solid);
   rtcIntersect1M(hierarchy_.get(), &context, rays.data(), static_cast<unsigned>(rays.size()),
                  sizeof(RTCRayHit));
 }
 
 void EmbreeScene::occlude(std::vector<RTCRay>& rays) const {
-  RTCIntersectContext context = coherent_context();
+  RTCIntersectContext context = coherent_context(Sight::solid);
   rtcOccluded1M(hierarchy_.get(), &context, rays.data(), static_cast<unsigned>(rays.size()),
                 sizeof(RTCRay));
+}
+
+void EmbreeScene::intersect(HitPacket& packet, Sight sight) const {
+  RTCIntersectContext context = coherent_context(sight);
+  const LaneMask mask(packet.size);
+  rtcIntersect16(mask.valid.data(), hierarchy_.get(), &context, &packet.lanes);
+}
+
+void EmbreeScene::occlude(ShadowPacket& packet) const {
+  RTCIntersectContext context = coherent_context(Sight::solid);
+  const LaneMask mask(packet.size);
+  rtcOccluded16(mask.valid.data(), hierarchy_.get(), &context, &packet.lanes);
+}
+
+void add_ray(HitPacket& packet, const Aim& aim) {
+  const int lane = packet.size++;
+  aim_lane(packet.lanes.ray, lane, aim);
+  packet.lanes.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
 }
 
 bool has_hit(const RTCRayHit& ray) {
@@ -110,58 +193,110 @@ SurfaceHit surface_hit(const RTCHit& hit) {
 }
 
 void aim_along(RTCRayHit& ray, const Eigen::Vector3f& from, const Eigen::Vector3f& direction) {
-  aim(ray.ray, from, direction, kNear, kInfinity);
+  aim(ray.ray, {from, direction, kNear});
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
 }
 
 void aim_at_light(RTCRay& ray, const SurfacePoint& point, const DirectLight& direct,
-                  const Light& light) {
-  const Eigen::Vector3f start = point.position + point.rounding * point.face_normal;
-  aim(ray, start, direct.to_light, 0, light.kind == LightKind::directional ? kInfinity : 1);
+                  const PlacedLight& light) {
+  aim(ray, aim_at(point, direct, light));
+}
+
+void add_ray_to_light(ShadowPacket& packet, const SurfacePoint& point, const DirectLight& direct,
+                      const PlacedLight& light) {
+  aim_lane(packet.lanes, packet.size, aim_at(point, direct, light));
+  ++packet.size;
+}
+
+std::vector<PixelCell> grid_of_cells(int per_edge) {
+  constexpr double kPlastic = 1.32471795724474602596;  // x^3 = x + 1
+  std::vector<PixelCell> cells;
+  for (int y = 0; y < per_edge; ++y) {
+    for (int x = 0; x < per_edge; ++x) {
+      cells.push_back({{(x + 0.5) / per_edge - 0.5, (y + 0.5) / per_edge - 0.5},
+                       x / kPlastic + y / (kPlastic * kPlastic)});
+    }
+  }
+  return cells;
 }
 
 View::View(const FlatScene& flat, const Shot& shot)
-    : flat_(flat), shot_(shot), eyes_(shot), instants_(shot.seed, kInstants, 0) {}
+    : flat_(flat),
+      shot_(shot),
+      eyes_(shot),
+      instants_(shot.seed, kInstants, 0),
+      pixel_width_(static_cast<float>(1 / std::sqrt(std::abs(shot.camera.fx * shot.camera.fy)))) {
+  if (!shot.camera.distortion.is_zero()) {
+    return;
+  }
+  const Eigen::Matrix3d inverse_K = inverse_of_intrinsics(shot.camera);
+  const int rows = is_at_rest() ? 1 : shot.camera.height;
+  for (int v = 0; v < rows; ++v) {
+    const Eye& eye = eyes_.of_row(v);
+    pencils_.push_back(
+        {eye.R_world_camera * inverse_K, (eye.position - flat.origin).cast<float>()});
+  }
+}
 
-void View::aim_from(const Eye& eye, const Eigen::Vector2d& pixel, RTCRayHit& ray) const {
-  aim(ray.ray, (eye.position - flat_.origin).cast<float>(),
-      direction(shot_.camera, eye, pixel).cast<float>(), kNear, kInfinity);
-  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+/// World axes; 1 along the optical axis, so that multiples of it are depths.
+Eigen::Vector3d View::direction(const Eye& eye, const Eigen::Vector2d& pixel) const {
+  return eye.R_world_camera * shot_.camera.unproject(pixel, 1);
+}
+
+Aim View::aim_from(const Eye& eye, const Eigen::Vector2d& pixel) const {
+  return {(eye.position - flat_.origin).cast<float>(), direction(eye, pixel).cast<float>(), kNear};
+}
+
+Aim View::aim_from_row(int v, const Eigen::Vector2d& pixel) const {
+  if (pencils_.empty()) {
+    return aim_from(eyes_.of_row(v), pixel);
+  }
+  const Pencil& pencil = pencils_[pencils_.size() == 1 ? 0 : static_cast<std::size_t>(v)];
+  const Eigen::Matrix3d& M = pencil.direction_from_pixel;
+  const Eigen::Vector3d direction = M.col(0) * pixel.x() + M.col(1) * pixel.y() + M.col(2);
+  return {pencil.start, direction.cast<float>(), kNear};
 }
 
 void View::aim_at_centre(const cv::Point& pixel, RTCRayHit& ray) const {
-  aim_from(eyes_.of_row(pixel.y), {pixel.x, pixel.y}, ray);
+  aim(ray.ray, aim_from_row(pixel.y, {pixel.x, pixel.y}));
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
 }
 
-/// The instants' differences are the terms of Roberts' R2 sequence.
-void View::aim_at_cell(const cv::Point& pixel, const cv::Point& cell, int grid,
-                       RTCRayHit& ray) const {
-  const Eigen::Vector2d place(pixel.x + (cell.x + 0.5) / grid - 0.5,
-                              pixel.y + (cell.y + 0.5) / grid - 0.5);
+void View::add_ray_at_centre(const cv::Point& pixel, HitPacket& packet) const {
+  add_ray(packet, aim_from_row(pixel.y, {pixel.x, pixel.y}));
+}
+
+void View::add_ray_at_cell(const cv::Point& pixel, const PixelCell& cell, HitPacket& packet) const {
+  const Eigen::Vector2d place(pixel.x + cell.offset.x(), pixel.y + cell.offset.y());
   if (shot_.shutter.exposure_time == 0) {
-    aim_from(eyes_.of_row(pixel.y), place, ray);
+    add_ray(packet, aim_from_row(pixel.y, place));
     return;
   }
-  constexpr double kPlastic = 1.32471795724474602596;  // x^3 = x + 1
-  const double share =
-      instants_.uniform(pixel.x, pixel.y) + cell.x / kPlastic + cell.y / (kPlastic * kPlastic);
-  aim_from(eyes_.during_row(pixel.y, share - std::floor(share)), place, ray);
+  const double share = instants_.uniform(pixel.x, pixel.y) + cell.instant;
+  add_ray(packet, aim_from(eyes_.during_row(pixel.y, share - std::floor(share)), place));
+}
+
+DepthPlane View::plane_of(int mesh, int triangle, int v) const {
+  const Eye& eye = eyes_.of_row(v);
+  return depth_plane(flat_.meshes[mesh], triangle, eye.position, eye.R_world_camera.col(2));
+}
+
+std::optional<double> View::depth_of(const DepthPlane& plane, const cv::Point& pixel) const {
+  return plane.depth_along(direction(eyes_.of_row(pixel.y), {pixel.x, pixel.y}));
 }
 
 float View::exact_depth(const cv::Point& pixel, const RTCRayHit& ray) const {
-  const Eye& eye = eyes_.of_row(pixel.y);
-  const DepthRay exact{eye.position,
-                       direction(shot_.camera, eye, Eigen::Vector2d(pixel.x, pixel.y)),
-                       eye.R_world_camera.col(2)};
-  const std::optional<double> depth =
-      depth_of_plane(flat_.meshes[ray.hit.geomID], static_cast<int>(ray.hit.primID), exact);
+  const DepthPlane plane =
+      plane_of(static_cast<int>(ray.hit.geomID), static_cast<int>(ray.hit.primID), pixel.y);
+  const std::optional<double> depth = depth_of(plane, pixel);
   return depth ? static_cast<float>(*depth) : ray.ray.tfar;
 }
 
-cv::Vec3f View::normal(const cv::Point& pixel, const RTCRayHit& ray) const {
-  const Eigen::Vector3f across(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z);
-  const Eigen::Vector3f along(ray.ray.dir_x, ray.ray.dir_y, ray.ray.dir_z);
-  const Eigen::Vector3f outward = across.dot(along) > 0 ? Eigen::Vector3f(-across) : across;
+cv::Vec3f View::normal(const cv::Point& pixel, const HitPacket& packet, int lane) const {
+  const RTCHit16& hit = packet.lanes.hit;
+  const Eigen::Vector3f across(hit.Ng_x[lane], hit.Ng_y[lane], hit.Ng_z[lane]);
+  const Eigen::Vector3f outward =
+      across.dot(packet.direction(lane)) > 0 ? Eigen::Vector3f(-across) : across;
   const Eigen::Vector3f unit =
       R_world_camera(pixel.y).transpose().cast<float>() * outward.normalized();
   return {unit.x(), unit.y(), unit.z()};

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -15,6 +19,38 @@
 
 namespace synth {
 
+inline constexpr int kPacketSize = 16;
+
+/// Rays that go nearly the same way and are traced together: the first `size` lanes.
+struct HitPacket {
+  RTCRayHit16 lanes;
+  int size = 0;
+
+  bool has_hit(int lane) const { return lanes.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID; }
+  int mesh(int lane) const { return static_cast<int>(lanes.hit.geomID[lane]); }
+  int triangle(int lane) const { return static_cast<int>(lanes.hit.primID[lane]); }
+  Eigen::Vector3f weights(int lane) const {  ///< of the triangle's vertices
+    const float u = lanes.hit.u[lane];
+    const float v = lanes.hit.v[lane];
+    return {1 - u - v, u, v};
+  }
+  Eigen::Vector3f direction(int lane) const {
+    return {lanes.ray.dir_x[lane], lanes.ray.dir_y[lane], lanes.ray.dir_z[lane]};
+  }
+};
+
+/// Rays towards one light.
+struct ShadowPacket {
+  RTCRay16 lanes;
+  int size = 0;
+
+  bool is_occluded(int lane) const { return lanes.tfar[lane] < 0; }  ///< after `occlude`
+};
+
+/// What a ray stops at: what depth, shadows and labels see, where alpha is at or above a mask's
+/// cutoff or half of a blended surface; or every layer that colour is blended of.
+enum class Sight { solid, layers };
+
 /// Finds what rays hit. The flat scene must outlive it.
 class EmbreeScene {
  public:
@@ -25,6 +61,9 @@ class EmbreeScene {
 
   /// Whether each ray hits anything: see `is_occluded`.
   void occlude(std::vector<RTCRay>& rays) const;
+
+  void intersect(HitPacket& packet, Sight sight) const;
+  void occlude(ShadowPacket& packet) const;
 
   RTCScene hierarchy() const { return hierarchy_.get(); }
 
@@ -42,12 +81,35 @@ bool has_hit(const RTCRayHit& ray);
 bool is_occluded(const RTCRay& ray);  ///< after `occlude`
 SurfaceHit surface_hit(const RTCHit& hit);
 
+/// Where a ray goes; `near` and `reach` are in lengths of the direction.
+struct Aim {
+  Eigen::Vector3f from;  ///< m, in the flat scene's coordinates
+  Eigen::Vector3f direction;
+  float near = 0;
+  float reach = std::numeric_limits<float>::infinity();
+};
+
+void add_ray(HitPacket& packet, const Aim& aim);
+
 /// A ray from a point of the flat scene along a direction that is 1 along the optical axis.
 void aim_along(RTCRayHit& ray, const Eigen::Vector3f& from, const Eigen::Vector3f& direction);
 
 /// A ray from a surface point to the light that `direct` is about.
 void aim_at_light(RTCRay& ray, const SurfacePoint& point, const DirectLight& direct,
-                  const Light& light);
+                  const PlacedLight& light);
+
+void add_ray_to_light(ShadowPacket& packet, const SurfacePoint& point, const DirectLight& direct,
+                      const PlacedLight& light);
+
+/// One of the equal squares that a pixel's colour is sampled in.
+struct PixelCell {
+  Eigen::Vector2d offset;  ///< px, of its centre from the pixel's
+  double instant = 0;      ///< share of the exposure after the pixel's first; counts round
+};
+
+/// Row by row. The instants are spread evenly over the exposure, along rows and columns too: their
+/// differences are the terms of Roberts' R2 sequence.
+std::vector<PixelCell> grid_of_cells(int per_edge);
 
 /// A shot of a flat scene. Both must outlive it.
 class View {
@@ -56,29 +118,48 @@ class View {
 
   const vo::PinholeCamera& camera() const { return shot_.camera; }
   Eigen::Matrix3d R_world_camera(int v) const { return eyes_.of_row(v).R_world_camera; }
+  std::uint64_t seed() const { return shot_.seed; }
+  float pixel_width() const { return pixel_width_; }  ///< m at 1 m
+
+  /// Whether all rows are seen from one place.
+  bool is_at_rest() const { return shot_.shutter.readout_time == 0; }
 
   /// Through a pixel's centre in the middle of its exposure.
   void aim_at_centre(const cv::Point& pixel, RTCRayHit& ray) const;
+  void add_ray_at_centre(const cv::Point& pixel, HitPacket& packet) const;
 
-  /// Through the centre of one of the pixel's grid x grid cells, at an instant of its exposure that
-  /// is the cell's own: they are spread evenly over it, along rows and columns too.
-  void aim_at_cell(const cv::Point& pixel, const cv::Point& cell, int grid, RTCRayHit& ray) const;
+  /// Through one of the pixel's cells at the cell's own instant.
+  void add_ray_at_cell(const cv::Point& pixel, const PixelCell& cell, HitPacket& packet) const;
 
   /// Depth, m, at which the ray through the pixel's centre meets the plane of the triangle that
   /// `ray` hit; the ray's own where that makes no sense.
   float exact_depth(const cv::Point& pixel, const RTCRayHit& ray) const;
+  std::optional<double> depth_of(const DepthPlane& plane, const cv::Point& pixel) const;
+
+  /// The plane of a triangle as a row's camera sees it.
+  DepthPlane plane_of(int mesh, int triangle, int v) const;
 
   /// Unit, camera's axes, of the triangle that the ray through the pixel's centre hit, towards the
   /// camera.
-  cv::Vec3f normal(const cv::Point& pixel, const RTCRayHit& ray) const;
+  cv::Vec3f normal(const cv::Point& pixel, const HitPacket& packet, int lane) const;
 
  private:
-  void aim_from(const Eye& eye, const Eigen::Vector2d& pixel, RTCRayHit& ray) const;
+  /// A camera's rays, if its lens is perfect.
+  struct Pencil {
+    Eigen::Matrix3d direction_from_pixel;  ///< R_world_camera K^-1
+    Eigen::Vector3f start;                 ///< m, in the flat scene's coordinates
+  };
+
+  Aim aim_from(const Eye& eye, const Eigen::Vector2d& pixel) const;
+  Aim aim_from_row(int v, const Eigen::Vector2d& pixel) const;
+  Eigen::Vector3d direction(const Eye& eye, const Eigen::Vector2d& pixel) const;
 
   const FlatScene& flat_;
   const Shot& shot_;
   ShotEyes eyes_;
   RandomField instants_;  ///< where each pixel's instants start, share of the exposure
+  float pixel_width_;
+  std::vector<Pencil> pencils_;  ///< of each row, or one for all; none of a lens that distorts
 };
 
 }  // namespace synth

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include <Eigen/LU>
+
 #include "synth/cofactors.h"
 
 namespace synth {
@@ -50,6 +52,7 @@ FlatScene flatten(const Scene& scene) {
     const int material = added.mesh->material;
     added.material = material == kNone ? &kDefaultMaterial : &scene.materials[material];
     added.T_world_mesh = instance.T_world_mesh;
+    added.side = instance.T_world_mesh.linear().determinant() < 0 ? -1.0F : 1.0F;
     box.extend(bounds(added));
   }
   if (!box.isEmpty()) {
@@ -61,14 +64,6 @@ FlatScene flatten(const Scene& scene) {
   return flat;
 }
 
-std::vector<Eigen::Vector3f> light_positions(const FlatScene& flat) {
-  std::vector<Eigen::Vector3f> positions;
-  for (const Light& light : flat.scene->lights) {
-    positions.emplace_back((light.position - flat.origin).cast<float>());
-  }
-  return positions;
-}
-
 Eigen::AlignedBox3d visible_bounds(const FlatScene& flat) {
   Eigen::AlignedBox3d box;
   for (const FlatMesh& mesh : flat.meshes) {
@@ -77,21 +72,28 @@ Eigen::AlignedBox3d visible_bounds(const FlatScene& flat) {
   return box;
 }
 
-std::optional<double> depth_of_plane(const FlatMesh& mesh, int triangle, const DepthRay& ray) {
+DepthPlane depth_plane(const FlatMesh& mesh, int triangle, const Eigen::Vector3d& eye,
+                       const Eigen::Vector3d& optical_axis) {
   constexpr double kTolerance = 1e-6;      // relative; the hit was found in single precision
   std::array<Eigen::Vector3d, 3> corners;  // from the eye, m
   Eigen::Vector3d depths;
   for (int i = 0; i < 3; ++i) {
     const int vertex = mesh.mesh->triangles[triangle][i];
-    corners[i] = mesh.T_world_mesh * mesh.mesh->positions[vertex].cast<double>() - ray.eye;
-    depths[i] = corners[i].dot(ray.optical_axis);
+    corners[i] = mesh.T_world_mesh * mesh.mesh->positions[vertex].cast<double>() - eye;
+    depths[i] = corners[i].dot(optical_axis);
   }
-  const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-  const double depth = normal.dot(corners[0]) / normal.dot(ray.direction);
   const double margin = kTolerance * depths.cwiseAbs().maxCoeff();
-  const bool is_between =
-      depth >= depths.minCoeff() - margin && depth <= depths.maxCoeff() + margin;
-  return is_between ? std::optional(depth) : std::nullopt;
+  DepthPlane plane;
+  plane.normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  plane.offset = plane.normal.dot(corners[0]);
+  plane.nearest = depths.minCoeff() - margin;
+  plane.farthest = depths.maxCoeff() + margin;
+  return plane;
+}
+
+std::optional<double> DepthPlane::depth_along(const Eigen::Vector3d& direction) const {
+  const double depth = offset / normal.dot(direction);
+  return depth >= nearest && depth <= farthest ? std::optional(depth) : std::nullopt;
 }
 
 Eigen::AlignedBox3d lit_bounds(const FlatScene& flat) {

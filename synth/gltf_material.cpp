@@ -131,7 +131,6 @@ Material MaterialReader::read_material(const tinygltf::Material& source) {
   if (!material.unlit) {
     read_maps(source, material);
   }
-  note_what_is_left_out(source);
   return material;
 }
 
@@ -142,6 +141,7 @@ void MaterialReader::read_surface(const tinygltf::PbrMetallicRoughness& source,
   material.base_color_texture = slot(source.baseColorTexture, TexelEncoding::srgb);
   material.metallic = static_cast<float>(source.metallicFactor);
   material.roughness = static_cast<float>(source.roughnessFactor);
+  material.specular = 1;
 }
 
 /// What an unlit material does without.
@@ -211,16 +211,6 @@ int MaterialReader::image(int gltf_index, TexelEncoding encoding) {
     scene_.images.push_back(build_mip_levels(image, encoding));
   }
   return entry->second;
-}
-
-void MaterialReader::note_what_is_left_out(const tinygltf::Material& source) {
-  if (source.alphaMode == "BLEND" || source.alphaMode == "MASK") {
-    add_note(reading_.notes, "materials of alphaMode " + source.alphaMode + " are taken as opaque");
-  }
-  if (source.normalTexture.index != kNone || source.occlusionTexture.index != kNone ||
-      source.pbrMetallicRoughness.metallicRoughnessTexture.index != kNone) {
-    add_note(reading_.notes, "normal, occlusion and metallic-roughness textures are left out");
-  }
 }
 
 }  // namespace synth

@@ -27,7 +27,6 @@ class MaterialReader {
   TextureSlot slot(const TextureInfo& info, TexelEncoding encoding);
   int texture(int gltf_index, TexelEncoding encoding);
   int image(int gltf_index, TexelEncoding encoding);
-  void note_what_is_left_out(const tinygltf::Material& source);
 
   /// What was read already: the scene's index by glTF's and by what its channels mean.
   using Read = std::map<std::pair<int, TexelEncoding>, int>;

@@ -1,35 +1,42 @@
 #include "synth/ray_tracer.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "synth/color_tracer.h"
 #include "synth/embree_scene.h"
 #include "synth/flat_scene.h"
-#include "synth/shading.h"
+#include "synth/last_triangle.h"
 
 namespace synth {
 namespace {
 
-constexpr int kTile = 8;  // px; the rays of a tile are traced together
+constexpr int kTile = 8;  // px; a multiple of the blocks that share a packet of rays
 
-/// Light on its way back along a ray, if nothing shadows it.
-struct Reflection {
-  std::size_t ray = 0;
-  Eigen::Vector3f radiance = Eigen::Vector3f::Zero();
+/// The pixels of one tile, in an order that keeps those beside each other close.
+struct Tile {
+  Tile(const cv::Point& corner, const cv::Size& image);
+
+  std::array<cv::Point, kTile * kTile> pixels;
+  std::size_t count = 0;
 };
 
-/// The samples of one tile, reused from tile to tile.
-struct Samples {
-  std::vector<RTCRayHit> rays;
-  std::vector<Eigen::Vector3f> radiance;  ///< linear RGB, one per ray
-  std::vector<SurfacePoint> lit;          ///< hits that light changes
-  std::vector<std::size_t> lit_rays;      ///< the ray of each
-  std::vector<RTCRay> shadow_rays;        ///< towards one light
-  std::vector<Reflection> reflections;    ///< one per shadow ray
-};
+/// Morton's order: of an index's bits, every other one is the column's, the others are the row's.
+Tile::Tile(const cv::Point& corner, const cv::Size& image) {
+  for (int i = 0; i < kTile * kTile; ++i) {
+    const int column = (i & 1) | (i >> 1 & 2) | (i >> 2 & 4);
+    const int row = (i >> 1 & 1) | (i >> 2 & 2) | (i >> 3 & 4);
+    const cv::Point pixel = corner + cv::Point(column, row);
+    if (pixel.x < image.width && pixel.y < image.height) {
+      pixels[count++] = pixel;
+    }
+  }
+}
 
 /// The wanted channels, nothing seen yet.
 RenderedFrame empty_frame(const vo::PinholeCamera& camera, const Channels& channels) {
@@ -56,27 +63,24 @@ class RayTracer final : public Renderer {
   RenderedFrame render(const Shot& shot) const override;
 
  private:
-  void render_surface(const View& view, const cv::Rect& tile, Samples& samples,
-                      RenderedFrame& frame) const;
-  void render_color(const View& view, const cv::Rect& tile, Samples& samples,
-                    RenderedFrame& frame) const;
-  void trace_color_rays(const View& view, const cv::Rect& tile, Samples& samples) const;
-  void shade(const View& view, Samples& samples) const;
-  void add_light(std::size_t light_index, Samples& samples) const;
+  void render_surface(const View& view, const Tile& tile, RenderedFrame& frame) const;
+  void render_color(const View& view, const Tile& tile, RenderedFrame& frame) const;
 
   FlatScene flat_;
-  AmbientLight ambient_;
-  std::vector<Eigen::Vector3f> light_positions_;  ///< m, in the flat scene's coordinates
-  int grid_;                                      ///< colour samples along a pixel's edge
   EmbreeScene embree_;
+  bool has_color_;
+  std::vector<PixelCell> cells_;  ///< one colour sample each
+  float width_of_cell_;           ///< px
+  ColorTracer color_tracer_;
 };
 
 RayTracer::RayTracer(const Scene& scene, const RenderOptions& options)
     : flat_(flatten(scene)),
-      ambient_(ambient_light(flat_, options.ambient)),
-      light_positions_(light_positions(flat_)),
-      grid_(options.samples_per_edge()),
-      embree_(flat_) {}
+      embree_(flat_),
+      has_color_(options.mode != RenderMode::depth),
+      cells_(grid_of_cells(options.samples_per_edge())),
+      width_of_cell_(1 / static_cast<float>(options.samples_per_edge())),
+      color_tracer_(flat_, embree_, options) {}
 
 RenderedFrame RayTracer::render(const Shot& shot) const {
   const vo::PinholeCamera& camera = shot.camera;
@@ -84,16 +88,14 @@ RenderedFrame RayTracer::render(const Shot& shot) const {
   shot.shutter.validate();
   const View view(flat_, shot);
   RenderedFrame frame = empty_frame(camera, shot.channels);
-  Samples samples;
-  const cv::Rect image(0, 0, camera.width, camera.height);
   for (int v = 0; v < camera.height; v += kTile) {
     for (int u = 0; u < camera.width; u += kTile) {
-      const cv::Rect tile = cv::Rect(u, v, kTile, kTile) & image;
+      const Tile tile({u, v}, {camera.width, camera.height});
       if (shot.channels.depth || shot.channels.normal) {
-        render_surface(view, tile, samples, frame);
+        render_surface(view, tile, frame);
       }
-      if (shot.channels.color) {
-        render_color(view, tile, samples, frame);
+      if (shot.channels.color && has_color_) {
+        render_color(view, tile, frame);
       }
     }
   }
@@ -101,108 +103,71 @@ RenderedFrame RayTracer::render(const Shot& shot) const {
 }
 
 /// Depth and normals.
-void RayTracer::render_surface(const View& view, const cv::Rect& tile, Samples& samples,
-                               RenderedFrame& frame) const {
-  samples.rays.clear();
-  for (int v = tile.y; v < tile.br().y; ++v) {
-    for (int u = tile.x; u < tile.br().x; ++u) {
-      view.aim_at_centre({u, v}, samples.rays.emplace_back());
+void RayTracer::render_surface(const View& view, const Tile& tile, RenderedFrame& frame) const {
+  LastTriangle<DepthPlane> last;
+  for (std::size_t first = 0; first < tile.count; first += kPacketSize) {
+    HitPacket packet;
+    const cv::Point* pixels = &tile.pixels[first];
+    const auto size = static_cast<int>(std::min<std::size_t>(kPacketSize, tile.count - first));
+    for (int i = 0; i < size; ++i) {
+      view.add_ray_at_centre(pixels[i], packet);
     }
-  }
-  embree_.intersect(samples.rays);
-  auto ray = samples.rays.cbegin();
-  for (int v = tile.y; v < tile.br().y; ++v) {
-    for (int u = tile.x; u < tile.br().x; ++u, ++ray) {
-      if (has_hit(*ray) && !frame.depth.empty()) {
-        frame.depth(v, u) = view.exact_depth({u, v}, *ray);
+    embree_.intersect(packet, Sight::solid);
+    for (int i = 0; i < size; ++i) {
+      if (!packet.has_hit(i)) {
+        continue;
       }
-      if (has_hit(*ray) && !frame.normal.empty()) {
-        frame.normal(v, u) = view.normal({u, v}, *ray);
+      if (!frame.depth.empty()) {
+        const auto make = [&](int mesh, int triangle) {
+          return view.plane_of(mesh, triangle, pixels[i].y);
+        };
+        if (!view.is_at_rest()) {
+          last = {};
+        }
+        const DepthPlane& plane = last.get(packet.mesh(i), packet.triangle(i), make);
+        const std::optional<double> exact = view.depth_of(plane, pixels[i]);
+        frame.depth(pixels[i]) = exact ? static_cast<float>(*exact) : packet.lanes.ray.tfar[i];
+      }
+      if (!frame.normal.empty()) {
+        frame.normal(pixels[i]) = view.normal(pixels[i], packet, i);
       }
     }
   }
 }
 
-void RayTracer::render_color(const View& view, const cv::Rect& tile, Samples& samples,
-                             RenderedFrame& frame) const {
-  trace_color_rays(view, tile, samples);
-  shade(view, samples);
-  for (std::size_t i = 0; i < light_positions_.size(); ++i) {
-    add_light(i, samples);
-  }
-  const int per_pixel = grid_ * grid_;
-  auto sample = samples.radiance.cbegin();
-  for (int v = tile.y; v < tile.br().y; ++v) {
-    for (int u = tile.x; u < tile.br().x; ++u) {
-      Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-      for (int i = 0; i < per_pixel; ++i, ++sample) {
-        sum += *sample;
-      }
-      sum /= static_cast<float>(per_pixel);
-      frame.radiance(v, u) = {sum.x(), sum.y(), sum.z()};
+/// The mean over each pixel's cells, which are traced in their order, pixel by pixel.
+void RayTracer::render_color(const View& view, const Tile& tile, RenderedFrame& frame) const {
+  LastTriangle<SurfaceTriangle> last;
+  ColorPacket packet;
+  packet.seed = view.seed();
+  packet.sample_width = view.pixel_width() * width_of_cell_;
+  std::array<Eigen::Vector3f, kTile * kTile> sums;
+  sums.fill(Eigen::Vector3f::Zero());
+  std::array<std::size_t, kPacketSize> places;  // of the packet's rays in the tile
+  const auto trace = [&] {
+    const PacketColors colors = color_tracer_.trace(packet, last);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(packet.start.rays.size); ++i) {
+      sums[places[i]] += colors[i];
     }
-  }
-}
-
-/// Pixel by pixel, the centres of the pixel's grid of sub-pixels.
-void RayTracer::trace_color_rays(const View& view, const cv::Rect& tile, Samples& samples) const {
-  samples.rays.clear();
-  for (int v = tile.y; v < tile.br().y; ++v) {
-    for (int u = tile.x; u < tile.br().x; ++u) {
-      for (int i = 0; i < grid_ * grid_; ++i) {
-        view.aim_at_cell({u, v}, {i % grid_, i / grid_}, grid_, samples.rays.emplace_back());
+    packet.start.rays.size = 0;
+  };
+  for (std::size_t place = 0; place < tile.count; ++place) {
+    for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+      const auto lane = static_cast<std::size_t>(packet.start.rays.size);
+      places[lane] = place;
+      packet.ids[lane] = {tile.pixels[place], static_cast<int>(cell)};
+      view.add_ray_at_cell(tile.pixels[place], cells_[cell], packet.start.rays);
+      if (lane + 1 == kPacketSize) {
+        trace();
       }
     }
   }
-  embree_.intersect(samples.rays);
-}
-
-/// Everything but the lights.
-void RayTracer::shade(const View& view, Samples& samples) const {
-  const vo::PinholeCamera& camera = view.camera();
-  const auto sample_width =
-      static_cast<float>(1 / (grid_ * std::sqrt(std::abs(camera.fx * camera.fy))));  // at 1 m
-  samples.radiance.assign(samples.rays.size(), Eigen::Vector3f::Zero());
-  samples.lit.clear();
-  samples.lit_rays.clear();
-  for (std::size_t i = 0; i < samples.rays.size(); ++i) {
-    if (!has_hit(samples.rays[i])) {
-      continue;
-    }
-    const auto& [ray, hit] = samples.rays[i];
-    const SurfacePoint point = surface_point(
-        flat_, surface_hit(hit), {ray.dir_x, ray.dir_y, ray.dir_z}, sample_width * ray.tfar);
-    const Material& material = *flat_.meshes[hit.geomID].material;
-    if (material.unlit) {
-      samples.radiance[i] = point.base_color;
-      continue;
-    }
-    samples.radiance[i] = point.emission + lambert(point, ambient_.irradiance(point.normal));
-    samples.lit.push_back(point);
-    samples.lit_rays.push_back(i);
+  if (packet.start.rays.size > 0) {
+    trace();
   }
-}
-
-void RayTracer::add_light(std::size_t light_index, Samples& samples) const {
-  const Light& light = flat_.scene->lights[light_index];
-  samples.shadow_rays.clear();
-  samples.reflections.clear();
-  for (std::size_t i = 0; i < samples.lit.size(); ++i) {
-    const SurfacePoint& point = samples.lit[i];
-    const DirectLight direct = direct_light(light, light_positions_[light_index], point);
-    if (direct.irradiance.isZero(0)) {
-      continue;
-    }
-    aim_at_light(samples.shadow_rays.emplace_back(), point, direct, light);
-    Reflection& reflection = samples.reflections.emplace_back();
-    reflection.ray = samples.lit_rays[i];
-    reflection.radiance = lambert(point, direct.irradiance);
-  }
-  embree_.occlude(samples.shadow_rays);
-  for (std::size_t i = 0; i < samples.reflections.size(); ++i) {
-    if (!is_occluded(samples.shadow_rays[i])) {
-      samples.radiance[samples.reflections[i].ray] += samples.reflections[i].radiance;
-    }
+  for (std::size_t place = 0; place < tile.count; ++place) {
+    const Eigen::Vector3f mean = sums[place] / static_cast<float>(cells_.size());
+    frame.radiance(tile.pixels[place]) = {mean.x(), mean.y(), mean.z()};
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "synth/rasterizer.h"
 #include "synth/ray_tracer.h"
 #include "vo/core/error.h"
 
@@ -9,10 +10,17 @@ namespace synth {
 
 void RenderOptions::validate() const {
   constexpr int kMaxSamples = 256;
+  constexpr int kMaxBounces = 64;
   vo::require(samples >= 1 && samples <= kMaxSamples, "render: expected samples from 1 to ",
               kMaxSamples, ", got ", samples);
   vo::require(ambient >= 0 && std::isfinite(ambient),
               "render: expected ambient at or above 0, got ", ambient);
+  vo::require(light_radius >= 0 && std::isfinite(light_radius),
+              "render: expected light_radius at or above 0 m, got ", light_radius);
+  vo::require(bounces >= 0 && bounces <= kMaxBounces, "render: expected bounces from 0 to ",
+              kMaxBounces, ", got ", bounces);
+  vo::require(kind != RendererKind::rasterizer || mode != RenderMode::path,
+              "render: the rasterizer cannot follow paths, expected mode direct, unlit or depth");
 }
 
 int RenderOptions::samples_per_edge() const {
@@ -21,7 +29,8 @@ int RenderOptions::samples_per_edge() const {
 
 std::unique_ptr<Renderer> make_renderer(const Scene& scene, const RenderOptions& options) {
   options.validate();
-  return make_ray_tracer(scene, options);
+  return options.kind == RendererKind::rasterizer ? make_rasterizer(scene, options)
+                                                  : make_ray_tracer(scene, options);
 }
 
 }  // namespace synth

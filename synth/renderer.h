@@ -14,10 +14,20 @@
 
 namespace synth {
 
-enum class RendererKind { ray_tracer };
+enum class RendererKind { ray_tracer, rasterizer };
 
 constexpr auto enum_names(RendererKind) {
-  return std::array{std::pair{RendererKind::ray_tracer, "ray_tracer"}};
+  return std::array{std::pair{RendererKind::ray_tracer, "ray_tracer"},
+                    std::pair{RendererKind::rasterizer, "rasterizer"}};
+}
+
+/// What colour is made of: lights that shine directly, with shadows, and ambient light; light on
+/// all its ways; the base colour as it is; nothing (black), for those who need the depth alone.
+enum class RenderMode { direct, path, unlit, depth };
+
+constexpr auto enum_names(RenderMode) {
+  return std::array{std::pair{RenderMode::direct, "direct"}, std::pair{RenderMode::path, "path"},
+                    std::pair{RenderMode::unlit, "unlit"}, std::pair{RenderMode::depth, "depth"}};
 }
 
 /// The mean light is the irradiance if all of the lights' flux into the bounding box of what is lit
@@ -25,10 +35,16 @@ constexpr auto enum_names(RendererKind) {
 /// directional one. A scene without lights has a sky instead, without shadows: pi (1 + n . s) / 2
 /// on a surface facing n, s being 30 degrees off the zenith, and pi / 2 its mean light, both scaled
 /// so that a surface facing s shows its base colour.
+///
+/// Mode `path`: the same ambient light comes from infinitely far and only reaches what nothing
+/// hides from it. Both sides of every triangle are seen, whatever glTF's doubleSided says.
 struct RenderOptions {
   RendererKind kind = RendererKind::ray_tracer;
-  int samples = 4;       ///< colour samples per pixel at least; a square grid of them is taken
-  double ambient = 0.3;  ///< constant light from all sides, as a share of the mean light
+  RenderMode mode = RenderMode::direct;
+  int samples = 4;          ///< colour samples per pixel at least; a square grid of them is taken
+  double ambient = 0.3;     ///< constant light from all sides, as a share of the mean light
+  double light_radius = 0;  ///< m, of point and spot lights as spheres; 0 casts sharp shadows
+  int bounces = 4;          ///< mode `path`: reflections of light after the first
 
   int samples_per_edge() const;  ///< of the grid: the least whole number whose square suffices
   void validate() const;         ///< throws vo::Error
@@ -37,8 +53,11 @@ struct RenderOptions {
 template <typename Visitor>
 void visit_fields(Visitor& visit, RenderOptions& options) {
   visit("kind", options.kind, "how the scene is rendered");
+  visit("mode", options.mode, "how light is followed");
   visit("samples", options.samples, "colour samples per pixel, rounded up to a square grid");
   visit("ambient", options.ambient, "constant light from all sides, share of the lights' mean");
+  visit("light_radius", options.light_radius, "of point and spot lights, m; 0: sharp shadows");
+  visit("bounces", options.bounces, "mode path: reflections of light after the first");
 }
 
 /// What a perfect sensor would see. Each row's depth and normals are those of the middle of its

@@ -58,6 +58,7 @@ struct Material {
   float metallic = 0;   ///< 0 to 1; blue channel of the texture
   float roughness = 1;  ///< 0 to 1, square root of GGX's alpha; green channel of the texture
   TextureSlot metallic_roughness_texture;
+  float specular = 0;             ///< 0 to 1, of the reflection of what is not metal; glTF's is 1
   TextureSlot normal_texture;     ///< linear, 2 c - 1, in the frame of tangents
   float normal_scale = 1;         ///< of the normal's x and y
   TextureSlot occlusion_texture;  ///< red channel: share of the ambient light that arrives

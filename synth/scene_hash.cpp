@@ -49,7 +49,8 @@ void add(vo::ContentHash& hash, const TextureSlot& slot) {
 void add(vo::ContentHash& hash, const Material& material) {
   add_matrix(hash, material.base_color);
   add_matrix(hash, material.emission);
-  const std::array factors = {material.metallic, material.roughness, material.normal_scale,
+  const std::array factors = {material.metallic,           material.roughness,
+                              material.specular,           material.normal_scale,
                               material.occlusion_strength, material.alpha_cutoff};
   hash.add_values(std::span<const float>(factors));
   add_numbers(hash, {static_cast<int>(material.alpha_mode), static_cast<int>(material.double_sided),

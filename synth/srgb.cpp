@@ -25,10 +25,11 @@ std::array<float, 255> make_encoding_thresholds() {
   return thresholds;
 }
 
-const std::array<float, 256> kLinearFromCode = make_decoding_table();
 const std::array<float, 255> kCodeThresholds = make_encoding_thresholds();
 
 }  // namespace
+
+const std::array<float, 256> kLinearFromSrgb8bit = make_decoding_table();
 
 float encode_srgb(float linear) {
   return linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1 / 2.4F) - 0.055F;
@@ -44,10 +45,6 @@ std::uint8_t encode_srgb_8bit(float linear) {
   }
   const auto* above = std::upper_bound(kCodeThresholds.begin(), kCodeThresholds.end(), linear);
   return static_cast<std::uint8_t>(above - kCodeThresholds.begin());
-}
-
-float decode_srgb_8bit(std::uint8_t code) {
-  return kLinearFromCode[code];
 }
 
 }  // namespace synth

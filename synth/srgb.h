@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace synth {
@@ -11,6 +12,9 @@ float decode_srgb(float encoded);
 /// The same for 8-bit codes, from tables: the code whose light is nearest in the encoded scale,
 /// values outside 0..1 clamped, and a code's linear light.
 std::uint8_t encode_srgb_8bit(float linear);
-float decode_srgb_8bit(std::uint8_t code);
+extern const std::array<float, 256> kLinearFromSrgb8bit;
+inline float decode_srgb_8bit(std::uint8_t code) {
+  return kLinearFromSrgb8bit[code];
+}
 
 }  // namespace synth

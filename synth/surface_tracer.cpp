@@ -37,7 +37,7 @@ void record(const View& view, const cv::Point& pixel, const RTCRayHit& ray,
 SurfaceTracer::SurfaceTracer(const Scene& scene, double ambient)
     : flat_(flatten(scene)),
       ambient_(ambient_light(flat_, ambient)),
-      light_positions_(light_positions(flat_)),
+      lights_(place_lights(flat_)),
       embree_(std::make_unique<EmbreeScene>(flat_)) {}
 
 SurfaceTracer::~SurfaceTracer() = default;
@@ -89,8 +89,8 @@ std::vector<float> SurfaceTracer::light_shares(const std::vector<SurfacePoint>& 
     arriving[i] = ambient_.irradiance(points[i].normal).sum();
   }
   std::vector<float> unshadowed = arriving;
-  for (std::size_t index = 0; index < light_positions_.size(); ++index) {
-    add_light(index, points, unshadowed, arriving);
+  for (const PlacedLight& light : lights_) {
+    add_light(light, points, unshadowed, arriving);
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
     arriving[i] = unshadowed[i] > 0 ? arriving[i] / unshadowed[i] : 1;
@@ -98,13 +98,12 @@ std::vector<float> SurfaceTracer::light_shares(const std::vector<SurfacePoint>& 
   return arriving;
 }
 
-void SurfaceTracer::add_light(std::size_t index, const std::vector<SurfacePoint>& points,
+void SurfaceTracer::add_light(const PlacedLight& light, const std::vector<SurfacePoint>& points,
                               std::vector<float>& unshadowed, std::vector<float>& arriving) const {
-  const Light& light = flat_.scene->lights[index];
   std::vector<RTCRay> rays(points.size());
   std::vector<float> direct(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const DirectLight reach = direct_light(light, light_positions_[index], points[i]);
+    const DirectLight reach = direct_light(light, points[i]);
     direct[i] = reach.irradiance.sum();
     aim_at_light(rays[i], points[i], reach, light);
   }

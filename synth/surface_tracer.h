@@ -48,12 +48,12 @@ class SurfaceTracer {
  private:
   void trace_row(const View& view, int v, SurfaceView& surfaces) const;
   std::vector<float> light_shares(const std::vector<SurfacePoint>& points) const;
-  void add_light(std::size_t index, const std::vector<SurfacePoint>& points,
+  void add_light(const PlacedLight& light, const std::vector<SurfacePoint>& points,
                  std::vector<float>& unshadowed, std::vector<float>& arriving) const;
 
   FlatScene flat_;
   AmbientLight ambient_;
-  std::vector<Eigen::Vector3f> light_positions_;  ///< m, in the flat scene's coordinates
+  std::vector<PlacedLight> lights_;
   std::unique_ptr<const EmbreeScene> embree_;
 };
 

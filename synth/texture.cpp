@@ -15,9 +15,19 @@ namespace {
 
 constexpr float kCodeStep = 1.0F / 255.0F;
 
-float decode(std::uint8_t code, TexelEncoding encoding) {
-  return encoding == TexelEncoding::srgb ? decode_srgb_8bit(code)
-                                         : static_cast<float>(code) * kCodeStep;
+std::array<float, 256> make_even_codes() {
+  std::array<float, 256> values{};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = static_cast<float>(i) * kCodeStep;
+  }
+  return values;
+}
+
+const std::array<float, 256> kEvenCodes = make_even_codes();
+
+/// The value of each code.
+inline const std::array<float, 256>& decoding_table(TexelEncoding encoding) {
+  return encoding == TexelEncoding::srgb ? kLinearFromSrgb8bit : kEvenCodes;
 }
 
 std::uint8_t encode(float value, TexelEncoding encoding) {
@@ -26,10 +36,11 @@ std::uint8_t encode(float value, TexelEncoding encoding) {
 }
 
 cv::Mat_<cv::Vec4f> decode_image(const cv::Mat_<cv::Vec4b>& image, TexelEncoding encoding) {
+  const std::array<float, 256>& values = decoding_table(encoding);
   cv::Mat_<cv::Vec4f> linear(image.size());
   std::transform(image.begin(), image.end(), linear.begin(), [&](const cv::Vec4b& texel) {
-    return cv::Vec4f(decode(texel[0], encoding), decode(texel[1], encoding),
-                     decode(texel[2], encoding), static_cast<float>(texel[3]) / 255.0F);
+    return cv::Vec4f(values[texel[0]], values[texel[1]], values[texel[2]],
+                     static_cast<float>(texel[3]) / 255.0F);
   });
   return linear;
 }
@@ -102,20 +113,19 @@ inline int wrap_texel(int index, int size, Wrap wrap) {
 
 struct Level {
   const cv::Mat_<cv::Vec4b>& texels;
-  TexelEncoding encoding;
+  const std::array<float, 256>& values;  ///< of the colour channels' codes
 };
 
-inline Eigen::Vector4f texel_at(const Level& level, int row, int column) {
-  const cv::Vec4b& texel = level.texels(row, column);
-  return {decode(texel[0], level.encoding), decode(texel[1], level.encoding),
-          decode(texel[2], level.encoding), static_cast<float>(texel[3]) * kCodeStep};
+inline Eigen::Vector4f decode(const cv::Vec4b& texel, const std::array<float, 256>& values) {
+  return {values[texel[0]], values[texel[1]], values[texel[2]],
+          static_cast<float>(texel[3]) * kCodeStep};
 }
 
 Eigen::Vector4f sample_nearest(const Level& level, float u, float v) {
   const cv::Size size = level.texels.size();
   const int column = std::min(static_cast<int>(u * static_cast<float>(size.width)), size.width - 1);
   const int row = std::min(static_cast<int>(v * static_cast<float>(size.height)), size.height - 1);
-  return texel_at(level, row, column);
+  return decode(level.texels(row, column), level.values);
 }
 
 /// The two texels on either side of a folded coordinate and the share of the second.
@@ -135,16 +145,17 @@ inline Neighbours find_neighbours(float coordinate, int size, Wrap wrap) {
 Eigen::Vector4f sample_bilinear(const Level& level, const Texture& texture, float u, float v) {
   const Neighbours x = find_neighbours(u, level.texels.cols, texture.wrap_u);
   const Neighbours y = find_neighbours(v, level.texels.rows, texture.wrap_v);
-  const Eigen::Vector4f upper = (1 - x.share) * texel_at(level, y.first, x.first) +
-                                x.share * texel_at(level, y.first, x.second);
-  const Eigen::Vector4f lower = (1 - x.share) * texel_at(level, y.second, x.first) +
-                                x.share * texel_at(level, y.second, x.second);
-  return (1 - y.share) * upper + y.share * lower;
+  const auto row = [&](int index) -> Eigen::Vector4f {
+    const cv::Vec4b* texels = level.texels[index];
+    return (1 - x.share) * decode(texels[x.first], level.values) +
+           x.share * decode(texels[x.second], level.values);
+  };
+  return (1 - y.share) * row(y.first) + y.share * row(y.second);
 }
 
 Eigen::Vector4f sample_level(const TextureImage& image, std::size_t index, const Texture& texture,
                              TexelFilter filter, const Eigen::Vector2f& uv) {
-  const Level level{image.levels[index], image.encoding};
+  const Level level{image.levels[index], decoding_table(image.encoding)};
   return filter == TexelFilter::nearest ? sample_nearest(level, uv.x(), uv.y())
                                         : sample_bilinear(level, texture, uv.x(), uv.y());
 }

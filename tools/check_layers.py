@@ -20,6 +20,8 @@ MAY_INCLUDE = {  # layer: what it may include beside itself
 
 ONLY_IN = {  # third-party header: the files that may name it
     "embree3/": ["synth/embree_scene"],
+    "GL/": ["synth/gl_"],
+    "EGL/": ["synth/gl_context.cpp"],
     "tiny_gltf.h": ["synth/gltf"],
     "draco/": ["synth/gltf_draco.cpp"],
     "meshoptimizer.h": ["synth/gltf_meshopt.cpp"],

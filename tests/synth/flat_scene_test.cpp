@@ -1,5 +1,7 @@
 #include "synth/flat_scene.h"
 
+#include <optional>
+
 #include <gtest/gtest.h>
 
 #include "tests/synth/quads.h"
@@ -11,7 +13,11 @@ using Eigen::Vector3d;
 
 constexpr double kRounding = 1e-12;  // m, of some metres in double precision
 
-const DepthRay kAhead{Vector3d::Zero(), {0.1, 0.2, 1}, Vector3d::UnitZ()};
+const Vector3d kAhead(0.1, 0.2, 1);
+
+std::optional<double> depth_of_plane(const FlatMesh& mesh, const Vector3d& direction) {
+  return depth_plane(mesh, 0, Vector3d::Zero(), Vector3d::UnitZ()).depth_along(direction);
+}
 
 TEST(Flatten, KeepsTheMiddleOfTheSceneNearZero) {
   Scene scene;
@@ -25,7 +31,7 @@ TEST(Flatten, KeepsTheMiddleOfTheSceneNearZero) {
 TEST(DepthOfPlane, IsTheClosedForm) {
   Scene scene;
   add(scene, quad({-4, -4, 1}, {8, 0, 4}, {0, 8, 0}), unlit({1, 1, 1}));  // z = 3 + x / 2
-  const std::optional<double> depth = depth_of_plane(flatten(scene).meshes[0], 0, kAhead);
+  const std::optional<double> depth = depth_of_plane(flatten(scene).meshes[0], kAhead);
   ASSERT_TRUE(depth.has_value());
   EXPECT_NEAR(*depth, 3 / (1 - 0.05), kRounding);
 }
@@ -35,9 +41,9 @@ TEST(DepthOfPlane, IsUnknownOfATriangleSeenEdgeOnOrOfNoWidth) {
   add(scene, quad({0, 0, 1}, {0, 0, 1}, {0, 1, 0}), unlit({1, 1, 1}));
   add(scene, quad({0, 0, 1}, {1, 0, 1}, {2, 0, 2}), unlit({1, 1, 1}));
   const FlatScene flat = flatten(scene);
-  const DepthRay along_the_first{Vector3d::Zero(), {0, 0.2, 1}, Vector3d::UnitZ()};
-  EXPECT_FALSE(depth_of_plane(flat.meshes[1], 0, kAhead).has_value());
-  EXPECT_FALSE(depth_of_plane(flat.meshes[0], 0, along_the_first).has_value());
+  const Vector3d along_the_first(0, 0.2, 1);
+  EXPECT_FALSE(depth_of_plane(flat.meshes[1], kAhead).has_value());
+  EXPECT_FALSE(depth_of_plane(flat.meshes[0], along_the_first).has_value());
 }
 
 TEST(LitBounds, LeaveOutWhatIsUnlit) {

@@ -1,0 +1,297 @@
+#include "synth/rasterizer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "synth/embree_scene.h"
+#include "synth/flat_scene.h"
+#include "synth/gl_context.h"
+#include "synth/gl_program.h"
+#include "synth/gl_scene.h"
+#include "synth/gl_target.h"
+#include "synth/rasterizer_shaders.h"
+#include "synth/shading.h"
+#include "vo/core/error.h"
+
+namespace synth {
+namespace {
+
+constexpr float kNear = 0.01F;            // m along the optical axis
+constexpr std::size_t kMaxLights = 64;    // the shader's
+constexpr std::size_t kTextureSlots = 5;  // the shader's
+
+/// One drawing of the scene.
+struct Pass {
+  Eigen::Vector2d offset;      ///< px, of the samples from the pixels' centres
+  std::optional<double> turn;  ///< 0 to 1, among the drawings that colour is the mean of
+
+  /// Alpha from which a blended surface is drawn: over the turns, in as many as its alpha says.
+  /// Meshes take turns of their own, so that one does not always hide behind another.
+  double threshold(std::size_t mesh) const {
+    constexpr double kGolden = 0.6180339887498949;
+    const double shifted = turn.value_or(0) + kGolden * static_cast<double>(mesh);
+    return turn ? shifted - std::floor(shifted) : 0.5;
+  }
+};
+
+/// Where a shot is taken from, in the flat scene's coordinates.
+struct Camera {
+  const vo::PinholeCamera& pinhole;
+  Eigen::Matrix3f R_camera_world;
+  Eigen::Vector3f eye;  ///< m
+};
+
+/// Rows from the top; depth near / z.
+Eigen::Matrix4f projection(const vo::PinholeCamera& camera, const Eigen::Vector2d& offset) {
+  Eigen::Matrix4d P = Eigen::Matrix4d::Zero();
+  P(0, 0) = 2 * camera.fx / camera.width;
+  P(0, 2) = 2 * (camera.cx + 0.5 - offset.x()) / camera.width - 1;
+  P(1, 1) = 2 * camera.fy / camera.height;
+  P(1, 2) = 2 * (camera.cy + 0.5 - offset.y()) / camera.height - 1;
+  P(2, 3) = kNear;
+  P(3, 2) = 1;
+  return P.cast<float>();
+}
+
+void require_drawable(const Shot& shot) {
+  shot.camera.validate();
+  shot.shutter.validate();
+  vo::require(shot.camera.distortion.is_zero(),
+              "rasterizer: cannot draw through a lens that distorts, expected a camera without "
+              "distortion or render.kind = ray_tracer");
+  vo::require(shot.shutter.exposure_time == 0 && shot.shutter.readout_time == 0,
+              "rasterizer: cannot draw motion blur or a rolling shutter, expected "
+              "exposure_time and readout_time 0 or render.kind = ray_tracer");
+}
+
+class Rasterizer final : public Renderer {
+ public:
+  Rasterizer(const Scene& scene, const RenderOptions& options);
+
+  using Renderer::render;
+  RenderedFrame render(const Shot& shot) const override;
+
+ private:
+  void set_view(const GlProgram& program, const Camera& camera, const Pass& pass) const;
+  void set_lights(const GlProgram& program, const Camera& camera) const;
+  void set_textures(const GlProgram& program, const GlMesh& mesh) const;
+  void set_material(const GlProgram& program, const GlMesh& mesh, double threshold) const;
+  void set_mesh(const GlProgram& program, const GlMesh& mesh, const Camera& camera) const;
+  void draw(const Camera& camera, const Pass& pass) const;
+  void draw_color(const Camera& camera, RenderedFrame& frame) const;
+  void read_surface(RenderedFrame& frame) const;
+
+  FlatScene flat_;
+  RenderMode mode_;
+  AmbientLight ambient_;
+  std::vector<PlacedLight> lights_;
+  std::vector<PixelCell> cells_;
+  float log2_cell_width_;  ///< px
+  std::unique_ptr<GlContext> context_;
+  GlFunctions gl_;
+  GlScene drawn_;
+  std::unique_ptr<GlProgram> solid_;  ///< for opaque materials
+  std::unique_ptr<GlProgram> holes_;  ///< for those with alpha
+  std::unique_ptr<GlTarget> target_;
+  mutable std::mutex mutex_;  ///< of the context
+};
+
+Rasterizer::Rasterizer(const Scene& scene, const RenderOptions& options)
+    : flat_(flatten(scene)),
+      mode_(options.mode),
+      ambient_(ambient_light(flat_, options.ambient)),
+      lights_(place_lights(flat_)),
+      cells_(grid_of_cells(options.samples_per_edge())),
+      log2_cell_width_(-std::log2(static_cast<float>(options.samples_per_edge()))),
+      context_(GlContext::make()),
+      gl_([this](const char* name) { return context_->find_function(name); }) {
+  vo::require(lights_.size() <= kMaxLights, "rasterizer: the scene has ", lights_.size(),
+              " lights, expected at most ", kMaxLights, " or render.kind = ray_tracer");
+  const GlContext::Current current(*context_);
+  drawn_ = upload(gl_, flat_);
+  solid_ = std::make_unique<GlProgram>(gl_, kVertexShader, std::string(kSolid) + kFragmentShader);
+  holes_ = std::make_unique<GlProgram>(gl_, kVertexShader, std::string(kHoles) + kFragmentShader);
+  target_ = std::make_unique<GlTarget>(gl_);
+}
+
+RenderedFrame Rasterizer::render(const Shot& shot) const {
+  require_drawable(shot);
+  const Eye eye = ShotEyes(shot).of_row(0);
+  const Camera camera{shot.camera, eye.R_world_camera.transpose().cast<float>(),
+                      (eye.position - flat_.origin).cast<float>()};
+  const cv::Size size(shot.camera.width, shot.camera.height);
+  RenderedFrame frame;
+  if (shot.channels.color) {
+    frame.radiance = cv::Mat_<cv::Vec3f>(size, cv::Vec3f(0, 0, 0));
+  }
+  if (shot.channels.depth) {
+    frame.depth = vo::DepthImage(size, 0.0F);
+  }
+  if (shot.channels.normal) {
+    frame.normal = cv::Mat_<cv::Vec3f>(size, cv::Vec3f(0, 0, 0));
+  }
+  const std::lock_guard lock(mutex_);
+  const GlContext::Current current(*context_);
+  target_->bind(size);
+  const bool has_color = shot.channels.color && mode_ != RenderMode::depth;
+  if (has_color) {
+    draw_color(camera, frame);
+  }
+  if (shot.channels.depth || shot.channels.normal) {
+    const bool was_drawn = has_color && cells_.size() == 1;
+    if (!was_drawn) {
+      draw(camera, {Eigen::Vector2d::Zero(), std::nullopt});
+    }
+    read_surface(frame);
+  }
+  return frame;
+}
+
+void Rasterizer::set_lights(const GlProgram& program, const Camera& camera) const {
+  std::vector<Eigen::Vector4f> values;
+  std::vector<float> cone_widths;
+  for (const PlacedLight& light : lights_) {
+    const float kind = !light.has_place() ? 0.0F : light.kind == LightKind::spot ? 2.0F : 1.0F;
+    const Eigen::Vector3f place = camera.R_camera_world * (light.position - camera.eye);
+    const Eigen::Vector3f axis = camera.R_camera_world * light.direction;
+    values.emplace_back(place.x(), place.y(), place.z(), kind);
+    values.emplace_back(axis.x(), axis.y(), axis.z(), light.cos_outer);
+    values.emplace_back(light.intensity.x(), light.intensity.y(), light.intensity.z(),
+                        light.inverse_range);
+    cone_widths.push_back(light.inverse_cone_width);
+  }
+  program.set("light_count", static_cast<int>(lights_.size()));
+  program.set("lights", values);
+  for (std::size_t i = 0; i < cone_widths.size(); ++i) {
+    program.set("cone_widths[" + std::to_string(i) + "]", cone_widths[i]);
+  }
+  program.set("ambient_uniform", ambient_.uniform);
+  program.set("ambient_sky", ambient_.sky);
+  program.set("ambient_axis", Eigen::Vector3f(camera.R_camera_world * ambient_.sky_axis));
+}
+
+void Rasterizer::set_textures(const GlProgram& program, const GlMesh& mesh) const {
+  const Material& material = *mesh.flat->material;
+  const std::array slots = {&material.base_color_texture, &material.metallic_roughness_texture,
+                            &material.normal_texture, &material.occlusion_texture,
+                            &material.emissive_texture};
+  std::array<float, kTextureSlots> has{};
+  std::vector<Eigen::Vector4f> rows;
+  for (std::size_t i = 0; i < kTextureSlots; ++i) {
+    const TextureSlot& slot = *slots[i];
+    const GLuint texture = slot.texture == kNone ? 0 : drawn_.textures[slot.texture];
+    has[i] = texture != 0 && !mesh.flat->mesh->texcoords[slot.texcoord_set].empty() ? 1.0F : 0.0F;
+    gl_.ActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + i));
+    gl_.BindTexture(GL_TEXTURE_2D, texture);
+    for (int row = 0; row < 2; ++row) {
+      const Eigen::RowVector3f transform = slot.T_image_texcoord.matrix().row(row);
+      rows.emplace_back(transform.x(), transform.y(), transform.z(),
+                        static_cast<float>(slot.texcoord_set));
+    }
+  }
+  program.set("texture_rows", rows);
+  program.set("has_texture_low", Eigen::Vector4f(has[0], has[1], has[2], has[3]));
+  program.set("has_emissive_texture", has[4]);
+}
+
+void Rasterizer::set_material(const GlProgram& program, const GlMesh& mesh,
+                              double threshold) const {
+  const Material& material = *mesh.flat->material;
+  program.set("base_color", material.base_color);
+  program.set("factors", Eigen::Vector4f(material.metallic, material.roughness, material.specular,
+                                         material.normal_scale));
+  program.set("emission", Eigen::Vector4f(material.emission.x(), material.emission.y(),
+                                          material.emission.z(), material.occlusion_strength));
+  const float least_alpha = material.alpha_mode == AlphaMode::opaque ? -1.0F
+                            : material.alpha_mode == AlphaMode::mask
+                                ? material.alpha_cutoff
+                                : static_cast<float>(threshold);
+  program.set("least_alpha", least_alpha);
+  program.set("is_unlit", material.unlit || mode_ == RenderMode::unlit ? 1.0F : 0.0F);
+}
+
+void Rasterizer::set_view(const GlProgram& program, const Camera& camera, const Pass& pass) const {
+  program.set("projection", projection(camera.pinhole, pass.offset));
+  program.set("R_camera_world", camera.R_camera_world);
+  program.set("eye", camera.eye);
+  program.set("log2_sample_width", log2_cell_width_);
+  for (std::size_t slot = 0; slot < kTextureSlots; ++slot) {
+    program.set("textures[" + std::to_string(slot) + "]", static_cast<int>(slot));
+  }
+  set_lights(program, camera);
+}
+
+void Rasterizer::set_mesh(const GlProgram& program, const GlMesh& mesh,
+                          const Camera& camera) const {
+  const bool rows_grow_down = camera.pinhole.fy > 0;
+  program.set("front_is_ccw", rows_grow_down == (mesh.flat->side > 0) ? 0.0F : 1.0F);
+  program.set("has_normals", mesh.flat->normals.empty() ? 0.0F : 1.0F);
+  program.set("has_tangents", mesh.flat->mesh->tangents.empty() ? 0.0F : 1.0F);
+  program.set("R_world_mesh", Eigen::Matrix3f(mesh.flat->T_world_mesh.linear().cast<float>()));
+  program.set("tangent_side", mesh.flat->side);
+}
+
+void Rasterizer::draw(const Camera& camera, const Pass& pass) const {
+  target_->clear();
+  gl_.VertexAttrib4f(kColorAttribute, 1, 1, 1, 1);
+  for (const GlProgram* program : {solid_.get(), holes_.get()}) {
+    program->use();
+    set_view(*program, camera, pass);
+    for (std::size_t i = 0; i < drawn_.meshes.size(); ++i) {
+      const GlMesh& mesh = drawn_.meshes[i];
+      const bool is_solid = mesh.flat->material->alpha_mode == AlphaMode::opaque;
+      if (is_solid == (program == solid_.get())) {
+        set_textures(*program, mesh);
+        set_material(*program, mesh, pass.threshold(i));
+        set_mesh(*program, mesh, camera);
+        gl_.BindVertexArray(mesh.vertices);
+        gl_.DrawElements(GL_TRIANGLES, mesh.indices, GL_UNSIGNED_INT, nullptr);
+      }
+    }
+  }
+}
+
+/// The mean of as many drawings as a pixel has cells.
+void Rasterizer::draw_color(const Camera& camera, RenderedFrame& frame) const {
+  const auto count = static_cast<double>(cells_.size());
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    draw(camera,
+         {cells_[i].offset,
+          count > 1 ? std::optional((static_cast<double>(i) + 0.5) / count) : std::nullopt});
+    const cv::Mat_<cv::Vec4f> drawn = target_->read_color();
+    std::transform(frame.radiance.begin(), frame.radiance.end(), drawn.begin(),
+                   frame.radiance.begin(), [](const cv::Vec3f& sum, const cv::Vec4f& color) {
+                     return sum + cv::Vec3f(color[0], color[1], color[2]);
+                   });
+  }
+  frame.radiance *= 1 / count;
+}
+
+/// Of what was drawn last, through the pixels' centres.
+void Rasterizer::read_surface(RenderedFrame& frame) const {
+  const cv::Mat_<cv::Vec4f> drawn = target_->read_surface();
+  for (int v = 0; v < drawn.rows; ++v) {
+    for (int u = 0; u < drawn.cols; ++u) {
+      const cv::Vec4f& texel = drawn(v, u);
+      if (!frame.depth.empty()) {
+        frame.depth(v, u) = texel[3];
+      }
+      if (!frame.normal.empty()) {
+        frame.normal(v, u) = {texel[0], texel[1], texel[2]};
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Renderer> make_rasterizer(const Scene& scene, const RenderOptions& options) {
+  return std::make_unique<Rasterizer>(scene, options);
+}
+
+}  // namespace synth

@@ -1,0 +1,194 @@
+#pragma once
+
+namespace synth {
+
+/// Camera axes, metres from the eye. Clip space: rows from the top, so that reading back needs no
+/// flip; depth = near / z, reversed, which keeps a float's precision at any distance.
+inline constexpr const char* kVertexShader = R"(#version 450 core
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec2 texcoord_0;
+layout(location = 3) in vec2 texcoord_1;
+layout(location = 4) in vec4 color;
+layout(location = 5) in vec4 tangent;
+uniform mat4 projection;
+uniform mat3 R_camera_world;
+uniform mat3 R_world_mesh;  // of tangents: any scale
+uniform vec3 eye;
+uniform float tangent_side;  // -1 where the mesh is mirrored
+out vec3 p_camera;
+out vec3 vertex_normal;
+out vec2 uv_0;
+out vec2 uv_1;
+out vec4 vertex_color;
+out vec4 vertex_tangent;
+void main() {
+  p_camera = R_camera_world * (position - eye);
+  vertex_normal = R_camera_world * normal;
+  uv_0 = texcoord_0;
+  uv_1 = texcoord_1;
+  vertex_color = color;
+  vertex_tangent = vec4(R_camera_world * (R_world_mesh * tangent.xyz), tangent_side * tangent.w);
+  gl_Position = projection * vec4(p_camera, 1);
+}
+)";
+
+/// Before the fragment shader: what has no holes need not be shaded where it is hidden.
+inline constexpr const char* kSolid = "#version 450 core\nlayout(early_fragment_tests) in;\n";
+inline constexpr const char* kHoles = "#version 450 core\n#define HAS_HOLES\n";
+
+/// surface.cpp and shading.cpp again, of the triangle's own plane by its derivatives. Texture
+/// slots: 0 base colour, 1 metallic-roughness, 2 normal, 3 occlusion, 4 emission.
+inline constexpr const char* kFragmentShader = R"(
+in vec3 p_camera;
+in vec3 vertex_normal;
+in vec2 uv_0;
+in vec2 uv_1;
+in vec4 vertex_color;
+in vec4 vertex_tangent;
+layout(location = 0) out vec4 out_color;
+layout(location = 1) out vec4 out_surface;  // normal of the triangle, depth
+
+const float kPi = 3.14159265358979;
+const int kMaxLights = 64;
+uniform sampler2D textures[5];
+uniform vec4 texture_rows[10];  // two of T_image_texcoord each, and then the coordinates' set
+uniform vec4 has_texture_low;   // of slots 0 to 3
+uniform float has_emissive_texture;
+uniform vec4 base_color;
+uniform vec4 factors;     // metallic, roughness, specular, normal scale
+uniform vec4 emission;    // and occlusion strength
+uniform float least_alpha;  // less is not there
+uniform float is_unlit;
+uniform float log2_sample_width;  // of a colour sample, px
+uniform float front_is_ccw;  // in clip space
+uniform float has_normals;
+uniform float has_tangents;
+uniform vec4 lights[kMaxLights * 3];  // position, kind; direction, cos_outer; intensity, 1 / range
+uniform float cone_widths[kMaxLights];
+uniform int light_count;
+uniform vec3 ambient_uniform;
+uniform vec3 ambient_sky;
+uniform vec3 ambient_axis;
+
+vec2 uv_of(int slot) {
+  vec4 x = texture_rows[2 * slot];
+  vec4 y = texture_rows[2 * slot + 1];
+  vec3 uv = vec3(x.w > 0.5 ? uv_1 : uv_0, 1);
+  return vec2(dot(x.xyz, uv), dot(y.xyz, uv));
+}
+
+// The ray tracer's level of detail: a texel as wide as the sample's cone, for an even mapping.
+float lod_of(int slot, vec2 uv, float cosine) {
+  vec2 a = dFdx(uv);
+  vec2 b = dFdy(uv);
+  vec2 size = vec2(textureSize(textures[slot], 0));
+  float texels = abs(a.x * b.y - a.y * b.x) * size.x * size.y;
+  return 0.5 * log2(max(texels, 1e-30) / max(cosine, 0.05)) + log2_sample_width;
+}
+
+vec4 texel(int slot, float cosine) {
+  vec2 uv = uv_of(slot);
+  float lod = lod_of(slot, uv, cosine);
+  return textureLod(textures[slot], uv, lod);
+}
+
+vec3 mapped_normal(vec3 n, vec3 front, float cosine) {
+  vec2 uv = uv_of(2);
+  vec3 t = vertex_tangent.xyz;
+  float side = vertex_tangent.w;
+  if (has_tangents < 0.5) {
+    vec2 a = dFdx(uv);
+    vec2 b = dFdy(uv);
+    float s = a.x * b.y - a.y * b.x < 0 ? -1 : 1;
+    vec3 p_a = dFdx(p_camera);
+    vec3 p_b = dFdy(p_camera);
+    t = (p_a * b.y - p_b * a.y) * s;
+    vec3 v = (p_b * a.x - p_a * b.x) * s;
+    side = dot(cross(front, t), -v) < 0 ? -1 : 1;
+  }
+  t -= n * dot(n, t);
+  float size = length(t);
+  if (!(size > 0)) return n;
+  t /= size;
+  vec3 b = side * cross(n, t);
+  vec3 c = 2 * texel(2, cosine).xyz - 1;
+  return normalize(t * (factors.w * c.x) + b * (factors.w * c.y) + n * c.z);
+}
+
+vec3 reflectance(vec3 base, vec3 surface, vec3 n, vec3 v, vec3 l) {
+  vec3 h = normalize(l + v);
+  float n_l = max(1e-4, dot(n, l));
+  float n_v = max(1e-4, dot(n, v));
+  float n_h = max(0.0, dot(n, h));
+  float alpha = max(1e-3, surface.y * surface.y);
+  float alpha2 = alpha * alpha;
+  float spread = n_h * n_h * (alpha2 - 1) + 1;
+  float D = alpha2 / (kPi * spread * spread);
+  float V = 0.5 / (n_l * sqrt(n_v * n_v * (1 - alpha2) + alpha2) +
+                   n_v * sqrt(n_l * n_l * (1 - alpha2) + alpha2));
+  float grazing = pow(1 - max(0.0, dot(v, h)), 5.0);
+  float glass = surface.z * (0.04 + 0.96 * grazing);
+  vec3 metal = (base + (1 - base) * grazing) * (D * V);
+  vec3 dielectric = base * ((1 - glass) / kPi) + glass * D * V;
+  return mix(dielectric, metal, surface.x);
+}
+
+vec3 light_from(int i, vec3 face, vec3 n, vec3 v, vec3 base, vec3 surface) {
+  vec4 place = lights[3 * i];
+  vec4 axis = lights[3 * i + 1];
+  vec4 strength = lights[3 * i + 2];
+  vec3 to_light = place.w > 0.5 ? place.xyz - p_camera : -axis.xyz;
+  float along = dot(to_light, n);
+  if (!(along > 0) || dot(to_light, face) <= 0) return vec3(0);
+  vec3 irradiance = strength.xyz * along;
+  if (place.w > 0.5) {
+    float d2 = dot(to_light, to_light);
+    float d = sqrt(d2);
+    float fade = d2 * strength.w * strength.w;
+    irradiance *= clamp(1 - fade * fade, 0.0, 1.0) / (d2 * d);
+    if (place.w > 1.5) {
+      float cone = clamp((-dot(axis.xyz, to_light) / d - axis.w) * cone_widths[i], 0.0, 1.0);
+      irradiance *= cone * cone;
+    }
+  }
+  return reflectance(base, surface, n, v, normalize(to_light)) * irradiance;
+}
+
+void main() {
+  vec3 v = -normalize(p_camera);
+  vec3 face = normalize(cross(dFdx(p_camera), dFdy(p_camera)));
+  if (dot(face, v) < 0) face = -face;
+  float cosine = dot(face, v);
+  vec4 color = base_color * vertex_color;
+  if (has_texture_low.x > 0.5) color *= texel(0, cosine);
+#ifdef HAS_HOLES
+  if (color.a < least_alpha) discard;
+#endif
+  out_surface = vec4(face, p_camera.z);
+  if (is_unlit > 0.5) {
+    out_color = vec4(color.rgb, 1);
+    return;
+  }
+  bool is_front = gl_FrontFacing == (front_is_ccw > 0.5);
+  vec3 front = is_front ? face : -face;
+  vec3 n = has_normals > 0.5 && length(vertex_normal) > 1e-3 ? normalize(vertex_normal) : front;
+  if (dot(n, front) < 0) n = -n;
+  if (has_texture_low.z > 0.5) n = mapped_normal(n, front, cosine);
+  if (!is_front) n = -n;
+  vec3 surface = factors.xyz;
+  if (has_texture_low.y > 0.5) surface.xy *= texel(1, cosine).zy;
+  vec3 shine = emission.rgb;
+  if (has_emissive_texture > 0.5) shine *= texel(4, cosine).rgb;
+  float openness = 1;
+  if (has_texture_low.w > 0.5) openness += emission.a * (texel(3, cosine).r - 1);
+  vec3 ambient = ambient_uniform + ambient_sky * (0.5 + 0.5 * dot(n, ambient_axis));
+  vec3 radiance = shine + openness * color.rgb * ambient / kPi;
+  for (int i = 0; i < light_count; ++i) {
+    radiance += light_from(i, face, n, v, color.rgb, surface);
+  }
+  out_color = vec4(radiance, 1);
+}
+)";
+
+}  // namespace synth

@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "synth/gltf.h"
+#include "synth/renderer.h"
+#include "tests/synth/quads.h"
+#include "vo/core/error.h"
+
+namespace synth {
+namespace {
+
+constexpr int kSize = 96;  // px
+constexpr int kEdge = 2;   // px around a step of depth or a crease that are not compared
+
+vo::PinholeCamera small_camera() {
+  return vo::PinholeCamera::from_horizontal_fov(kSize, kSize, 70);
+}
+
+/// Both renderers' pictures of a scene.
+struct Pair {
+  RenderedFrame ray;
+  RenderedFrame raster;
+};
+
+Pair render_both(const Scene& scene, RenderOptions options, const vo::SE3& T_world_camera) {
+  Shot shot = still(small_camera(), T_world_camera);
+  shot.channels.normal = true;
+  Pair pair;
+  options.kind = RendererKind::ray_tracer;
+  pair.ray = make_renderer(scene, options)->render(shot);
+  options.kind = RendererKind::rasterizer;
+  pair.raster = make_renderer(scene, options)->render(shot);
+  return pair;
+}
+
+/// Whether depth and normal hardly change around a pixel.
+bool is_inside_a_surface(const RenderedFrame& frame, int v, int u) {
+  if (v < kEdge || u < kEdge || v >= kSize - kEdge || u >= kSize - kEdge) {
+    return false;
+  }
+  const float depth = frame.depth(v, u);
+  for (int dv = -kEdge; dv <= kEdge; ++dv) {
+    for (int du = -kEdge; du <= kEdge; ++du) {
+      const cv::Vec3f turn = frame.normal(v + dv, u + du) - frame.normal(v, u);
+      const float step = frame.depth(v + dv, u + du) - depth;
+      if (cv::norm(turn) > 0.02 || std::abs(step) > 0.1F * depth) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Over all pixels away from edges.
+struct Disagreement {
+  int compared = 0;
+  int hits = 0;               ///< seen by one alone
+  std::vector<double> depth;  ///< m
+  double normal = 0;          ///< greatest
+  std::vector<double> color;
+};
+
+Disagreement compare(const Pair& pair) {
+  Disagreement worst;
+  for (int v = 0; v < kSize; ++v) {
+    for (int u = 0; u < kSize; ++u) {
+      if (!is_inside_a_surface(pair.ray, v, u)) {
+        continue;
+      }
+      ++worst.compared;
+      worst.hits += (pair.ray.depth(v, u) > 0) != (pair.raster.depth(v, u) > 0) ? 1 : 0;
+      worst.depth.push_back(std::abs(pair.ray.depth(v, u) - pair.raster.depth(v, u)));
+      worst.normal =
+          std::max(worst.normal, cv::norm(pair.ray.normal(v, u) - pair.raster.normal(v, u)));
+      worst.color.push_back(cv::norm(pair.ray.radiance(v, u) - pair.raster.radiance(v, u)));
+    }
+  }
+  std::sort(worst.color.begin(), worst.color.end());
+  std::sort(worst.depth.begin(), worst.depth.end());
+  return worst;
+}
+
+const std::filesystem::path kRoom =
+    std::filesystem::path(EDVO_SOURCE_DIR) / "assets/room/room.gltf";
+
+vo::SE3 in_the_room() {
+  return {Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitY()) *
+              Eigen::AngleAxisd(3.14159265358979, Eigen::Vector3d::UnitX()),
+          {0.3, 1.4, 0.2}};
+}
+
+TEST(RenderersAgree, OnDepthNormalsAndUnlitColorOfTheRoom) {
+  const Pair pair =
+      render_both(load_gltf(kRoom), {.mode = RenderMode::unlit, .samples = 4}, in_the_room());
+  const Disagreement worst = compare(pair);
+  EXPECT_GT(worst.compared, kSize * kSize / 3);
+  EXPECT_EQ(worst.hits, 0);
+  EXPECT_LT(worst.depth[worst.depth.size() * 99 / 100], 1e-5);
+  EXPECT_LT(worst.depth.back(), 5e-3);  // of things that lie on each other, one or the other
+  EXPECT_LT(worst.normal, 2e-3);
+  EXPECT_LT(worst.color[worst.color.size() / 2], 0.01);
+  EXPECT_LT(worst.color[worst.color.size() * 95 / 100], 0.06);
+}
+
+/// A tilted square with every kind of map-free surface, and a lamp of each kind.
+Scene lit_square() {
+  Scene scene;
+  Material material = diffuse({0.8F, 0.5F, 0.3F});
+  material.specular = 1;
+  material.roughness = 0.4F;
+  material.metallic = 0.3F;
+  material.emission = {0.01F, 0, 0.02F};
+  Mesh mesh = quad({-6, -6, 2}, {12, 0, 3}, {0, 12, -1});
+  mesh.normals.assign(4, Eigen::Vector3f(0.2F, 0.1F, -1).normalized());
+  mesh.colors = {{1, 1, 1, 1}, {0, 1, 1, 1}, {1, 0, 1, 1}, {1, 1, 0, 1}};
+  add(scene, mesh, material);
+  scene.lights.push_back(point_light({0.5, -0.4, 0.3}, {6, 6, 6}));
+  Light spot = point_light({-0.6, 0.2, 0}, {9, 3, 3});
+  spot.kind = LightKind::spot;
+  spot.direction = {0, 0, 1};
+  spot.inner_cone = 0.2;
+  spot.outer_cone = 0.5;
+  spot.range = 9;
+  scene.lights.push_back(spot);
+  Light sun;
+  sun.kind = LightKind::directional;
+  sun.direction = Eigen::Vector3d(-0.3, 0.2, 1).normalized();
+  scene.lights.push_back(sun);
+  return scene;
+}
+
+TEST(RenderersAgree, OnDirectLightWhereNothingCastsAShadow) {
+  const Pair pair = render_both(lit_square(), {.samples = 1}, {});
+  const Disagreement worst = compare(pair);
+  EXPECT_GT(worst.compared, kSize * kSize * 3 / 4);
+  EXPECT_LT(worst.color.back(), 2e-3);
+  EXPECT_LT(worst.depth.back(), 1e-5);
+}
+
+TEST(RenderersAgree, OnMaskedAndBlendedSurfaces) {
+  for (const AlphaMode mode : {AlphaMode::mask, AlphaMode::blend}) {
+    for (const float alpha : {0.25F, 0.75F}) {
+      Scene scene;
+      Material red = unlit({1, 0, 0});
+      red.alpha_mode = mode;
+      red.base_color.w() = alpha;
+      add(scene, square_at(1, 2), red);
+      add(scene, square_at(2, 4), unlit({0, 1, 0}));
+      const Disagreement worst = compare(render_both(scene, {.samples = 16}, {}));
+      EXPECT_GT(worst.compared, 0);
+      EXPECT_LT(worst.depth.back(), 1e-6);
+      EXPECT_LT(worst.color.back(), 0.05);
+    }
+  }
+}
+
+TEST(Rasterizer, GivesTheSameBitsAgain) {
+  const Scene scene = lit_square();
+  const auto renderer = make_renderer(scene, {.kind = RendererKind::rasterizer});
+  const Shot shot = still(small_camera(), {});
+  const RenderedFrame first = renderer->render(shot);
+  EXPECT_EQ(cv::norm(first.radiance, renderer->render(shot).radiance, cv::NORM_INF), 0);
+}
+
+TEST(Rasterizer, RefusesWhatItCannotDraw) {
+  const Scene scene = lit_square();
+  const RenderOptions raster{.kind = RendererKind::rasterizer};
+  Shot shot = still(small_camera(), {});
+  shot.camera.distortion.k1 = 0.1;
+  EXPECT_THROW(make_renderer(scene, raster)->render(shot), vo::Error);
+  shot = still(small_camera(), {});
+  shot.shutter.readout_time = 0.02;
+  EXPECT_THROW(make_renderer(scene, raster)->render(shot), vo::Error);
+  EXPECT_THROW(make_renderer(scene, {.kind = RendererKind::rasterizer, .mode = RenderMode::path}),
+               vo::Error);
+}
+
+}  // namespace
+}  // namespace synth

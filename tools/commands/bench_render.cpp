@@ -1,0 +1,60 @@
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "synth/gltf.h"
+#include "tools/bench/render_bench.h"
+#include "tools/cli/options.h"
+#include "tools/commands/commands.h"
+#include "vo/io/trajectory_file.h"
+
+namespace tools {
+namespace {
+
+constexpr const char* kHelp =
+    "CPU seconds that a frame of a scene costs: depth alone, base colour with 16 samples, direct\n"
+    "light with shadows and 16 samples (one thread), the rasterizer with one (all its threads);\n"
+    "and how the cost grows with samples, resolution and triangles.";
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  edvo bench-render room.gltf\n"
+    "  edvo bench-render house.gltf --trajectory poses.txt --size 640x480 --json";
+
+struct BenchRenderArguments {
+  CommonOptions common;
+  std::string scene;
+  std::string size = "640x480";
+  std::string trajectory;
+  double fov_deg = 60;
+};
+
+void bench_render(const BenchRenderArguments& arguments) {
+  const auto [width, height] = parse_size(arguments.size);
+  const vo::PinholeCamera camera =
+      vo::PinholeCamera::from_horizontal_fov(width, height, arguments.fov_deg);
+  const synth::Scene scene = synth::load_gltf(arguments.scene);
+  const vo::Trajectory views = arguments.trajectory.empty()
+                                   ? views_from_the_middle(scene)
+                                   : vo::read_trajectory(arguments.trajectory);
+  vo::require(!views.empty(), arguments.trajectory, ": no poses, expected at least one");
+  const RenderBench bench = bench_rendering(scene, camera, views);
+  std::cout << (arguments.common.json ? format_json(bench) : format_table(bench));
+}
+
+}  // namespace
+
+void add_bench_render_command(CLI::App& program, int& /*exit_code*/) {
+  CLI::App& command = *program.add_subcommand("bench-render", kHelp);
+  const auto arguments = std::make_shared<BenchRenderArguments>();
+  command.footer(kExamples);
+  command.add_option("SCENE", arguments->scene, "glTF 2.0 file, .gltf or .glb")->required();
+  command.add_option("--size", arguments->size, "WIDTHxHEIGHT, px [640x480]");
+  command.add_option("--fov", arguments->fov_deg, "horizontal, deg [60]");
+  command.add_option("--trajectory", arguments->trajectory,
+                     "TUM trajectory of the views; else four from the middle of the scene");
+  add_common_options(command, arguments->common);
+  command.callback([arguments] { bench_render(*arguments); });
+}
+
+}  // namespace tools
