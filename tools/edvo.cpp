@@ -23,6 +23,7 @@ constexpr const char* kDescription =
     "  edvo track        an RGB-D sequence -> a trajectory\n"
     "  edvo evaluate     two trajectories -> their errors\n"
     "  edvo run          a scenario: all three, and a verdict\n"
+    "  edvo depth        monocular mapping alone: an inverse-depth map beside the truth\n"
     "  edvo train-edges  glTF scenes -> a learnt edge detector, or a detector's precision\n"
     "  edvo bench        ms per frame, ours beside others\n"
     "  edvo bench-render CPU s per rendered frame, and how it grows\n"
@@ -47,6 +48,7 @@ int run(int argc, char** argv) {
   tools::add_track_command(program, exit_code);
   tools::add_evaluate_command(program, exit_code);
   tools::add_run_command(program, exit_code);
+  tools::add_depth_command(program, exit_code);
   tools::add_bench_command(program, exit_code);
   tools::add_bench_render_command(program, exit_code);
   tools::add_ablate_command(program, exit_code);

@@ -8,15 +8,6 @@
 namespace vo {
 namespace {
 
-PinholeCamera tracked_camera(const PinholeCamera& camera, LensModel lens) {
-  constexpr int kMinSize = 4;  // px, of the neighbourhood that intensities are looked up in
-  camera.validate();
-  require(camera.width >= kMinSize && camera.height >= kMinSize,
-          "odometry: expected a camera of at least ", kMinSize, "x", kMinSize, " px, got ",
-          camera.width, "x", camera.height);
-  return lens == LensModel::ignore ? camera.without_distortion() : camera;
-}
-
 TrackerOptions paper_options() {
   TrackerOptions options;
   options.pyramid.levels = 3;
@@ -66,6 +57,15 @@ TrackerOptions best_options() {
 }
 
 }  // namespace
+
+PinholeCamera tracked_camera(const PinholeCamera& camera, LensModel lens) {
+  constexpr int kMinSize = 4;  // px, of the neighbourhood that intensities are looked up in
+  camera.validate();
+  require(camera.width >= kMinSize && camera.height >= kMinSize,
+          "odometry: expected a camera of at least ", kMinSize, "x", kMinSize, " px, got ",
+          camera.width, "x", camera.height);
+  return lens == LensModel::ignore ? camera.without_distortion() : camera;
+}
 
 TrackerOptions preset_options(TrackerPreset preset) {
   switch (preset) {

@@ -27,13 +27,17 @@ constexpr auto enum_names(TrackerPreset) {
 
 TrackerOptions preset_options(TrackerPreset preset);
 
+/// The camera as the warp sees it. Throws Error where images are too small to be tracked.
+PinholeCamera tracked_camera(const PinholeCamera& camera, LensModel lens);
+
 /// Wall-clock time of one frame's stages. Diagnostic: no result depends on it.
 struct StageTimes {
   double pyramid_ms = 0;
   double edges_ms = 0;
   double alignment_ms = 0;  ///< choice of the points included
+  double mapping_ms = 0;    ///< monocular only
 
-  double total_ms() const { return pyramid_ms + edges_ms + alignment_ms; }
+  double total_ms() const { return pyramid_ms + edges_ms + alignment_ms + mapping_ms; }
 };
 
 /// RGB-D edge-direct odometry: one call per frame.

@@ -12,6 +12,7 @@ void add_convert_command(CLI::App& program, int& exit_code);
 void add_track_command(CLI::App& program, int& exit_code);
 void add_evaluate_command(CLI::App& program, int& exit_code);
 void add_run_command(CLI::App& program, int& exit_code);
+void add_depth_command(CLI::App& program, int& exit_code);
 void add_bench_command(CLI::App& program, int& exit_code);
 void add_bench_render_command(CLI::App& program, int& exit_code);
 void add_ablate_command(CLI::App& program, int& exit_code);

@@ -11,6 +11,7 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/track_arguments.h"
 #include "tools/pipeline/track_sequence.h"
 #include "tools/report/panel_writer.h"
 #include "tools/report/report.h"
@@ -29,33 +30,25 @@ namespace fs = std::filesystem;
 constexpr const char* kHelp =
     "Tracks the camera of an RGB-D sequence in the layout of the TUM RGB-D benchmark and writes\n"
     "T_world_camera of every tracked frame in TUM format; the world is the first camera's frame.\n"
+    "With --mode mono only the images are read, and the depth of the first for --bootstrap rgbd;\n"
+    "--preset and --debug-images are for --mode rgbd.\n"
     "Frames that are lost have no pose in the file, and the exit code is then 5.";
-
-struct TrackArguments {
-  CommonOptions common;
-  std::string sequence;
-  std::string camera;
-  std::string preset_name = "default";
-  std::vector<std::string> assignments;
-  std::string out;
-  std::string frame_log;
-  int debug_images = 0;
-  double max_time_difference = 0.02;
-};
 
 std::string examples() {
   std::string text =
       "Examples:\n"
       "  edvo track rgbd_dataset_freiburg1_xyz --camera tum-fr1 --preset paper --out estimate.txt\n"
       "  edvo track sequence --set keyframes.every=5 --set edges.percentile=90 --out e.txt --json\n"
-      "  edvo track sequence --debug-images 30 --out e.txt   # pictures in e_panels/\n\n"
+      "  edvo track sequence --debug-images 30 --out e.txt   # pictures in e_panels/\n"
+      "  edvo track sequence --mode mono --bootstrap auto --out e.txt --frame-log e.csv\n\n"
       "Camera presets:\n";
   for (const vo::CameraPreset& preset : vo::camera_presets()) {
     text += "  " + preset.name + std::string(13 - preset.name.size(), ' ') + preset.help + "\n";
   }
   vo::TrackerOptions options = vo::preset_options(vo::TrackerPreset::best_measured);
   return text + "\nKeys of --set, with the values of preset default:\n" +
-         describe_fields(vo::fields_of(options));
+         describe_fields(vo::fields_of(options)) + "\nKeys of --set with --mode mono:\n" +
+         describe_mono_fields();
 }
 
 vo::TrackerOptions chosen_options(const TrackArguments& arguments) {
@@ -112,16 +105,8 @@ void write_pictures(const TrackArguments& arguments, const vo::SequenceReader& s
                  arguments.common.existing());
 }
 
-int track(const TrackArguments& arguments) {
+int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera) {
   const vo::TrackerOptions options = chosen_options(arguments);
-  std::optional<vo::RgbdCamera> camera;
-  if (!arguments.camera.empty()) {
-    camera = vo::load_camera(arguments.camera);
-  }
-  vo::require_writable(arguments.out);
-  if (!arguments.frame_log.empty()) {
-    vo::require_writable(arguments.frame_log);
-  }
   const vo::SequenceReader sequence(arguments.sequence, camera, arguments.max_time_difference);
   PanelWriter panels(beside(arguments.out, "_panels"), arguments.debug_images,
                      arguments.common.existing());
@@ -142,6 +127,17 @@ int track(const TrackArguments& arguments) {
   return result.tracked_fraction() < 1 ? exit_code::kTrackingLost : exit_code::kOk;
 }
 
+int track(const TrackArguments& arguments) {
+  std::optional<vo::RgbdCamera> camera;
+  if (!arguments.camera.empty()) {
+    camera = vo::load_camera(arguments.camera);
+  }
+  vo::require_writable(arguments.out);
+  if (!arguments.frame_log.empty()) {
+    vo::require_writable(arguments.frame_log);
+  }
+  return arguments.mode == "mono" ? track_mono(arguments, camera) : track_rgbd(arguments, camera);
+}
 }  // namespace
 
 void add_track_command(CLI::App& program, int& exit_code) {
@@ -153,6 +149,14 @@ void add_track_command(CLI::App& program, int& exit_code) {
   command.add_option("--out", arguments->out, "trajectory to write")->required();
   command.add_option("--camera", arguments->camera,
                      "preset or FILE.toml; otherwise the sequence's camera.toml");
+  command.add_option("--mode", arguments->mode, "rgbd | mono [rgbd]")
+      ->check(CLI::IsMember({"rgbd", "mono"}));
+  command.add_option(
+      "--bootstrap", arguments->bootstrap,
+      "mono: where first depths come from, rgbd | file | flat | random | auto [auto]");
+  command.add_option(
+      "--depth-file", arguments->depth_file,
+      "mono, bootstrap file: depth of the first image, 16-bit PNG or .npy in metres");
   command.add_option("--preset", arguments->preset_name, "paper | authors | default [default]")
       ->check(CLI::IsMember({"paper", "authors", "default"}));
   command.add_option("--set", arguments->assignments, "key=value, may be repeated; keys below")

@@ -102,25 +102,30 @@ void add_edge_point(const PyramidLevel& level, cv::Point pixel, float z, float d
   points.pixel.push_back(pixel);
 }
 
-void thin_out(const EdgePointOptions& options, int width, EdgePointLevel& points) {
+Thinning::Thinning(const EdgePointOptions& options, std::size_t count, int width)
+    : seed_(options.seed), width_(width) {
   const auto limit = options.max_points > 0 ? static_cast<double>(options.max_points) : 1e18;
-  const auto count = static_cast<double>(points.size());
-  const double share = std::min(options.fraction, limit / std::max(count, 1.0));
-  if (share >= 1) {
-    return;
-  }
+  share_ = std::min(options.fraction, limit / std::max(static_cast<double>(count), 1.0));
+}
+
+bool Thinning::keeps(cv::Point pixel) const {
+  const int index = pixel.y * width_ + pixel.x;
+  return share_ >= 1 ||
+         mixed_uniform(mixed(seed_ + 1) + static_cast<std::uint64_t>(index)) < share_;
+}
+
+namespace {
+
+void thin_out(const EdgePointOptions& options, int width, EdgePointLevel& points) {
+  const Thinning thinning(options, points.size(), width);
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const int index = points.pixel[i].y * width + points.pixel[i].x;
-    const double rank = mixed_uniform(mixed(options.seed + 1) + static_cast<std::uint64_t>(index));
-    if (rank < share) {
+    if (thinning.keeps(points.pixel[i])) {
       kept.push_back(i);
     }
   }
   points.keep(kept);
 }
-
-namespace {
 
 EdgePointLevel collect_points(const PyramidLevel& reference, const EdgeMask& mask,
                               const EdgePointOptions& options, int discontinuity_radius) {

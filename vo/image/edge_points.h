@@ -100,8 +100,18 @@ inline float structured_light_sigma(float depth) {
 void add_edge_point(const PyramidLevel& level, cv::Point pixel, float z, float depth_sigma,
                     EdgePointLevel& points);
 
-/// Keeps the points whose rank in a pseudo-random order of a level's pixels is below the limit.
-void thin_out(const EdgePointOptions& options, int width, EdgePointLevel& points);
+/// Which of a level's `count` candidates the options' fraction and limit leave: those whose rank in
+/// a pseudo-random order of the pixels is low enough.
+class Thinning {
+ public:
+  Thinning(const EdgePointOptions& options, std::size_t count, int width);
+  bool keeps(cv::Point pixel) const;
+
+ private:
+  std::uint64_t seed_;
+  double share_;
+  int width_;  ///< px, of the level
+};
 
 /// How many of a level's own edge pixels have depth in the options' range.
 std::size_t edge_pixels_with_depth(const PyramidLevel& level, const EdgePointOptions& options);

@@ -14,6 +14,12 @@
 
 namespace vo {
 
+/// What of a sequence is read.
+enum class SequenceContent {
+  colour_and_depth,
+  colour,  ///< depth.txt and its images are not touched; frames have no depth
+};
+
 /// An RGB-D sequence on disk, in the layout of the TUM RGB-D benchmark:
 ///     rgb/*.png (8 bit)  depth/*.png (16 bit)  rgb.txt  depth.txt  groundtruth.txt  camera.toml
 /// The lists hold `timestamp path` a line, seconds, in increasing time. groundtruth.txt and
@@ -24,7 +30,8 @@ class SequenceReader {
   /// depth are paired by nearest stamp, greedily by smallest difference, each image once.
   explicit SequenceReader(const std::filesystem::path& folder,
                           std::optional<RgbdCamera> camera = std::nullopt,
-                          double max_time_difference = 0.02);
+                          double max_time_difference = 0.02,
+                          SequenceContent content = SequenceContent::colour_and_depth);
 
   const RgbdCamera& camera() const { return camera_; }
   const Trajectory& ground_truth() const { return ground_truth_; }  ///< empty when there is none
@@ -38,7 +45,7 @@ class SequenceReader {
   struct Entry {
     double timestamp;
     std::filesystem::path image;
-    std::filesystem::path depth;
+    std::filesystem::path depth;  ///< empty where only colour is read
   };
 
   RgbdCamera camera_;

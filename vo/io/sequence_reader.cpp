@@ -48,17 +48,24 @@ RgbdCamera camera_of(const fs::path& folder, const std::optional<RgbdCamera>& gi
 }  // namespace
 
 SequenceReader::SequenceReader(const fs::path& folder, std::optional<RgbdCamera> camera,
-                               double max_time_difference) {
+                               double max_time_difference, SequenceContent content) {
   require(fs::is_directory(folder), folder.string(),
           ": there is no such folder, expected a sequence (rgb.txt, depth.txt and their images)");
   camera_ = camera_of(folder, camera);
   const ImageList images = read_image_list(folder, "rgb.txt");
-  const ImageList depths = read_image_list(folder, "depth.txt");
-  for (const auto& [i, j] : associate(images.timestamps, depths.timestamps, max_time_difference)) {
-    entries_.push_back({images.timestamps[i], images.paths[i], depths.paths[j]});
+  if (content == SequenceContent::colour) {
+    for (std::size_t i = 0; i < images.paths.size(); ++i) {
+      entries_.push_back({images.timestamps[i], images.paths[i], {}});
+    }
+  } else {
+    const ImageList depths = read_image_list(folder, "depth.txt");
+    for (const auto& [i, j] :
+         associate(images.timestamps, depths.timestamps, max_time_difference)) {
+      entries_.push_back({images.timestamps[i], images.paths[i], depths.paths[j]});
+    }
+    require(!entries_.empty(), folder.string(), ": no colour and depth image lie within ",
+            max_time_difference, " s of each other");
   }
-  require(!entries_.empty(), folder.string(), ": no colour and depth image lie within ",
-          max_time_difference, " s of each other");
   if (fs::exists(folder / "groundtruth.txt")) {
     ground_truth_ = read_trajectory(folder / "groundtruth.txt");
   }
@@ -72,7 +79,9 @@ RgbdFrame SequenceReader::read(std::size_t index) const {
   require_size(frame.image, camera_.pinhole, entry.image);
   require(frame.image.depth() == CV_8U, entry.image.string(),
           ": expected 8 bits per channel, got 16");
-  frame.depth = read_depth_png(entry.depth, camera_);
+  if (!entry.depth.empty()) {
+    frame.depth = read_depth_png(entry.depth, camera_);
+  }
   return frame;
 }
 

@@ -17,6 +17,7 @@ DepthMap::DepthMap(const DepthMapOptions& options) : options_(options) {
 
 void DepthMap::start(const FramePyramid& anchor, double guessed_depth) {
   anchor_ = anchor;
+  frames_since_anchor_ = 0;
   hypotheses_ =
       edge_hypotheses(anchor.levels.front(), options_, static_cast<float>(1 / guessed_depth));
 }
@@ -32,22 +33,47 @@ void DepthMap::take_depth(const DepthImage& depth, double relative_sigma) {
   }
 }
 
-void DepthMap::guess_flat(double depth, double relative_sigma) {
+void DepthMap::loosen(double relative_sigma) {
   for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
-    const double sigma = relative_sigma / depth;
-    hypotheses_.set(i, static_cast<float>(1 / depth), static_cast<float>(sigma * sigma));
+    const float sigma = static_cast<float>(relative_sigma) * hypotheses_.inverse_depth[i];
+    hypotheses_.variance[i] = std::max(hypotheses_.variance[i], sigma * sigma);
   }
 }
 
-void DepthMap::guess_random(std::uint64_t seed, double relative_sigma) {
+void DepthMap::guess_random(std::uint64_t seed) {
   const double far = 1 / options_.max_depth;
   const double near = 1 / options_.min_depth;
   for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
-    const double uniform = static_cast<double>(mixed(mixed(seed) + i)) * 0x1p-64;
-    const double d = far + uniform * (near - far);
-    const double sigma = relative_sigma * d;
-    hypotheses_.set(i, static_cast<float>(d), static_cast<float>(sigma * sigma));
+    const double uniform = mixed_uniform(mixed(seed) + i);
+    hypotheses_.forget(i, static_cast<float>(far + uniform * (near - far)));
   }
+}
+
+bool DepthMap::needs_new_anchor(const FramePyramid& current, const SE3& T_cur_anchor) const {
+  const AnchorOptions& options = options_.anchor;
+  if (options_.propagate == PropagationPolicy::always ||
+      (options.every > 0 && frames_since_anchor_ >= options.every)) {
+    return true;
+  }
+  constexpr std::size_t kStride = 8;  // a share of the edges tells
+  const StereoPair pair(anchor_.levels.front(), current.levels.front(), {T_cur_anchor});
+  double asked = 0;
+  double seen = 0;
+  double flow = 0;
+  for (std::size_t i = 0; i < hypotheses_.size(); i += kStride) {
+    const cv::Vec2f& ray = pair.anchor.rays(hypotheses_.pixel[i]);
+    const MovedDepth moved =
+        moved_depth(pair, {ray[0], ray[1]}, hypotheses_.inverse_depth[i], 0, 0);
+    const Eigen::Vector2f pixel = image_ray(pair.current.camera, moved.ray).pixel;
+    asked += 1;
+    if (moved.inverse_depth > 0 && can_be_sampled(pair.current.intensity, pixel)) {
+      seen += 1;
+      flow += std::hypot(pixel.x() - static_cast<float>(hypotheses_.pixel[i].x),
+                         pixel.y() - static_cast<float>(hypotheses_.pixel[i].y));
+    }
+  }
+  return seen < options.min_overlap * asked ||
+         flow > seen * options.max_flow * pair.current.camera.width;
 }
 
 SearchTarget DepthMap::target(std::size_t i) const {
@@ -82,6 +108,7 @@ void DepthMap::count_and_fuse(const Observation& observation, std::size_t i, flo
 
 ObservationCounts DepthMap::observe(const FramePyramid& current, const FrameRelation& relation,
                                     const ObservationListener& listener) {
+  ++frames_since_anchor_;
   const StereoPair pair(anchor_.levels.front(), current.levels.front(), relation);
   EpipolarSearch search(pair, options_.epipolar);
   const float guess = median_inverse_depth(hypotheses_, static_cast<float>(2 / options_.max_depth));
@@ -131,11 +158,12 @@ PropagationCounts DepthMap::propagate(const FramePyramid& current, const FrameRe
   fill_from_neighbours(options_, next);
   hypotheses_ = std::move(next);
   anchor_ = current;
+  frames_since_anchor_ = 0;
   return counts;
 }
 
-EdgePoints DepthMap::points(const EdgePointOptions& options) const {
-  return map_points(anchor_, hypotheses_, options, options_.confident_sigma);
+EdgePoints DepthMap::points(const EdgePointOptions& options, Guesses guesses) const {
+  return map_points(anchor_, hypotheses_, options, options_.confident_sigma, guesses);
 }
 
 std::size_t DepthMap::confident() const {

@@ -8,6 +8,7 @@
 #include "vo/mapping/depth_map_options.h"
 #include "vo/mapping/epipolar_search.h"
 #include "vo/mapping/hypotheses.h"
+#include "vo/mapping/map_points.h"
 #include "vo/mapping/propagate.h"
 #include "vo/mapping/stereo_pair.h"
 
@@ -41,10 +42,11 @@ class DepthMap {
   /// it has none, nothing is known.
   void take_depth(const DepthImage& depth, double relative_sigma);
 
-  /// The same depth everywhere, or random ones between the options' limits, uniform in inverse
-  /// depth: guesses that `points` gives out like knowledge until they are observed.
-  void guess_flat(double depth, double relative_sigma);
-  void guess_random(std::uint64_t seed, double relative_sigma);
+  /// Takes all depths for less certain than this, relative; nothing becomes more certain.
+  void loosen(double relative_sigma);
+
+  /// Random guesses between the options' limits, uniform in inverse depth.
+  void guess_random(std::uint64_t seed);
 
   ObservationCounts observe(const FramePyramid& current, const FrameRelation& relation,
                             const ObservationListener& listener = {});
@@ -55,8 +57,11 @@ class DepthMap {
   /// Makes the current frame, with edges, the anchor.
   PropagationCounts propagate(const FramePyramid& current, const FrameRelation& relation);
 
-  /// What is known, as the tracker takes it.
-  EdgePoints points(const EdgePointOptions& options) const;
+  /// Whether it is time for a new anchor, as the options say.
+  bool needs_new_anchor(const FramePyramid& current, const SE3& T_cur_anchor) const;
+
+  /// As the tracker takes it: what is known with confidence, and guesses where they are wanted.
+  EdgePoints points(const EdgePointOptions& options, Guesses guesses = Guesses::left_out) const;
 
   bool empty() const { return anchor_.levels.empty(); }
   const FramePyramid& anchor() const { return anchor_; }
@@ -72,6 +77,7 @@ class DepthMap {
   DepthMapOptions options_;
   FramePyramid anchor_;
   Hypotheses hypotheses_;
+  int frames_since_anchor_ = 0;
 };
 
 }  // namespace vo

@@ -70,6 +70,22 @@ void visit_fields(Visitor& visit, EpipolarOptions& options) {
   visit("sigma_grey", options.sigma_grey, "of an intensity, grey levels");
 }
 
+/// When the view has changed so much that the next frame becomes the anchor.
+struct AnchorOptions {
+  int every = 0;             ///< frames; 0 is by view alone
+  double max_flow = 0.06;    ///< mean displacement of the edges, image widths
+  double min_overlap = 0.7;  ///< share of the edges in view
+
+  void validate() const;  ///< throws Error
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, AnchorOptions& options) {
+  visit("every", options.every, "frames from anchor to anchor; 0 is by view alone");
+  visit("max_flow", options.max_flow, "a new one beyond this mean displacement, image widths");
+  visit("min_overlap", options.min_overlap, "a new one below this share of edges in view");
+}
+
 struct DepthMapOptions {
   PropagationPolicy propagate = PropagationPolicy::keyframe;
   Fusion fusion = Fusion::gaussian;
@@ -84,6 +100,7 @@ struct DepthMapOptions {
   int max_failures = 3;              ///< more failed than successful observations: deleted
   double fill_sigma = 0.05;          ///< relative, of an edge pixel filled from its neighbours
   std::uint64_t seed = 0;            ///< of which edge pixels the limit leaves
+  AnchorOptions anchor;
   EpipolarOptions epipolar;
 
   void validate() const;  ///< throws Error
@@ -104,6 +121,7 @@ void visit_fields(Visitor& visit, DepthMapOptions& options) {
   visit("max_failures", options.max_failures, "more failures than successes: deleted");
   visit("fill_sigma", options.fill_sigma, "relative, of a pixel filled from its neighbours");
   visit("seed", options.seed, "of which edge pixels the limit leaves");
+  visit("anchor", options.anchor, "");
   visit("epipolar", options.epipolar, "");
 }
 

@@ -25,18 +25,36 @@ Eigen::Vector2f ray_of(const PyramidLevel& level, cv::Point pixel) {
   return {ray[0], ray[1]};
 }
 
+/// Pixels along a line near one place on it; exact where the lens is perfect.
+struct LinePixels {
+  Eigen::Vector2f pixel;
+  Eigen::Vector2f direction;
+  float start;
+
+  LinePixels(const PinholeCamera& camera, const Eigen::Vector2f& q, const Eigen::Vector2f& dq_ds,
+             float s)
+      : start(s) {
+    const ImagedRay imaged = image_ray(camera, q + s * dq_ds);
+    pixel = imaged.pixel;
+    direction = imaged.J * dq_ds;
+  }
+
+  Eigen::Vector2f at(float s) const { return pixel + (s - start) * direction; }
+};
+
 }  // namespace
 
 /// The epipolar line of one pixel in the current image around its expected place, s = 0, and what
 /// the anchor shows along its own.
 struct EpipolarSearch::Line {
-  Eigen::Vector3f P_far;  ///< R ray: the point at inverse depth d is along P_far + d t
-  Eigen::Vector2f q;      ///< ray coordinates of the expected place
-  Eigen::Vector2f dq_ds;  ///< of one px along the line
-  float step = 1;         ///< px per sample of the anchor
-  float s_min = 0;        ///< px
-  float s_max = 0;        ///< px
-  float cosine = 1;       ///< of gradient and line
+  Eigen::Vector2f along_anchor;  ///< px, unit, of the line in the anchor
+  Eigen::Vector3f R_ray;         ///< R ray: the point at inverse depth d is along R_ray + d t
+  Eigen::Vector2f q;             ///< ray coordinates of the expected place
+  Eigen::Vector2f dq_ds;         ///< of one px along the line
+  float step = 1;                ///< px per sample of the anchor
+  float s_min = 0;               ///< px
+  float s_max = 0;               ///< px
+  float cosine = 1;              ///< of gradient and line
   float sine = 0;
   std::array<float, kSampled> anchor{};  ///< intensities as the current image should show them
 };
@@ -59,6 +77,7 @@ bool EpipolarSearch::make_line(const SearchTarget& target, Line& line) const {
     return false;
   }
   const Eigen::Vector2f along = towards_px / length_px;
+  line.along_anchor = along;
   const float gradient_along = target.gradient[0] * along.x() + target.gradient[1] * along.y();
   const float norm = std::hypot(target.gradient[0], target.gradient[1]);
   line.cosine = gradient_along / norm;
@@ -67,16 +86,16 @@ bool EpipolarSearch::make_line(const SearchTarget& target, Line& line) const {
       line.cosine * line.cosine < static_cast<float>(options_.min_cos2)) {
     return false;
   }
-  line.P_far = pair_.R_cur_anchor * ray.homogeneous();
-  const Eigen::Vector3f P = line.P_far + target.inverse_depth * pair_.t_cur_anchor;
+  line.R_ray = pair_.R_cur_anchor * ray.homogeneous();
+  const Eigen::Vector3f P = line.R_ray + target.inverse_depth * pair_.t_cur_anchor;
   const Eigen::Vector2f neighbour = ray + towards / length_px;
-  const Eigen::Vector3f P_next =
+  const Eigen::Vector3f next =
       pair_.R_cur_anchor * neighbour.homogeneous() + target.inverse_depth * pair_.t_cur_anchor;
-  if (!(P.z() > 0.1F && P_next.z() > 0.1F)) {
+  if (!(P.z() > 0.1F && next.z() > 0.1F)) {
     return false;
   }
   line.q = P.hnormalized();
-  const Eigen::Vector2f step_q = P_next.hnormalized() - line.q;
+  const Eigen::Vector2f step_q = next.hnormalized() - line.q;
   line.step = (image_ray(pair_.current.camera, line.q).J * step_q).norm();
   const auto limit = static_cast<float>(options_.max_scale_change);
   if (!(line.step * limit >= 1 && line.step <= limit)) {
@@ -88,14 +107,10 @@ bool EpipolarSearch::make_line(const SearchTarget& target, Line& line) const {
 
 /// False where the samples leave the anchor. Also finds the ends of the searched interval.
 bool EpipolarSearch::sample_anchor(const SearchTarget& target, Line& line) const {
-  const Eigen::Vector2f ray = ray_of(pair_.anchor, target.pixel);
-  const Eigen::Vector2f towards_px =
-      image_ray(pair_.anchor.camera, ray).J * line_direction(pair_, ray);
-  const Eigen::Vector2f along = towards_px.normalized();
   for (int k = 0; k < kSampled; ++k) {
     const Eigen::Vector2f at =
         Eigen::Vector2f(static_cast<float>(target.pixel.x), static_cast<float>(target.pixel.y)) +
-        static_cast<float>(k - kReach - 1) * along;
+        static_cast<float>(k - kReach - 1) * line.along_anchor;
     if (!can_be_sampled(pair_.anchor.intensity, at)) {
       return false;
     }
@@ -103,7 +118,7 @@ bool EpipolarSearch::sample_anchor(const SearchTarget& target, Line& line) const
         pair_.gain * sample_bilinear(pair_.anchor.intensity, at) + pair_.offset;
   }
   const auto s_of = [&](float inverse_depth) {
-    Eigen::Vector3f P = line.P_far + inverse_depth * pair_.t_cur_anchor;
+    Eigen::Vector3f P = line.R_ray + inverse_depth * pair_.t_cur_anchor;
     P.z() = std::max(P.z(), 0.1F);
     return (P.hnormalized() - line.q).dot(line.dq_ds) / line.dq_ds.squaredNorm();
   };
@@ -118,13 +133,22 @@ bool EpipolarSearch::sample_anchor(const SearchTarget& target, Line& line) const
 
 /// The place on the line, in steps of a sample, with the least sum of squared differences.
 SearchOutcome EpipolarSearch::coarse_match(const Line& line, float& s) {
+  constexpr float kNoSearch = 1.5F;  // px; the slope leads there from anywhere in it
+  if (line.s_max - line.s_min <= kNoSearch) {
+    s = std::clamp(0.0F, line.s_min, line.s_max);
+    return SearchOutcome::found;
+  }
   const int shifts = 1 + static_cast<int>(std::ceil((line.s_max - line.s_min) / line.step));
   samples_.resize(static_cast<std::size_t>(shifts + 2 * kReach));
   differences_.assign(static_cast<std::size_t>(shifts), kUnseen);
   const float first = line.s_min - static_cast<float>(kReach) * line.step;
+  const bool is_straight = pair_.current.camera.distortion.is_zero();
+  const LinePixels pixels(pair_.current.camera, line.q, line.dq_ds, 0);
   for (std::size_t i = 0; i < samples_.size(); ++i) {
-    const Eigen::Vector2f q = line.q + (first + static_cast<float>(i) * line.step) * line.dq_ds;
-    const Eigen::Vector2f pixel = image_ray(pair_.current.camera, q).pixel;
+    const float at = first + static_cast<float>(i) * line.step;
+    const Eigen::Vector2f pixel =
+        is_straight ? pixels.at(at)
+                    : image_ray(pair_.current.camera, line.q + at * line.dq_ds).pixel;
     samples_[i] = can_be_sampled(pair_.current.intensity, pixel)
                       ? sample_bilinear(pair_.current.intensity, pixel)
                       : std::numeric_limits<float>::quiet_NaN();
@@ -165,13 +189,13 @@ bool EpipolarSearch::refine(const Line& line, float& s, float& information) cons
   constexpr float kMaxStep = 0.5F;
   constexpr float kConverged = 0.01F;
   const float start = s;
+  const LinePixels pixels(pair_.current.camera, line.q, line.dq_ds, start);
   float squares = 0;
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     std::array<float, kSampled> current{};
     for (std::size_t k = 0; k < kSampled; ++k) {
       const float offset = (static_cast<float>(k) - kReach - 1) * line.step;
-      const Eigen::Vector2f pixel =
-          image_ray(pair_.current.camera, line.q + (s + offset) * line.dq_ds).pixel;
+      const Eigen::Vector2f pixel = pixels.at(s + offset);
       if (!can_be_sampled(pair_.current.intensity, pixel)) {
         return false;
       }
@@ -215,14 +239,14 @@ float EpipolarSearch::pose_variance(const Line& line, const Eigen::Vector3f& P,
   const Eigen::Vector2f across_edge(line.cosine * along.x() - line.sine * along.y(),
                                     line.cosine * along.y() + line.sine * along.x());
   const Eigen::Vector2f by_ray = J.transpose() * across_edge / P.z();
-  const Eigen::Vector3f by_P(by_ray.x(), by_ray.y(), -by_ray.dot(P.hnormalized()));
+  const Eigen::Vector3f by_point(by_ray.x(), by_ray.y(), -by_ray.dot(P.hnormalized()));
   Eigen::Matrix<float, 6, 1> by_pose;
-  by_pose << inverse_depth * by_P, P.cross(by_P);
+  by_pose << inverse_depth * by_point, P.cross(by_point);
   return by_pose.dot(pair_.covariance * by_pose);
 }
 
 float EpipolarSearch::variance_of(const Line& line, float inverse_depth, float information) const {
-  const Eigen::Vector3f P = line.P_far + inverse_depth * pair_.t_cur_anchor;
+  const Eigen::Vector3f P = line.R_ray + inverse_depth * pair_.t_cur_anchor;
   const Eigen::Vector3f& t = pair_.t_cur_anchor;
   const Eigen::Vector2f dq_dd = (t.head<2>() * P.z() - P.head<2>() * t.z()) / (P.z() * P.z());
   const float px_per_inverse_depth = dq_dd.dot(line.dq_ds) / line.dq_ds.squaredNorm();
@@ -256,7 +280,7 @@ Observation EpipolarSearch::observe(const SearchTarget& target) {
   const Eigen::Vector3f& t = pair_.t_cur_anchor;
   const int axis = std::abs(line.dq_ds.x()) > std::abs(line.dq_ds.y()) ? 0 : 1;
   const float inverse_depth =
-      (line.P_far[axis] - q[axis] * line.P_far.z()) / (q[axis] * t.z() - t[axis]);
+      (line.R_ray[axis] - q[axis] * line.R_ray.z()) / (q[axis] * t.z() - t[axis]);
   if (!(inverse_depth > 0)) {
     return {SearchOutcome::no_match};
   }

@@ -3,34 +3,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "vo/core/hash.h"
+#include "vo/mapping/stereo_pair.h"
 
 namespace vo {
 namespace {
 
 constexpr int kBorder = 4;  // px; the samples along a line need room
 
-float sample(const GrayImage& image, float u, float v) {
-  const int u0 = static_cast<int>(u);
-  const int v0 = static_cast<int>(v);
-  const float du = u - static_cast<float>(u0);
-  const float dv = v - static_cast<float>(v0);
-  const float* upper = image[v0] + u0;
-  const float* lower = image[v0 + 1] + u0;
-  const float above = upper[0] + du * (upper[1] - upper[0]);
-  const float below = lower[0] + du * (lower[1] - lower[0]);
-  return above + dv * (below - above);
-}
-
 /// Where the gradient along itself is greatest: vertex of the parabola through three slopes, px.
 float offset_of_edge(const GrayImage& image, cv::Point pixel, cv::Vec2f direction) {
   constexpr float kMaxOffset = 0.7F;
   std::array<float, 5> along{};
   for (int k = -2; k <= 2; ++k) {
-    along[static_cast<std::size_t>(k + 2)] =
-        sample(image, static_cast<float>(pixel.x) + static_cast<float>(k) * direction[0],
-               static_cast<float>(pixel.y) + static_cast<float>(k) * direction[1]);
+    along[static_cast<std::size_t>(k + 2)] = sample_bilinear(
+        image, {static_cast<float>(pixel.x) + static_cast<float>(k) * direction[0],
+                static_cast<float>(pixel.y) + static_cast<float>(k) * direction[1]});
   }
   const float before = along[2] - along[0];
   const float at = along[3] - along[1];
@@ -43,7 +33,7 @@ float offset_of_edge(const GrayImage& image, cv::Point pixel, cv::Vec2f directio
 bool is_kept(cv::Point pixel, double share, std::uint64_t seed) {
   constexpr int kBlock = 8;  // px
   const auto block = static_cast<std::uint64_t>((pixel.y / kBlock) * 65536 + pixel.x / kBlock);
-  return static_cast<double>(mixed(mixed(seed) + block)) * 0x1p-64 < share;
+  return mixed_uniform(mixed(seed) + block) < share;
 }
 
 void add_hypothesis(const PyramidLevel& level, cv::Point pixel, float guess,
@@ -56,6 +46,7 @@ void add_hypothesis(const PyramidLevel& level, cv::Point pixel, float guess,
   hypotheses.index(pixel) = static_cast<int>(hypotheses.size());
   hypotheses.pixel.push_back(pixel);
   hypotheses.gradient.push_back(gradient);
+  hypotheses.across.push_back(gradient / norm);
   hypotheses.edge_offset.push_back(offset_of_edge(level.intensity, pixel, gradient / norm));
   hypotheses.knowledge.push_back(Knowledge::none);
   hypotheses.inverse_depth.push_back(guess);
@@ -68,7 +59,8 @@ void add_hypothesis(const PyramidLevel& level, cv::Point pixel, float guess,
 /// The neighbour of pixel i that continues the edge to one side (+1 or -1); -1 without.
 int neighbour_along(const Hypotheses& hypotheses, std::size_t i, float side) {
   constexpr float kMaxTurn = 0.7F;  // cosine, of the gradient from pixel to pixel
-  const cv::Vec2f across = cv::normalize(hypotheses.gradient[i]);
+  constexpr float kDiagonal = std::numbers::sqrt2_v<float>;
+  const cv::Vec2f& across = hypotheses.across[i];
   const cv::Vec2f along(-side * across[1], side * across[0]);
   int best = -1;
   float best_cos = 0.5F;
@@ -79,9 +71,10 @@ int neighbour_along(const Hypotheses& hypotheses, std::size_t i, float side) {
         continue;
       }
       const cv::Vec2f step(static_cast<float>(du), static_cast<float>(dv));
-      const float cosine = step.dot(along) / std::hypot(step[0], step[1]);
-      const float turn =
-          across.dot(cv::normalize(hypotheses.gradient[static_cast<std::size_t>(other)]));
+      const float length = du != 0 && dv != 0 ? kDiagonal : 1;
+      const float cosine = (step[0] * along[0] + step[1] * along[1]) / length;
+      const cv::Vec2f& there = hypotheses.across[static_cast<std::size_t>(other)];
+      const float turn = across[0] * there[0] + across[1] * there[1];
       if (cosine > best_cos && turn > kMaxTurn) {
         best_cos = cosine;
         best = other;
@@ -98,9 +91,8 @@ float Hypotheses::relative_sigma(std::size_t i) const {
 }
 
 cv::Vec2f Hypotheses::edge_position(std::size_t i) const {
-  const cv::Vec2f across = cv::normalize(gradient[i]);
-  return cv::Vec2f(static_cast<float>(pixel[i].x), static_cast<float>(pixel[i].y)) +
-         edge_offset[i] * across;
+  return {static_cast<float>(pixel[i].x) + edge_offset[i] * across[i][0],
+          static_cast<float>(pixel[i].y) + edge_offset[i] * across[i][1]};
 }
 
 void Hypotheses::set(std::size_t i, float new_inverse_depth, float new_variance) {

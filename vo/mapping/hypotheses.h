@@ -21,6 +21,7 @@ enum class Knowledge : std::uint8_t {
 struct Hypotheses {
   std::vector<cv::Point> pixel;     ///< px
   std::vector<cv::Vec2f> gradient;  ///< of the intensity at the pixel, 1/px
+  std::vector<cv::Vec2f> across;    ///< its direction, unit
   std::vector<float> edge_offset;   ///< px, from the pixel's centre to the edge up the gradient
   std::vector<Knowledge> knowledge;
   std::vector<float> inverse_depth;  ///< 1/m

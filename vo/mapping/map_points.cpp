@@ -14,10 +14,12 @@ struct SparseDepth {
   float variance = 0;       ///< 1/m^2
 };
 
-std::vector<SparseDepth> finest_depths(const Hypotheses& hypotheses, double max_sigma) {
+std::vector<SparseDepth> finest_depths(const Hypotheses& hypotheses, double max_sigma,
+                                       Guesses guesses) {
   std::vector<SparseDepth> depths;
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
-    if (hypotheses.knowledge[i] != Knowledge::none && hypotheses.relative_sigma(i) <= max_sigma) {
+    const bool is_guess = hypotheses.knowledge[i] == Knowledge::none;
+    if (is_guess ? guesses == Guesses::included : hypotheses.relative_sigma(i) <= max_sigma) {
       depths.push_back({hypotheses.pixel[i], hypotheses.smoothed[i], hypotheses.variance[i]});
     }
   }
@@ -64,22 +66,22 @@ std::vector<SparseDepth> halved(const std::vector<SparseDepth>& depths, cv::Size
 }  // namespace
 
 EdgePoints map_points(const FramePyramid& anchor, const Hypotheses& hypotheses,
-                      const EdgePointOptions& options, double max_sigma) {
+                      const EdgePointOptions& options, double max_sigma, Guesses guesses) {
   EdgePoints points;
   points.levels.resize(anchor.levels.size());
-  std::vector<SparseDepth> depths = finest_depths(hypotheses, max_sigma);
+  std::vector<SparseDepth> depths = finest_depths(hypotheses, max_sigma, guesses);
   for (std::size_t l = 0; l < anchor.levels.size(); ++l) {
     const PyramidLevel& level = anchor.levels[l];
     if (l > 0) {
       depths = halved(depths, level.intensity.size());
     }
+    const Thinning thinning(options, depths.size(), level.intensity.cols);
     for (const SparseDepth& depth : depths) {
       const float z = 1 / depth.inverse_depth;
-      if (z >= options.min_depth && z <= options.max_depth) {
+      if (z >= options.min_depth && z <= options.max_depth && thinning.keeps(depth.pixel)) {
         add_edge_point(level, depth.pixel, z, std::sqrt(depth.variance) * z * z, points.levels[l]);
       }
     }
-    thin_out(options, level.intensity.cols, points.levels[l]);
   }
   return points;
 }

@@ -31,7 +31,7 @@ struct MovedEdge {
 MovedEdge move_edge(const StereoPair& pair, const Hypotheses& hypotheses, std::size_t i,
                     const DepthMapOptions& options) {
   const cv::Vec2f edge = hypotheses.edge_position(i);
-  const cv::Vec2f beside = edge + cv::normalize(hypotheses.gradient[i]);
+  const cv::Vec2f beside = edge + hypotheses.across[i];
   const auto noise = static_cast<float>(options.propagation_sigma);
   const float d = hypotheses.inverse_depth[i];
   MovedEdge moved;
@@ -59,7 +59,7 @@ int nearest_edge(const Hypotheses& next, const MovedEdge& moved) {
         continue;
       }
       const auto j = static_cast<std::size_t>(candidate);
-      const cv::Vec2f across = cv::normalize(next.gradient[j]);
+      const cv::Vec2f& across = next.across[j];
       const cv::Vec2f edge = next.edge_position(j);
       const Eigen::Vector2f away = moved.position - Eigen::Vector2f(edge[0], edge[1]);
       const float distance = std::abs(away.x() * across[0] + away.y() * across[1]);
@@ -82,7 +82,8 @@ bool looks_different(const StereoPair& pair, const Hypotheses& hypotheses, std::
   const float before = sample_bilinear(pair.anchor.intensity, {edge[0], edge[1]});
   const float now = sample_bilinear(pair.current.intensity, moved.position);
   const float difference = now - (pair.gain * before + pair.offset);
-  const auto slope = static_cast<float>(2 * cv::norm(hypotheses.gradient[i]));
+  const cv::Vec2f& gradient = hypotheses.gradient[i];
+  const float slope = 2 * std::sqrt(gradient[0] * gradient[0] + gradient[1] * gradient[1]);
   return difference * difference > kMaxDifference * kMaxDifference + 0.25F * slope * slope;
 }
 

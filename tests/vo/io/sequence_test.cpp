@@ -5,6 +5,7 @@
 
 #include "tests/support/error_text.h"
 #include "tests/support/example_trajectory.h"
+#include "tests/support/plane_sequence.h"
 #include "tests/support/temp_folder.h"
 #include "vo/io/camera_file.h"
 #include "vo/io/npy.h"
@@ -149,6 +150,17 @@ TEST(Sequence, AMissingFolderOrCameraSaysWhatWasExpected) {
               HasSubstr("has no camera.toml; name the camera with --camera"));
   const auto read = [&] { const vo::SequenceReader reader(folder.path(), tiny_camera()); };
   EXPECT_THAT(error_text(read), EndsWith("rgb.txt: there is no such file"));
+}
+
+TEST(Sequence, ColourAloneNeedsNoDepth) {
+  const TempFolder folder;
+  support::write_plane_sequence(folder.path(), 3);
+  std::filesystem::remove(folder.path() / "depth.txt");
+  std::filesystem::remove_all(folder.path() / "depth");
+  const vo::SequenceReader reader(folder.path(), std::nullopt, 0.02, vo::SequenceContent::colour);
+  ASSERT_EQ(reader.size(), 3U);
+  EXPECT_EQ(reader.read(2).image.size(), cv::Size(160, 120));
+  EXPECT_TRUE(reader.read(2).depth.empty());
 }
 
 TEST(Sequence, ReadsTheBenchmarksFiles) {

@@ -35,7 +35,7 @@ vo::FramePyramid noisy_frame(const vo::PinholeCamera& camera, const SE3& T_world
                              double noise, std::uint64_t seed) {
   vo::RgbdFrame image =
       support::with_noise(support::plane_frame(camera, T_world_camera, 0), noise, seed);
-  image.depth = {};
+  image.depth = vo::DepthImage();
   vo::FramePyramid pyramid = vo::build_pyramid(image, camera, vo::PyramidOptions());
   vo::add_edges(pyramid, vo::EdgeOptions());
   return pyramid;

@@ -10,7 +10,7 @@ namespace support {
 inline vo::FramePyramid grey_frame(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera,
                                    int index = 0) {
   vo::RgbdFrame frame = plane_frame(camera, T_world_camera, index);
-  frame.depth = {};
+  frame.depth = vo::DepthImage();
   vo::FramePyramid pyramid = vo::build_pyramid(frame, camera, vo::PyramidOptions());
   vo::add_edges(pyramid, vo::EdgeOptions());
   return pyramid;

@@ -9,8 +9,7 @@ namespace {
 using support::small_camera;
 using vo::SE3;
 
-const SE3 kT_anchor_cur =
-    SE3::exp((vo::Vector6d() << 0.05, 0.03, 0.1, 0.02, -0.03, 0.05).finished());
+const SE3 kMoved = SE3::exp((vo::Vector6d() << 0.05, 0.03, 0.1, 0.02, -0.03, 0.05).finished());
 
 vo::PyramidLevel level_from(const SE3& T_world_camera) {
   return support::grey_frame(small_camera(), T_world_camera).levels[0];
@@ -19,8 +18,8 @@ vo::PyramidLevel level_from(const SE3& T_world_camera) {
 /// The plane's depth has a closed form wherever the point lands; float resolves 1e-7 of it.
 TEST(Propagate, AKnownPlaneStaysThatPlane) {
   const vo::PyramidLevel anchor = level_from(SE3());
-  const vo::PyramidLevel current = level_from(kT_anchor_cur);
-  const vo::StereoPair pair(anchor, current, {kT_anchor_cur.inverse()});
+  const vo::PyramidLevel current = level_from(kMoved);
+  const vo::StereoPair pair(anchor, current, {kMoved.inverse()});
   for (int v = 20; v < 240; v += 40) {
     for (int u = 20; u < 320; u += 40) {
       const double d = support::true_inverse_depth(small_camera(), SE3(), u, v);
@@ -29,7 +28,7 @@ TEST(Propagate, AKnownPlaneStaysThatPlane) {
           vo::moved_depth(pair, ray.head<2>().cast<float>(), static_cast<float>(d), 0, 0);
       const Eigen::Vector2d pixel = small_camera().project(moved.ray.cast<double>().homogeneous());
       const double truth =
-          support::true_inverse_depth(small_camera(), kT_anchor_cur, pixel.x(), pixel.y());
+          support::true_inverse_depth(small_camera(), kMoved, pixel.x(), pixel.y());
       EXPECT_NEAR(moved.inverse_depth / truth, 1, 2e-6) << u << ", " << v;
     }
   }
@@ -37,8 +36,8 @@ TEST(Propagate, AKnownPlaneStaysThatPlane) {
 
 TEST(Propagate, MovesTheVarianceWithTheDerivative) {
   const vo::PyramidLevel anchor = level_from(SE3());
-  const vo::PyramidLevel current = level_from(kT_anchor_cur);
-  const vo::StereoPair pair(anchor, current, {kT_anchor_cur.inverse()});
+  const vo::PyramidLevel current = level_from(kMoved);
+  const vo::StereoPair pair(anchor, current, {kMoved.inverse()});
   const Eigen::Vector2f ray(0.3F, -0.2F);
   const float step = 0.01F;
   const float slope = (vo::moved_depth(pair, ray, 0.5F + step, 0, 0).inverse_depth -
@@ -51,8 +50,8 @@ TEST(Propagate, MovesTheVarianceWithTheDerivative) {
 /// the slope of the plane over the snapping distance.
 TEST(Propagate, SnapsToEdgesOfTheNewFrame) {
   const vo::PyramidLevel anchor = level_from(SE3());
-  const vo::PyramidLevel current = level_from(kT_anchor_cur);
-  const vo::StereoPair pair(anchor, current, {kT_anchor_cur.inverse()});
+  const vo::PyramidLevel current = level_from(kMoved);
+  const vo::StereoPair pair(anchor, current, {kMoved.inverse()});
   vo::Hypotheses from = vo::edge_hypotheses(anchor, {}, 0.5F);
   for (std::size_t i = 0; i < from.size(); ++i) {
     const cv::Vec2f edge = from.edge_position(i);
@@ -66,8 +65,8 @@ TEST(Propagate, SnapsToEdgesOfTheNewFrame) {
   EXPECT_LT(counts.occluded, from.size() / 100);
   for (std::size_t j = 0; j < next.size(); ++j) {
     if (next.knowledge[j] == vo::Knowledge::known) {
-      const double truth = support::true_inverse_depth(small_camera(), kT_anchor_cur,
-                                                       next.pixel[j].x, next.pixel[j].y);
+      const double truth =
+          support::true_inverse_depth(small_camera(), kMoved, next.pixel[j].x, next.pixel[j].y);
       EXPECT_NEAR(next.inverse_depth[j] / truth, 1, 3e-3);
     }
   }

@@ -1,0 +1,91 @@
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/plane_sequence.h"
+#include "tests/support/program.h"
+#include "tools/depth/depth_errors.h"
+#include "vo/io/npy.h"
+
+namespace {
+
+using support::run_program;
+using support::TempFolder;
+using testing::HasSubstr;
+
+/// The plane at 160x120, 5 mm a frame: enough to find most of its depth.
+TEST(DepthProgram, MapsASequenceAndJudgesIt) {
+  const TempFolder folder;
+  const std::filesystem::path sequence = folder.path() / "sequence";
+  support::write_plane_sequence(sequence, 20);
+  const std::filesystem::path out = folder.path() / "maps";
+  const support::ProgramResult result = run_program("depth '" + sequence.string() + "' --out '" +
+                                                    out.string() + "' --every 10 --json -q");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const nlohmann::json summary = nlohmann::json::parse(result.out);
+  EXPECT_EQ(summary.at("frames"), 20);
+  EXPECT_NEAR(summary.at("scale").get<double>(), 1, 0.02);
+  EXPECT_LT(summary.at("errors").at(0).at("median_percent").get<double>(), 4);
+  for (const char* name : {"depth.csv", "cloud.ply", "000000.png", "000010.png"}) {
+    EXPECT_TRUE(std::filesystem::exists(out / name)) << name;
+  }
+  EXPECT_FALSE(support::has_leftovers(folder.path()));
+}
+
+TEST(TrackProgram, MonoReadsTheFirstDepthAlone) {
+  const TempFolder folder;
+  const std::filesystem::path sequence = folder.path() / "sequence";
+  support::write_plane_sequence(sequence, 8);
+  for (int i = 1; i < 8; ++i) {
+    std::filesystem::remove(sequence / ("depth/00000" + std::to_string(i) + ".png"));
+  }
+  const std::string out = (folder.path() / "e.txt").string();
+  const support::ProgramResult result = run_program(
+      "track '" + sequence.string() + "' --mode mono --bootstrap rgbd --out '" + out + "' -q");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("8 of 8 frames tracked"));
+}
+
+TEST(TrackProgram, ADepthFileOfAnotherSizeOrUnitIsRefused) {
+  const TempFolder folder;
+  const std::filesystem::path sequence = folder.path() / "sequence";
+  support::write_plane_sequence(sequence, 3);
+  const auto refusal = [&](const vo::DepthImage& depth) {
+    const std::filesystem::path file = folder.write("depth.npy", vo::encode_npy(depth));
+    const support::ProgramResult result = run_program(
+        "track '" + sequence.string() + "' --mode mono --bootstrap file --depth-file '" +
+        file.string() + "' --out '" + (folder.path() / "e.txt").string() + "' -q");
+    EXPECT_EQ(result.exit_code, 3);
+    return result.err;
+  };
+  EXPECT_THAT(refusal(vo::DepthImage(60, 80, 2.0F)),
+              HasSubstr("is 80x60 px, expected the camera's 160x120"));
+  EXPECT_THAT(refusal(vo::DepthImage(120, 160, 2000.0F)), HasSubstr("median depth of 2000 m"));
+}
+
+/// Depths that are 3 % too far and one in ten wrong by half.
+TEST(MapErrors, CountWhatWasPutIn) {
+  const vo::PinholeCamera camera = support::small_camera();
+  vo::RgbdFrame frame = support::TexturedPlane().render(camera, {});
+  const vo::DepthImage truth = frame.depth.clone();
+  frame.depth = vo::DepthImage();
+  vo::FramePyramid anchor = vo::build_pyramid(frame, camera, vo::PyramidOptions());
+  vo::add_edges(anchor, vo::EdgeOptions());
+  vo::DepthMap map({});
+  map.start(anchor, 2);
+  vo::DepthImage wrong = truth * 1.03F;
+  std::size_t outliers = 0;
+  for (std::size_t i = 0; i < map.hypotheses().size(); i += 10, ++outliers) {
+    wrong(map.hypotheses().pixel[i]) *= 1.5F;
+  }
+  map.take_depth(wrong, 0.03);
+  const tools::MapErrors errors = tools::map_errors(map, truth, {});
+  const auto count = static_cast<double>(map.hypotheses().size());
+  EXPECT_EQ(errors.confident.count, map.hypotheses().size());
+  EXPECT_NEAR(errors.confident.outliers_percent, 100 * static_cast<double>(outliers) / count, 1e-9);
+  EXPECT_NEAR(errors.confident.median_percent, 2.9, 0.6);
+  EXPECT_NEAR(errors.scale, 1 / 1.03, 0.006);
+  EXPECT_DOUBLE_EQ(errors.density_percent, 100);
+  EXPECT_EQ(errors.depth_step.count, 0U);
+}
+
+}  // namespace

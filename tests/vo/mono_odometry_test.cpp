@@ -1,0 +1,117 @@
+#include "vo/mono_odometry.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/error_text.h"
+#include "tests/support/plane_frames.h"
+#include "tests/support/pose_near.h"
+#include "vo/evaluation/evaluate.h"
+
+namespace {
+
+using support::small_camera;
+using vo::MonoBootstrap;
+using vo::MonoState;
+using vo::SE3;
+
+/// Sideways past the plane at 2 m, 1.5 cm a frame, swaying a little.
+SE3 walk(int frame) {
+  return SE3::exp((vo::Vector6d() << 0.015 * frame, 0.01 * std::sin(0.3 * frame), 0.002 * frame,
+                   0.01 * std::sin(0.2 * frame), 0.002 * frame, 0)
+                      .finished());
+}
+
+struct TrackedWalk {
+  vo::Trajectory truth;
+  vo::Trajectory estimate;
+  std::vector<vo::MonoResult> results;
+};
+
+/// Depth is handed over with the first frame only.
+TrackedWalk tracked(const vo::MonoOptions& options, int frames) {
+  vo::MonoOdometry odometry(small_camera(), options);
+  TrackedWalk walked;
+  for (int i = 0; i < frames; ++i) {
+    vo::RgbdFrame frame = support::plane_frame(small_camera(), walk(i), i);
+    if (i > 0) {
+      frame.depth = vo::DepthImage();
+    }
+    walked.results.push_back(odometry.track(frame));
+    walked.truth.push_back({frame.timestamp, walk(i)});
+  }
+  walked.estimate = odometry.trajectory();
+  return walked;
+}
+
+vo::MonoOptions options_with(MonoBootstrap bootstrap) {
+  vo::MonoOptions options = vo::mono_options();
+  options.bootstrap = bootstrap;
+  return options;
+}
+
+/// 0.25 % of a path of 0.4 m is 1 mm; a pixel is 7 mm wide on the plane.
+TEST(MonoOdometry, KeepsTheScaleOfADepthImage) {
+  const TrackedWalk done = tracked(options_with(MonoBootstrap::rgbd), 25);
+  ASSERT_EQ(done.estimate.size(), 25U);
+  const vo::TrajectoryErrors errors = vo::evaluate(done.truth, done.estimate);
+  EXPECT_LT(errors.ate.rmse, 0.0025 * vo::path_length(done.truth));
+}
+
+TEST(MonoOdometry, FindsAnUnknownPlaneUpToScale) {
+  const TrackedWalk done = tracked(options_with(MonoBootstrap::automatic), 25);
+  ASSERT_EQ(done.estimate.size(), 25U);
+  EXPECT_EQ(done.results.front().state, MonoState::initialising);
+  EXPECT_EQ(done.results.back().state, MonoState::tracking);
+  const vo::TrajectoryErrors errors =
+      vo::evaluate(done.truth, done.estimate, {.alignment = vo::TrajectoryAlignment::sim3});
+  EXPECT_LT(errors.ate.rmse, 0.01 * vo::path_length(done.truth));
+}
+
+TEST(MonoOdometry, DoesNotPretendWhileTheCameraOnlyTurns) {
+  vo::MonoOdometry odometry(small_camera(), options_with(MonoBootstrap::automatic));
+  for (int i = 0; i < 15; ++i) {
+    const SE3 turn = SE3::exp((vo::Vector6d() << 0, 0, 0, 0, 0.008 * i, 0).finished());
+    const vo::MonoResult result = odometry.track(support::plane_frame(small_camera(), turn, i));
+    EXPECT_EQ(result.state, MonoState::initialising);
+  }
+  EXPECT_TRUE(odometry.trajectory().empty());
+}
+
+TEST(MonoOdometry, ACutIsALossAndThenANewStart) {
+  vo::MonoOptions options = options_with(MonoBootstrap::rgbd);
+  options.max_lost_frames = 3;
+  vo::MonoOdometry odometry(small_camera(), options);
+  for (int i = 0; i < 5; ++i) {
+    odometry.track(support::plane_frame(small_camera(), walk(i), i));
+  }
+  const SE3 elsewhere(Eigen::Quaterniond::Identity(), {40, 30, 0.3});
+  MonoState last = MonoState::tracking;
+  for (int i = 5; i < 9; ++i) {
+    last = odometry.track(support::plane_frame(small_camera(), elsewhere * walk(i), i)).state;
+  }
+  EXPECT_EQ(last, MonoState::reinitialising);
+}
+
+TEST(MonoOdometry, WantsTheFirstDepthOnlyWhereItIsAskedFor) {
+  vo::RgbdFrame frame = support::plane_frame(small_camera(), SE3(), 0);
+  frame.depth = vo::DepthImage();
+  vo::MonoOdometry needs(small_camera(), options_with(MonoBootstrap::rgbd));
+  EXPECT_EQ(support::error_text([&] { needs.track(frame); }),
+            "mono: expected the first frame's depth image with the camera's 320x240 px for the "
+            "bootstrap, got 0x0 px");
+  vo::MonoOdometry flat(small_camera(), options_with(MonoBootstrap::flat));
+  EXPECT_EQ(flat.track(frame).state, MonoState::tracking);
+}
+
+TEST(MonoOdometry, AWallWithoutTextureIsNotTracked) {
+  for (const MonoBootstrap bootstrap : {MonoBootstrap::rgbd, MonoBootstrap::automatic}) {
+    vo::MonoOdometry odometry(small_camera(), options_with(bootstrap));
+    for (int i = 0; i < 4; ++i) {
+      const vo::MonoResult result = odometry.track(support::blank_frame(small_camera(), 128, i));
+      EXPECT_EQ(result.tracking.status, vo::TrackingStatus::lost);
+    }
+    EXPECT_TRUE(odometry.trajectory().empty());
+  }
+}
+
+}  // namespace

@@ -1,0 +1,228 @@
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/ablate/table.h"
+#include "tools/cli/exit_code.h"
+#include "tools/cli/options.h"
+#include "tools/cli/progress_bar.h"
+#include "tools/commands/commands.h"
+#include "tools/depth/depth_pictures.h"
+#include "tools/depth/depth_table.h"
+#include "tools/depth/mapping_run.h"
+#include "tools/depth/mono_run.h"
+#include "tools/pipeline/track_sequence.h"
+#include "tools/report/report.h"
+#include "tools/version.h"
+#include "vo/core/error.h"
+#include "vo/io/camera_file.h"
+#include "vo/io/output.h"
+#include "vo/io/png.h"
+
+namespace tools {
+namespace {
+
+constexpr const char* kHelp =
+    "Monocular mapping alone: keeps an inverse-depth map over edge pixels with the sequence's\n"
+    "ground-truth poses, or with those and noise, and compares it with the true depth. Depth\n"
+    "images are read to judge, and to start from where start=rgbd.\n"
+    "With --track the poses are the monocular tracker's own, as in `edvo track --mode mono`, and\n"
+    "--set takes that command's keys; without a metric bootstrap the median scale is taken out.";
+
+struct DepthArguments {
+  CommonOptions common;
+  std::string sequence;
+  std::string camera;
+  std::vector<std::string> assignments;
+  std::string out;
+  bool track = false;
+  std::string bootstrap = "auto";
+  std::string depth_file;
+  int every = 20;
+  double max_time_difference = 0.02;
+};
+
+std::string examples() {
+  MappingOptions options;
+  return "Examples:\n"
+         "  edvo depth sequence\n"
+         "  edvo depth sequence --out maps --every 10   # maps/depth.csv, 000010.png, cloud.ply\n"
+         "  edvo depth sequence --set pose_noise_m=0.002 --set map.propagate=always --json\n"
+         "  edvo depth sequence --track --bootstrap rgbd --out maps\n\n"
+         "Keys of --set, with their values:\n" +
+         describe_fields(vo::fields_of(options));
+}
+
+/// The options with the command line's assignments.
+template <typename Options>
+Options assigned(const DepthArguments& arguments, Options options) {
+  std::vector<vo::Field> fields = vo::fields_of(options);
+  for (const std::string& assignment : arguments.assignments) {
+    apply_assignment(assignment, fields);
+  }
+  return options;
+}
+
+MappingOptions mapping_options(const DepthArguments& arguments) {
+  const MappingOptions options = assigned(arguments, MappingOptions());
+  check_usage([&] { options.validate(); });
+  return options;
+}
+
+vo::MonoOptions tracking_options(const DepthArguments& arguments) {
+  vo::MonoOptions options = assigned(arguments, vo::mono_options());
+  check_usage([&] {
+    options.bootstrap = vo::parse_enum<vo::MonoBootstrap>(arguments.bootstrap);
+    options.validate();
+  });
+  return options;
+}
+
+std::string frame_name(std::size_t frame) {
+  std::array<char, 32> name{};
+  std::snprintf(name.data(), name.size(), "%06zu.png", frame);
+  return name.data();
+}
+
+double median_ms(const std::vector<MappedFrame>& frames) {
+  std::vector<double> times;
+  for (const MappedFrame& frame : frames) {
+    times.push_back(frame.mapping_ms);
+  }
+  return percentile(times, 0.5);
+}
+
+void print(const DepthArguments& arguments, const nlohmann::ordered_json& options,
+           const std::vector<MappedFrame>& frames) {
+  const MapErrors& last = frames.back().errors;
+  if (arguments.common.json) {
+    std::cout << nlohmann::ordered_json{{"edvo", version()},
+                                        {"sequence", arguments.sequence},
+                                        {"frames", frames.size()},
+                                        {"density_percent", last.density_percent},
+                                        {"scale", last.scale},
+                                        {"first_scale", frames.front().errors.scale},
+                                        {"errors", as_json(error_table(last))},
+                                        {"mapping_ms", median_ms(frames)},
+                                        {"options", options}}
+                     .dump(2)
+              << "\n";
+    return;
+  }
+  std::cout << as_text(error_table(last)) << "after " << frames.size() << " frames; "
+            << format_decimals(last.density_percent, 1)
+            << " % of the edge pixels are confident, scale " << format_decimals(last.scale, 4)
+            << " (at first " << format_decimals(frames.front().errors.scale, 4) << "), "
+            << format_decimals(median_ms(frames), 2) << " ms per frame (median)\n";
+}
+
+/// The folder of results, filled while the sequence runs.
+class DepthOutput {
+ public:
+  explicit DepthOutput(const DepthArguments& arguments) : every_(arguments.every) {
+    if (!arguments.out.empty()) {
+      folder_ = std::make_unique<vo::OutputFolder>(arguments.out, "depth.csv",
+                                                   arguments.common.existing());
+    }
+  }
+
+  MapObserver observer(bool metric) {
+    if (folder_ == nullptr) {
+      return {};
+    }
+    return [this, metric](std::size_t frame, const vo::DepthMap& map, const vo::DepthImage& truth,
+                          const vo::SE3& T_world_anchor) {
+      if (frame % static_cast<std::size_t>(every_) == 0) {
+        const double scale = metric ? 1 : map_errors(map, truth, {}).scale;
+        vo::write_file(folder_->partial() / frame_name(frame),
+                       vo::encode_png(draw_depth_map(map, truth, scale)));
+        cloud_ = as_ply(map, T_world_anchor);
+      }
+    };
+  }
+
+  void commit(const std::vector<MappedFrame>& frames) {
+    if (folder_ != nullptr) {
+      vo::write_file(folder_->partial() / "depth.csv", as_csv(depth_table(frames)));
+      vo::write_file(folder_->partial() / "cloud.ply", cloud_);
+      folder_->commit();
+    }
+  }
+
+ private:
+  int every_;
+  std::unique_ptr<vo::OutputFolder> folder_;
+  std::string cloud_;
+};
+
+int depth(const DepthArguments& arguments) {
+  MappingOptions mapping;
+  vo::MonoOptions tracking = vo::mono_options();
+  if (arguments.track) {
+    tracking = tracking_options(arguments);
+  } else {
+    mapping = mapping_options(arguments);
+  }
+  std::optional<vo::RgbdCamera> camera;
+  if (!arguments.camera.empty()) {
+    camera = vo::load_camera(arguments.camera);
+  }
+  DepthOutput output(arguments);
+  ProgressBar bar("mapping", arguments.common.verbosity());
+  std::vector<MappedFrame> frames;
+  if (arguments.track) {
+    frames = track_and_judge(
+        {arguments.sequence, camera, arguments.max_time_difference, arguments.depth_file}, tracking,
+        output.observer(is_metric(tracking.bootstrap)), bar.callback());
+  } else {
+    const vo::SequenceReader sequence(arguments.sequence, camera, arguments.max_time_difference);
+    frames = map_sequence(sequence, mapping, output.observer(true), bar.callback());
+  }
+  vo::require(frames.size() > 1, arguments.sequence,
+              ": expected at least two frames that can be mapped and judged, found ",
+              frames.size());
+  output.commit(frames);
+  print(arguments, fields_json(arguments.track ? vo::fields_of(tracking) : vo::fields_of(mapping)),
+        frames);
+  return exit_code::kOk;
+}
+
+}  // namespace
+
+void add_depth_command(CLI::App& program, int& exit_code) {
+  CLI::App& command = *program.add_subcommand("depth", kHelp);
+  const auto arguments = std::make_shared<DepthArguments>();
+  command.footer(examples());
+  command
+      .add_option("SEQUENCE", arguments->sequence,
+                  "folder with rgb.txt, depth.txt, groundtruth.txt")
+      ->required();
+  command.add_option("--out", arguments->out,
+                     "folder to make: depth.csv, pictures, cloud.ply (the last pictured map)");
+  command.add_flag("--track", arguments->track, "poses of the monocular tracker, not the truth");
+  command
+      .add_option("--bootstrap", arguments->bootstrap,
+                  "with --track: rgbd | file | flat | random | auto [auto]")
+      ->check(CLI::IsMember({"rgbd", "file", "flat", "random", "auto"}));
+  command.add_option("--depth-file", arguments->depth_file,
+                     "with --bootstrap file: depth of the first image");
+  command.add_option("--every", arguments->every, "frames from picture to picture [20]")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--camera", arguments->camera,
+                     "preset or FILE.toml; otherwise the sequence's camera.toml");
+  command.add_option("--set", arguments->assignments, "key=value, may be repeated; keys below")
+      ->allow_extra_args(false);
+  command.add_option("--max-time-difference", arguments->max_time_difference,
+                     "between the stamps of colour and depth, s [0.02]");
+  add_common_options(command, arguments->common);
+  command.callback([arguments, &exit_code] { exit_code = depth(*arguments); });
+}
+
+}  // namespace tools

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "vo/mapping/depth_map.h"
+
+namespace tools {
+
+/// The confident hypotheses beside the true depth: true | estimated | relative error, each with a
+/// colour bar. Estimates are divided by `scale` first.
+cv::Mat_<cv::Vec3b> draw_depth_map(const vo::DepthMap& map, const vo::DepthImage& true_depth,
+                                   double scale);
+
+/// The confident hypotheses as points in the world with the anchor's grey, PLY (ASCII).
+std::string as_ply(const vo::DepthMap& map, const vo::SE3& T_world_anchor);
+
+}  // namespace tools

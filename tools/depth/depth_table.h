@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "tools/ablate/table.h"
+#include "tools/depth/mapping_run.h"
+
+namespace tools {
+
+/// One row a frame: counts, then errors of all subsets.
+Table depth_table(const std::vector<MappedFrame>& frames);
+
+/// One row a subset of a frame's hypotheses.
+Table error_table(const MapErrors& errors);
+
+}  // namespace tools

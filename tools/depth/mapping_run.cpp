@@ -1,0 +1,162 @@
+#include "tools/depth/mapping_run.h"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "vo/core/error.h"
+#include "vo/core/hash.h"
+#include "vo/core/stopwatch.h"
+
+namespace tools {
+namespace {
+
+/// Of zero mean and unit variance (Box & Muller), the same everywhere.
+double normal(std::uint64_t seed, std::uint64_t index) {
+  const auto uniform = [&](std::uint64_t stream) {
+    const std::uint64_t bits = vo::mixed(vo::mixed(vo::mixed(seed) + index) + stream);
+    return (static_cast<double>(bits >> 11U) + 0.5) * 0x1p-53;
+  };
+  return std::sqrt(-2 * std::log(uniform(0))) * std::cos(2 * std::numbers::pi * uniform(1));
+}
+
+vo::SE3 with_noise(const vo::SE3& T_world_camera, const MappingOptions& options,
+                   std::size_t frame) {
+  if (options.pose_noise_m == 0 && options.pose_noise_deg == 0) {
+    return T_world_camera;
+  }
+  vo::Vector6d error;
+  for (int k = 0; k < 6; ++k) {
+    const double sigma =
+        k < 3 ? options.pose_noise_m : options.pose_noise_deg * std::numbers::pi / 180;
+    error[k] = sigma * normal(options.seed, 6 * frame + static_cast<std::uint64_t>(k));
+  }
+  return T_world_camera * vo::SE3::exp(error);
+}
+
+vo::PyramidOptions single_level() {
+  vo::PyramidOptions options;
+  options.levels = 1;
+  return options;
+}
+
+/// One map following a sequence.
+class MappingRun {
+ public:
+  MappingRun(const vo::SequenceReader& sequence, const MappingOptions& options)
+      : camera_(sequence.camera().pinhole),
+        options_(options),
+        finder_(options.edges),
+        levels_(vo::camera_levels(camera_, single_level())),
+        map_(options.map) {}
+
+  MappedFrame add(const vo::RgbdFrame& frame, const vo::SE3& T_world_camera) {
+    vo::FramePyramid pyramid =
+        vo::build_pyramid({frame.timestamp, frame.image, {}}, levels_, single_level());
+    vo::add_edges(pyramid, finder_);
+    MappedFrame mapped{.timestamp = frame.timestamp};
+    if (map_.empty()) {
+      start(pyramid, frame.depth, T_world_camera);
+      mapped.is_anchor = true;
+      mapped.errors = map_errors(map_, true_depth_, {});
+      return mapped;
+    }
+    const vo::FrameRelation relation = noisy_relation(
+        T_world_camera.inverse() * T_world_anchor_, options_.pose_noise_m, options_.pose_noise_deg);
+    mapped.baseline_m = relation.T_cur_anchor.translation().norm();
+    const vo::CpuStopwatch observing;
+    mapped.observations = map_.observe(pyramid, relation);
+    map_.regularise();
+    mapped.mapping_ms = observing.elapsed_ms();
+    mapped.errors = map_errors(map_, true_depth_, relation);
+    const vo::CpuStopwatch moving;
+    if (map_.needs_new_anchor(pyramid, relation.T_cur_anchor)) {
+      map_.propagate(pyramid, relation);
+      map_.regularise();
+      set_anchor(frame.depth, T_world_camera);
+      mapped.is_anchor = true;
+    }
+    mapped.mapping_ms += moving.elapsed_ms();
+    return mapped;
+  }
+
+  const vo::DepthMap& map() const { return map_; }
+  const vo::DepthImage& true_depth() const { return true_depth_; }
+  const vo::SE3& T_world_anchor() const { return T_world_anchor_; }
+
+ private:
+  void start(const vo::FramePyramid& pyramid, const vo::DepthImage& depth,
+             const vo::SE3& T_world_camera) {
+    map_.start(pyramid, options_.flat_depth);
+    if (options_.start == DepthStart::random) {
+      map_.guess_random(options_.seed);
+    } else if (options_.start == DepthStart::rgbd) {
+      map_.take_depth(depth, options_.rgbd_sigma);
+    }
+    set_anchor(depth, T_world_camera);
+  }
+
+  void set_anchor(const vo::DepthImage& depth, const vo::SE3& T_world_camera) {
+    true_depth_ = depth;
+    T_world_anchor_ = T_world_camera;
+  }
+
+  vo::PinholeCamera camera_;
+  const MappingOptions& options_;
+  vo::EdgeFinder finder_;
+  std::vector<vo::CameraLevel> levels_;
+  vo::DepthMap map_;
+  vo::DepthImage true_depth_;
+  vo::SE3 T_world_anchor_;
+};
+
+}  // namespace
+
+void MappingOptions::validate() const {
+  vo::require(flat_depth > 0 && rgbd_sigma > 0,
+              "depth: expected flat_depth and rgbd_sigma above 0, got ", flat_depth, " and ",
+              rgbd_sigma);
+  vo::require(pose_noise_m >= 0 && pose_noise_deg >= 0, "depth: expected pose noise of at least 0");
+  vo::require(frames >= 0, "depth.frames: expected at least 0, got ", frames);
+  edges.validate();
+  map.validate();
+}
+
+vo::FrameRelation noisy_relation(const vo::SE3& T_cur_anchor, double sigma_m, double sigma_deg) {
+  vo::FrameRelation relation{T_cur_anchor};
+  const double sigma_rad = sigma_deg * std::numbers::pi / 180;
+  relation.covariance.diagonal() << vo::Vector6d::Constant(2);
+  relation.covariance.topLeftCorner<3, 3>() *= sigma_m * sigma_m;
+  relation.covariance.bottomRightCorner<3, 3>() *= sigma_rad * sigma_rad;
+  return relation;
+}
+
+std::vector<MappedFrame> map_sequence(const vo::SequenceReader& sequence,
+                                      const MappingOptions& options, const MapObserver& observe,
+                                      const vo::Progress& progress) {
+  const vo::Trajectory& truth = sequence.ground_truth();
+  vo::require(!truth.empty(),
+              "depth: the sequence has no groundtruth.txt, expected poses to map with");
+  MappingRun run(sequence, options);
+  vo::FrameStream stream(sequence);
+  std::vector<MappedFrame> frames;
+  const std::size_t last =
+      options.frames > 0 ? static_cast<std::size_t>(options.frames) : sequence.size();
+  for (std::size_t i = 0; i < last; ++i) {
+    const std::optional<vo::RgbdFrame> frame = stream.next();
+    if (!frame) {
+      break;
+    }
+    const std::optional<vo::SE3> T_world_camera = vo::pose_at(truth, frame->timestamp);
+    if (T_world_camera) {
+      frames.push_back(run.add(*frame, with_noise(*T_world_camera, options, i)));
+      if (observe) {
+        observe(i, run.map(), run.true_depth(), run.T_world_anchor());
+      }
+    }
+    progress(i + 1, last);
+  }
+  return frames;
+}
+
+}  // namespace tools

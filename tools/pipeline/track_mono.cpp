@@ -1,0 +1,142 @@
+#include "tools/pipeline/track_mono.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+#include "vo/io/npy.h"
+#include "vo/io/png.h"
+
+namespace tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+vo::DepthImage read_depth_file(const fs::path& path, const vo::RgbdCamera& camera) {
+  if (path.extension() == ".npy") {
+    const cv::Mat depth = vo::read_npy(path);
+    vo::require(depth.type() == CV_32FC1, path.string(), ": expected one channel, metres");
+    return depth;
+  }
+  const cv::Mat image = vo::read_png(path);
+  vo::require(image.type() == CV_16UC1, path.string(),
+              ": expected depth of 16 bits in one channel, or a .npy file in metres");
+  vo::DepthImage depth;
+  image.convertTo(depth, CV_32F, 1 / camera.depth_units_per_m);
+  return depth;
+}
+
+/// Another size or another unit than expected is told from the values.
+void check_depth(const fs::path& path, const vo::DepthImage& depth,
+                 const vo::PinholeCamera& camera) {
+  constexpr double kNearest = 0.05;  // m
+  constexpr double kFarthest = 200;  // m
+  vo::require(depth.cols == camera.width && depth.rows == camera.height, path.string(), ": is ",
+              depth.cols, "x", depth.rows, " px, expected the camera's ", camera.width, "x",
+              camera.height);
+  std::vector<double> values;
+  for (const float value : depth) {
+    if (std::isfinite(value) && vo::has_depth(value)) {
+      values.push_back(value);
+    }
+  }
+  const double median = percentile(values, 0.5);
+  vo::require(median >= kNearest && median <= kFarthest, path.string(), ": has a median depth of ",
+              median, " m, expected ", kNearest, " to ", kFarthest,
+              " m; a PNG is in units of the camera's depth_units_per_m");
+}
+
+}  // namespace
+
+double MonoSequenceResult::tracked_fraction() const {
+  return frames.empty()
+             ? 0
+             : static_cast<double>(trajectory.size()) / static_cast<double>(frames.size());
+}
+
+std::size_t MonoSequenceResult::keyframes() const {
+  return static_cast<std::size_t>(
+      std::count_if(frames.begin(), frames.end(),
+                    [](const vo::MonoResult& frame) { return frame.tracking.is_keyframe; }));
+}
+
+MonoFrames::MonoFrames(const MonoInput& input, vo::MonoBootstrap bootstrap)
+    : sequence_(input.folder, input.camera, input.max_time_difference,
+                vo::SequenceContent::colour) {
+  if (bootstrap == vo::MonoBootstrap::file) {
+    vo::require(!input.depth_file.empty(),
+                "mono: expected --depth-file FILE with --bootstrap file");
+    first_depth_ = read_depth_file(input.depth_file, sequence_.camera());
+    check_depth(input.depth_file, first_depth_, sequence_.camera().pinhole);
+  } else if (bootstrap == vo::MonoBootstrap::rgbd) {
+    const vo::SequenceReader paired(input.folder, input.camera, input.max_time_difference);
+    const vo::RgbdFrame first = paired.read(0);
+    first_depth_ = first.depth;
+    while (sequence_.timestamp(first_index_) < first.timestamp) {
+      ++first_index_;
+    }
+  }
+  next_index_ = first_index_;
+}
+
+std::optional<vo::RgbdFrame> MonoFrames::next() {
+  if (next_index_ >= sequence_.size()) {
+    return std::nullopt;
+  }
+  vo::RgbdFrame frame = sequence_.read(next_index_);
+  if (next_index_ == first_index_) {
+    frame.depth = first_depth_;
+  }
+  ++next_index_;
+  return frame;
+}
+
+MonoSequenceResult track_mono_sequence(const MonoInput& input, const vo::MonoOptions& options,
+                                       const MonoObserver& observe, const vo::Progress& progress) {
+  MonoFrames frames(input, options.bootstrap);
+  vo::MonoOdometry odometry(frames.sequence().camera().pinhole, options);
+  MonoSequenceResult result;
+  result.ground_truth = frames.sequence().ground_truth();
+  while (const std::optional<vo::RgbdFrame> frame = frames.next()) {
+    result.frames.push_back(odometry.track(*frame));
+    result.times.push_back(odometry.stage_times());
+    if (observe) {
+      observe(odometry, result.frames.back());
+    }
+    progress(result.frames.size(), frames.size());
+  }
+  result.trajectory = odometry.trajectory();
+  return result;
+}
+
+std::string format_mono_log(const std::vector<vo::MonoResult>& frames) {
+  std::string text =
+      "timestamp,state,status,reason,keyframe,start_verdict,start_flow_px,start_parallax_px,"
+      "hypotheses,confident,found,inconsistent,out_of_view,unobservable,ambiguous,no_match,"
+      "visible_fraction,correlation,cost\n";
+  for (const vo::MonoResult& frame : frames) {
+    const vo::TrackingResult& tracking = frame.tracking;
+    const vo::ObservationCounts& seen = frame.observations;
+    text +=
+        vo::concat(vo::format_timestamp(tracking.timestamp), ",", vo::to_string(frame.state), ",",
+                   vo::to_string(tracking.status), ",", vo::to_string(tracking.reason), ",",
+                   tracking.is_keyframe ? 1 : 0, ",", vo::to_string(frame.initialiser.verdict));
+    for (const double value : {frame.initialiser.flow_px, frame.initialiser.parallax_px}) {
+      text += "," + vo::format_real(value);
+    }
+    for (const std::size_t count :
+         {frame.hypotheses, frame.confident, seen.found, seen.inconsistent, seen.out_of_view,
+          seen.unobservable, seen.ambiguous, seen.no_match}) {
+      text += "," + std::to_string(count);
+    }
+    for (const double value : {tracking.alignment.visible_fraction, tracking.alignment.correlation,
+                               tracking.alignment.cost}) {
+      text += "," + vo::format_real(value);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace tools

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/pipeline/track_sequence.h"
+#include "vo/core/progress.h"
+#include "vo/io/sequence.h"
+#include "vo/mono_odometry.h"
+
+namespace tools {
+
+/// Where a monocular run reads.
+struct MonoInput {
+  std::filesystem::path folder;
+  std::optional<vo::RgbdCamera> camera;  ///< the folder's otherwise
+  double max_time_difference = 0.02;     ///< s, of colour and depth of the first frame
+  std::filesystem::path depth_file;      ///< of bootstrap=file: 16-bit PNG, or .npy in metres
+};
+
+struct MonoSequenceResult {
+  std::vector<vo::MonoResult> frames;
+  std::vector<vo::StageTimes> times;
+  vo::Trajectory trajectory;
+  vo::Trajectory ground_truth;  ///< empty where the folder has none
+
+  double tracked_fraction() const;
+  std::size_t keyframes() const;
+};
+
+/// Told after each frame.
+using MonoObserver = std::function<void(const vo::MonoOdometry& odometry, const vo::MonoResult&)>;
+
+/// The frames from which a monocular run starts: colour alone, but for the first where the
+/// bootstrap asks for depth. Throws vo::Error where that depth cannot be used.
+class MonoFrames {
+ public:
+  MonoFrames(const MonoInput& input, vo::MonoBootstrap bootstrap);
+
+  const vo::SequenceReader& sequence() const { return sequence_; }
+  std::size_t size() const { return sequence_.size() - first_index_; }
+  std::optional<vo::RgbdFrame> next();
+
+ private:
+  vo::SequenceReader sequence_;
+  vo::DepthImage first_depth_;
+  std::size_t first_index_ = 0;
+  std::size_t next_index_ = 0;
+};
+
+MonoSequenceResult track_mono_sequence(const MonoInput& input, const vo::MonoOptions& options,
+                                       const MonoObserver& observe, const vo::Progress& progress);
+
+/// CSV with one line per frame: the state, the parallax meter, the map and the alignment.
+std::string format_mono_log(const std::vector<vo::MonoResult>& frames);
+
+}  // namespace tools

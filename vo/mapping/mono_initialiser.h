@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "vo/core/se3.h"
+#include "vo/image/pyramid.h"
+#include "vo/mapping/corner_tracks.h"
+#include "vo/mapping/two_view.h"
+
+namespace vo {
+
+/// What the motion since the held frame allows.
+enum class InitialiserVerdict {
+  waiting,        ///< too little parallax so far
+  pure_rotation,  ///< the image moves, and turning the camera explains it
+  inconsistent,   ///< no rigid motion explains it
+  solved,
+};
+
+constexpr auto enum_names(InitialiserVerdict) {
+  return std::array{std::pair{InitialiserVerdict::waiting, "waiting"},
+                    std::pair{InitialiserVerdict::pure_rotation, "pure_rotation"},
+                    std::pair{InitialiserVerdict::inconsistent, "inconsistent"},
+                    std::pair{InitialiserVerdict::solved, "solved"}};
+}
+
+struct InitialiserReport {
+  InitialiserVerdict verdict = InitialiserVerdict::waiting;
+  double flow_px = 0;      ///< median displacement since the held frame
+  double parallax_px = 0;  ///< median of what no rotation explains
+};
+
+/// A frame of the start and where it was taken from.
+struct StartFrame {
+  FramePyramid pyramid;
+  SE3 T_frame_first;
+};
+
+/// Finds structure and motion of an unknown scene at once: the first frame is held, corners are
+/// followed until the camera has moved far enough, then the motion and all inverse depths are
+/// fitted together. Scale is chosen so that the median depth is what was asked for.
+class MonoInitialiser {
+ public:
+  /// `min_parallax_px` of the median corner.
+  MonoInitialiser(const FramePyramid& first, double min_parallax_px, double median_depth);
+
+  InitialiserReport add(const FramePyramid& frame);
+
+  /// Whether the held frame is out of view, or too many frames were seen: start from another.
+  bool is_exhausted() const;
+
+  /// Once it is solved: all frames, the first included, and the depth of the first at every edge
+  /// pixel, interpolated between corners.
+  const std::vector<StartFrame>& frames() const { return frames_; }
+  DepthImage depth_at_edges() const;
+
+ private:
+  std::vector<RayPair> ray_pairs() const;
+  InitialiserReport judge();
+  void place_frames();
+
+  double min_parallax_px_;
+  double median_depth_;
+  CornerTracks tracks_;
+  std::vector<StartFrame> frames_;
+  std::vector<std::vector<RayPair>> pairs_;        ///< of each frame after the first
+  std::vector<std::vector<std::size_t>> corners_;  ///< which corners those are
+  std::vector<Eigen::Vector2d> known_pixels_;      ///< px, of the first
+  std::vector<double> known_inverse_depth_;        ///< 1/m
+};
+
+}  // namespace vo

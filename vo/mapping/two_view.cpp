@@ -1,0 +1,244 @@
+#include "vo/mapping/two_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+namespace vo {
+namespace {
+
+using Row6 = Eigen::Matrix<double, 2, 6>;
+
+double median(std::vector<double> values) {
+  if (values.empty()) {
+    return 0;
+  }
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Residual of one pair and its derivatives. The point is P = R ray + d t, up to its scale.
+struct PairTerms {
+  Eigen::Vector2d r;
+  Row6 by_pose;  ///< left increment [translation; rotation]
+  Eigen::Vector2d by_depth;
+  bool in_front = false;
+};
+
+PairTerms terms_of(const RayPair& pair, const SE3& T, double d) {
+  PairTerms terms;
+  const Eigen::Vector3d P = T.rotation() * pair.first.homogeneous() + d * T.translation();
+  terms.in_front = P.z() > 1e-3;
+  if (!terms.in_front) {
+    return terms;
+  }
+  Eigen::Matrix<double, 2, 3> by_point;
+  by_point << 1, 0, -P.x() / P.z(), 0, 1, -P.y() / P.z();
+  by_point /= P.z();
+  terms.r = P.hnormalized() - pair.second;
+  terms.by_pose << d * by_point, -by_point * skew(P);
+  terms.by_depth = by_point * T.translation();
+  return terms;
+}
+
+/// Cauchy's weight and loss.
+double weight_of(double square, double scale) {
+  return 1 / (1 + square / (scale * scale));
+}
+
+double loss_of(double square, double scale) {
+  return scale * scale * std::log1p(square / (scale * scale));
+}
+
+double total_loss(const std::vector<RayPair>& pairs, const SE3& T, const std::vector<double>& d,
+                  double scale) {
+  constexpr double kBehind = 4;  // a pair behind the camera is as bad as this many scales
+  double sum = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const PairTerms terms = terms_of(pairs[i], T, d[i]);
+    const double square =
+        terms.in_front && d[i] > 0 ? terms.r.squaredNorm() : kBehind * kBehind * scale * scale;
+    sum += loss_of(square, scale);
+  }
+  return sum;
+}
+
+/// The normal equations of the pose, depths eliminated, and what gives their steps back.
+struct ReducedSystem {
+  Matrix6d H = Matrix6d::Zero();
+  Vector6d b = Vector6d::Zero();
+  std::vector<Vector6d> coupling;
+  std::vector<double> H_depth;
+  std::vector<double> b_depth;
+};
+
+ReducedSystem reduced_system(const std::vector<RayPair>& pairs, const SE3& T,
+                             const std::vector<double>& d, double scale) {
+  constexpr double kDepthPrior = 1e-9;
+  ReducedSystem system;
+  system.coupling.resize(pairs.size(), Vector6d::Zero());
+  system.H_depth.resize(pairs.size(), kDepthPrior);
+  system.b_depth.resize(pairs.size(), 0);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const PairTerms terms = terms_of(pairs[i], T, d[i]);
+    if (!terms.in_front) {
+      continue;
+    }
+    const double w = weight_of(terms.r.squaredNorm(), scale);
+    system.coupling[i] = w * terms.by_pose.transpose() * terms.by_depth;
+    system.H_depth[i] += w * terms.by_depth.squaredNorm();
+    system.b_depth[i] = w * terms.by_depth.dot(terms.r);
+    system.H += w * terms.by_pose.transpose() * terms.by_pose -
+                system.coupling[i] * system.coupling[i].transpose() / system.H_depth[i];
+    system.b += w * terms.by_pose.transpose() * terms.r -
+                system.coupling[i] * system.b_depth[i] / system.H_depth[i];
+  }
+  return system;
+}
+
+/// The length of the translation is free: it stays what it is.
+Vector6d pose_step(const ReducedSystem& system, const SE3& T, double damping) {
+  Matrix6d H = system.H;
+  Vector6d along = Vector6d::Zero();
+  along.head<3>() = T.translation().normalized();
+  H += H.trace() * along * along.transpose();
+  H.diagonal() += damping * system.H.diagonal();
+  H.diagonal().array() += 1e-12;
+  return -H.ldlt().solve(system.b);
+}
+
+SE3 with_unit_translation(const SE3& T) {
+  return {T.rotation(), T.translation().normalized()};
+}
+
+/// Levenberg-Marquardt from one motion; the loss it ends with.
+double refine(const std::vector<RayPair>& pairs, double scale, int iterations, SE3& T,
+              std::vector<double>& d) {
+  double loss = total_loss(pairs, T, d, scale);
+  double damping = 1e-3;
+  for (int iteration = 0; iteration < iterations; ++iteration) {
+    const ReducedSystem system = reduced_system(pairs, T, d, scale);
+    const Vector6d step = pose_step(system, T, damping);
+    const SE3 T_next = with_unit_translation(SE3::exp(step) * T);
+    std::vector<double> d_next(d.size());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      d_next[i] = d[i] - (system.b_depth[i] + system.coupling[i].dot(step)) / system.H_depth[i];
+      if (!(d_next[i] > 0 && std::abs(d_next[i]) < 1e3)) {
+        d_next[i] = triangulate(pairs[i], T_next);
+      }
+    }
+    const double next = total_loss(pairs, T_next, d_next, scale);
+    if (next < loss) {
+      loss = next;
+      T = T_next;
+      d = std::move(d_next);
+      damping = std::max(damping * 0.3, 1e-9);
+    } else {
+      damping *= 8;
+    }
+  }
+  return loss;
+}
+
+}  // namespace
+
+RotationFit fit_rotation(const std::vector<RayPair>& pairs) {
+  constexpr int kIterations = 15;
+  RotationFit fit;
+  for (int iteration = 0; iteration <= kIterations; ++iteration) {
+    std::vector<double> distances;
+    for (const RayPair& pair : pairs) {
+      distances.push_back(terms_of(pair, fit.T_second_first, 0).r.norm());
+    }
+    fit.parallax = median(distances);
+    const double scale = std::max(1.5 * fit.parallax, 1e-5);
+    Eigen::Matrix3d H = 1e-12 * Eigen::Matrix3d::Identity();
+    Eigen::Vector3d b = Eigen::Vector3d::Zero();
+    for (const RayPair& pair : pairs) {
+      const PairTerms terms = terms_of(pair, fit.T_second_first, 0);
+      if (terms.in_front) {
+        const double w = weight_of(terms.r.squaredNorm(), scale);
+        const Eigen::Matrix<double, 2, 3> J = terms.by_pose.rightCols<3>();
+        H += w * J.transpose() * J;
+        b += w * J.transpose() * terms.r;
+      }
+    }
+    Vector6d step = Vector6d::Zero();
+    step.tail<3>() = -H.ldlt().solve(b);
+    if (iteration < kIterations) {
+      fit.T_second_first = SE3::exp(step) * fit.T_second_first;
+    }
+  }
+  return fit;
+}
+
+double triangulate(const RayPair& pair, const SE3& T_second_first) {
+  constexpr double kFarthest = 1e-3;
+  const Eigen::Vector3d a = T_second_first.rotation() * pair.first.homogeneous();
+  const Eigen::Vector3d& t = T_second_first.translation();
+  // (a + d t) x second = 0, least squares over its first two components.
+  const Eigen::Vector2d at = a.head<2>() - pair.second * a.z();
+  const Eigen::Vector2d slope = t.head<2>() - pair.second * t.z();
+  const double norm2 = slope.squaredNorm();
+  return norm2 > 0 ? std::max(-at.dot(slope) / norm2, kFarthest) : kFarthest;
+}
+
+TwoViewFit fit_two_views(const std::vector<RayPair>& pairs, const SE3& T_rotation,
+                         double robust_scale) {
+  constexpr int kFirstIterations = 12;
+  constexpr int kLastIterations = 40;
+  TwoViewFit best;
+  double least = 1e300;
+  for (int code = 0; code < 27; ++code) {
+    const Eigen::Vector3d direction(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
+    if (direction.isZero()) {
+      continue;
+    }
+    SE3 T(T_rotation.rotation(), direction.normalized());
+    std::vector<double> d;
+    for (const RayPair& pair : pairs) {
+      d.push_back(triangulate(pair, T));
+    }
+    const double loss = refine(pairs, robust_scale, kFirstIterations, T, d);
+    if (loss < least) {
+      least = loss;
+      best.T_second_first = T;
+      best.inverse_depth = d;
+    }
+  }
+  refine(pairs, robust_scale, kLastIterations, best.T_second_first, best.inverse_depth);
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const double d = best.inverse_depth[i];
+    const PairTerms terms = terms_of(pairs[i], best.T_second_first, d);
+    const bool valid = terms.in_front && d > 2e-3;
+    best.in_front += valid ? 1.0 / static_cast<double>(pairs.size()) : 0;
+    distances.push_back(terms.in_front ? terms.r.norm() : 1);
+  }
+  best.residual = median(distances);
+  return best;
+}
+
+SE3 fit_pose(const std::vector<RayPair>& pairs, const std::vector<double>& inverse_depth,
+             const SE3& T_second_first_guess, double robust_scale) {
+  constexpr int kIterations = 12;
+  SE3 T = T_second_first_guess;
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    Matrix6d H = 1e-12 * Matrix6d::Identity();
+    Vector6d b = Vector6d::Zero();
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const PairTerms terms = terms_of(pairs[i], T, inverse_depth[i]);
+      if (terms.in_front) {
+        const double w = weight_of(terms.r.squaredNorm(), robust_scale);
+        H += w * terms.by_pose.transpose() * terms.by_pose;
+        b += w * terms.by_pose.transpose() * terms.r;
+      }
+    }
+    T = SE3::exp(-H.ldlt().solve(b)) * T;
+  }
+  return T;
+}
+
+}  // namespace vo
