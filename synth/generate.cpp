@@ -9,6 +9,7 @@
 
 #include "synth/scene_motion.h"
 #include "vo/core/error.h"
+#include "vo/io/trajectory_file.h"
 
 namespace synth {
 namespace {
@@ -35,7 +36,20 @@ class FrameCounter {
 };
 
 vo::SequenceLayout layout_of(const SequenceRecipe& recipe) {
-  return {.camera = recipe.camera, .float_depth = recipe.float_depth};
+  return {.camera = recipe.camera,
+          .float_depth = recipe.float_depth,
+          .depth_delay = recipe.sensor.depth.delay};
+}
+
+/// T_world_camera at the stamps of depth.
+vo::Trajectory depth_truth(const SequenceRecipe& recipe) {
+  const CameraPath path = path_of(recipe);
+  vo::Trajectory truth;
+  for (const vo::StampedPose& pose : recipe.truth) {
+    const double stamp = pose.timestamp + recipe.sensor.depth.delay;
+    truth.push_back({stamp, path(stamp)});
+  }
+  return truth;
 }
 
 }  // namespace
@@ -44,15 +58,18 @@ double scene_time(const vo::Trajectory& truth, double timestamp) {
   return timestamp - truth.front().timestamp;
 }
 
+CameraPath path_of(const SequenceRecipe& recipe) {
+  return recipe.path ? recipe.path : path_through(recipe.truth);
+}
+
 FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe)
-    : scene_(scene), recipe_(recipe), moves_(moves(scene)), exposed_(recipe.sensor) {
+    : scene_(scene), recipe_(recipe), moves_(moves(scene)), motion_{recipe.truth, path_of(recipe)} {
   vo::require(!recipe.truth.empty(), "sequence: no poses to render, expected at least one");
   recipe.camera.validate();
   recipe.sensor.validate();
   renderer_ = make_renderer(scene, recipe.render);
-  if (exposed_.exposure == 0) {
-    exposed_.exposure = meter_exposure(scene, *renderer_, recipe.camera.pinhole, recipe.truth);
-  }
+  sensor_ = std::make_unique<RgbdSensor>(scene, *renderer_, recipe.camera.pinhole, motion_,
+                                         recipe.sensor);
   if (!recipe.channels.channels.empty()) {
     truth_ = std::make_unique<const TruthGenerator>(
         TruthSubject{scene, recipe.camera.pinhole, recipe.truth, recipe.render.ambient},
@@ -60,20 +77,16 @@ FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe)
   }
 }
 
-RenderedFrame FrameGenerator::render(std::size_t index) const {
-  const auto& [timestamp, T_world_camera] = recipe_.truth.at(index);
-  const vo::PinholeCamera& camera = recipe_.camera.pinhole;
+vo::RgbdFrame FrameGenerator::take(std::size_t index) const {
   if (!moves_) {
-    return renderer_->render(camera, T_world_camera);
+    return sensor_->take(index, *renderer_);
   }
-  const Scene now = scene_at(scene_, scene_time(recipe_.truth, timestamp));
-  return make_renderer(now, recipe_.render)->render(camera, T_world_camera);
+  const Scene now = scene_at(scene_, scene_time(recipe_.truth, recipe_.truth.at(index).timestamp));
+  return sensor_->take(index, *make_renderer(now, recipe_.render));
 }
 
 std::vector<vo::NamedBytes> FrameGenerator::make(std::size_t index) const {
-  const double timestamp = recipe_.truth.at(index).timestamp;
-  std::vector<vo::NamedBytes> files =
-      vo::encode_frame(layout_of(recipe_), index, measure(render(index), timestamp, exposed_));
+  std::vector<vo::NamedBytes> files = vo::encode_frame(layout_of(recipe_), index, take(index));
   if (truth_) {
     const std::vector<vo::NamedBytes> exact = truth_->make(index);
     files.insert(files.end(), exact.begin(), exact.end());
@@ -129,6 +142,10 @@ void finish_sequence(const SequenceRecipe& recipe, const std::filesystem::path& 
   for (const auto& [name, bytes] : files) {
     vo::make_folders_of(folder, {name});
     vo::write_file(folder / name, bytes, vo::ExistingOutput::replace);
+  }
+  if (recipe.sensor.depth.delay != 0) {
+    vo::write_file(folder / "groundtruth_depth.txt", vo::format_trajectory(depth_truth(recipe)),
+                   vo::ExistingOutput::replace);
   }
 }
 

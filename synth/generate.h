@@ -9,6 +9,7 @@
 #include "synth/renderer.h"
 #include "synth/scene.h"
 #include "synth/sensor.h"
+#include "synth/sensor/rgbd_sensor.h"
 #include "synth/truth_channels.h"
 #include "synth/truth_generator.h"
 #include "vo/core/camera.h"
@@ -21,17 +22,20 @@ namespace synth {
 
 /// All but the scene that determines a synthetic sequence.
 struct SequenceRecipe {
-  vo::Trajectory truth;  ///< T_world_camera of each frame
+  vo::Trajectory truth;  ///< T_world_camera of each frame, at its stamp
+  CameraPath path;       ///< and at any time; empty = the spline through them, no velocity and IMU
   vo::RgbdCamera camera;
   RenderOptions render;
   SensorOptions sensor;
   vo::FloatDepth float_depth = vo::FloatDepth::none;
   TruthOptions channels;  ///< of exact ground truth, beside the poses
-  CameraPath path;        ///< between the poses: for the velocity and imu channels
 };
 
 /// The time of the scene's animations, s, at a timestamp: they start with the first pose.
 double scene_time(const vo::Trajectory& truth, double timestamp);
+
+/// T_world_camera of the recipe at any time.
+CameraPath path_of(const SequenceRecipe& recipe);
 
 /// Makes the frames of one sequence, from any thread: each is a pure function of the scene, the
 /// recipe and its index. Both must outlive it.
@@ -42,13 +46,14 @@ class FrameGenerator {
   std::vector<vo::NamedBytes> make(std::size_t index) const;  ///< all files of a frame
 
  private:
-  RenderedFrame render(std::size_t index) const;
+  vo::RgbdFrame take(std::size_t index) const;
 
   const Scene& scene_;
   const SequenceRecipe& recipe_;
-  bool moves_;                                ///< each frame has a renderer of its own
+  bool moves_;  ///< each frame has a renderer of its own
+  SensorMotion motion_;
   std::unique_ptr<const Renderer> renderer_;  ///< of the scene at rest
-  SensorOptions exposed_;
+  std::unique_ptr<const RgbdSensor> sensor_;
   std::unique_ptr<const TruthGenerator> truth_;  ///< none where no channel is asked for
 };
 
@@ -66,7 +71,8 @@ void generate_frames(const Scene& scene, const SequenceRecipe& recipe,
                      const vo::Progress& progress);
 
 /// Writes what a folder with all frames still lacks: the lists, groundtruth.txt, which is
-/// `recipe.truth`, camera.toml and the channels that are not of single frames.
+/// `recipe.truth`, camera.toml, groundtruth_depth.txt where depth has stamps of its own, and the
+/// channels that are not of single frames.
 void finish_sequence(const SequenceRecipe& recipe, const std::filesystem::path& folder);
 
 /// All frames, and the rest.

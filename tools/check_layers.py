@@ -27,6 +27,7 @@ ONLY_IN = {  # third-party header: the files that may name it
     "meshoptimizer.h": ["synth/gltf_meshopt.cpp"],
     "toml++/": ["vo/io/toml_file.cpp"],
     "png.h": ["vo/io/png.cpp"],
+    "turbojpeg.h": ["synth/sensor/jpeg.cpp"],
     "zlib.h": ["vo/io/gzip.cpp"],
     "CLI/": ["tools/"],
     "opencv2/rgbd": ["tools/bench/opencv_peer.cpp"],

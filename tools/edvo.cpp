@@ -25,6 +25,7 @@ constexpr const char* kDescription =
     "  edvo run          a scenario: all three, and a verdict\n"
     "  edvo depth        monocular mapping alone: an inverse-depth map beside the truth\n"
     "  edvo train-edges  glTF scenes -> a learnt edge detector, or a detector's precision\n"
+    "  edvo sensor-check the noise of the sensor presets beside their formulas\n"
     "  edvo bench        ms per frame, ours beside others\n"
     "  edvo bench-render CPU s per rendered frame, and how it grows\n"
     "  edvo ablate       the paper's experiments on a sequence or scenario\n\n"
@@ -52,6 +53,7 @@ int run(int argc, char** argv) {
   tools::add_bench_command(program, exit_code);
   tools::add_bench_render_command(program, exit_code);
   tools::add_ablate_command(program, exit_code);
+  tools::add_sensor_check_command(program, exit_code);
   tools::add_train_edges_command(program, exit_code);
   try {
     program.parse(argc, argv);

@@ -17,6 +17,7 @@ void add_bench_command(CLI::App& program, int& exit_code);
 void add_bench_render_command(CLI::App& program, int& exit_code);
 void add_ablate_command(CLI::App& program, int& exit_code);
 void add_path_command(CLI::App& program, int& exit_code);
+void add_sensor_check_command(CLI::App& program, int& exit_code);
 void add_train_edges_command(CLI::App& program, int& exit_code);
 
 }  // namespace tools

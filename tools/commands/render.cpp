@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 
+#include "synth/sensor/preset.h"
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/scene_arguments.h"
@@ -40,6 +41,8 @@ constexpr const char* kExamples =
     "  edvo render room.gltf --path explore --duration 20 --explore.seed 3 --out sequence\n"
     "  edvo render room.gltf --path pan --move.eye 0,1.4,0.5 --move.target 0,1.2,-2 \\\n"
     "       --move.turn-deg 90 --shake.amplitude 0.003 --shake.amplitude-deg 0.3 --out sequence\n"
+    "  edvo render room.gltf --trajectory poses.txt --sensor kinect-v1 \\\n"
+    "       --shutter.exposure-time 0.02 --depth.delay 0 --out sequence\n"
     "  edvo render room.gltf --trajectory poses.txt --plan\n"
     "  for k in 1 2 3 4; do edvo render room.gltf --trajectory poses.txt --shard $k/4 \\\n"
     "       --out sequence & done; wait";
@@ -159,9 +162,16 @@ std::vector<vo::Field> render_fields(RenderJob& job) {
   for (vo::Field& field : fields) {
     field.key = field.key == "kind" ? "renderer" : field.key;
   }
-  for (const vo::Field& field : vo::fields_of(job.recipe.sensor)) {
-    fields.push_back(field);
-  }
+  return fields;
+}
+
+/// The preset comes first, so that it does not undo what else was chosen.
+std::vector<vo::Field> sensor_fields(synth::SensorOptions& sensor) {
+  std::vector<vo::Field> fields = vo::fields_of(sensor);
+  fields.front().key = "sensor";
+  fields.front().set = [&sensor](std::string_view text) {
+    sensor = synth::preset_options(vo::parse_enum<synth::SensorPreset>(text));
+  };
   return fields;
 }
 
@@ -195,6 +205,7 @@ void add_render_command(CLI::App& program, int& /*exit_code*/) {
   add_field_options(command, vo::fields_of(truth.imu, "imu."), "Ground truth");
   add_field_options(command, vo::fields_of(arguments->job.file), "Scene");
   add_field_options(command, render_fields(arguments->job), "Rendering");
+  add_field_options(command, sensor_fields(arguments->job.recipe.sensor), "Sensor");
   add_common_options(command, arguments->common);
   command.callback([arguments] { render(*arguments); });
 }

@@ -42,6 +42,25 @@ std::string describe_channels(const synth::SequenceRecipe& recipe) {
   return text;
 }
 
+bool moves_between_stamps(const synth::SensorOptions& sensor) {
+  return sensor.shutter.exposure_time > 0 || sensor.shutter.readout_time > 0 ||
+         sensor.depth.delay != 0;
+}
+
+/// Of the motion around the stamps.
+std::string motion_hash(const synth::SequenceRecipe& recipe) {
+  const synth::CameraPath path = synth::path_of(recipe);
+  vo::Trajectory around;
+  for (const vo::StampedPose& pose : recipe.truth) {
+    for (const double time : {-0.01, -0.003, 0.003, 0.01}) {
+      around.push_back({pose.timestamp + time, path(pose.timestamp + time)});
+    }
+  }
+  vo::ContentHash hash;
+  hash.add(vo::format_trajectory(around));
+  return vo::to_hex(hash.value());
+}
+
 /// What a reader of the folder must know, and what two equal folders have in common.
 std::string format_manifest(const RenderJob& job, const synth::Scene& scene) {
   synth::RenderOptions render = job.recipe.render;
@@ -50,7 +69,12 @@ std::string format_manifest(const RenderJob& job, const synth::Scene& scene) {
       "# Frames: T_world_camera in groundtruth.txt, camera x right, y down, z forward;"
       " world is the scene's.\n"
       "# Depth: along the optical axis at the pixel's centre, 0 = none.\n"
-      "# Colour: sRGB, mean over the pixel's area.\n";
+      "# Colour: sRGB unless sensor.response says otherwise, mean over the pixel's area.\n"
+      "# Stamps: the middle of the exposure of the middle row, (height - 1) / 2, and the pose is\n"
+      "# that of this instant; row v is exposed readout_time (v - (height - 1) / 2) / height "
+      "later,\n"
+      "# its depth is that of the middle of its exposure. Depth is stamped depth.delay later, its\n"
+      "# poses are in groundtruth_depth.txt then.\n";
   text += vo::concat("generator = \"edvo ", version(), "\"\n");
   text += "scene = " + vo::quoted_toml(job.scene.filename().string()) + "\n";
   text += "scene_hash = \"" + vo::to_hex(synth::content_hash(scene)) + "\"\n";
@@ -58,6 +82,9 @@ std::string format_manifest(const RenderJob& job, const synth::Scene& scene) {
   vo::ContentHash truth;
   truth.add(vo::format_trajectory(job.recipe.truth));
   text += "trajectory_hash = \"" + vo::to_hex(truth.value()) + "\"\n";
+  if (moves_between_stamps(sensor)) {
+    text += "shutter_motion_hash = \"" + motion_hash(job.recipe) + "\"\n";
+  }
   text += std::string("float_depth = ") +
           (job.recipe.float_depth == vo::FloatDepth::npy ? "true" : "false") + "\n";
   vo::RgbdCamera camera = job.recipe.camera;

@@ -61,8 +61,10 @@ bool Outcome::passed() const {
 }
 
 RenderJob render_job(const Scenario& scenario) {
+  const TimedPath timed = make_path(scenario.resolved_path(), scenario.scene_file());
   return {.scene = scenario.scene_file(),
-          .recipe = {.truth = make_trajectory(scenario.resolved_path(), scenario.scene_file()),
+          .recipe = {.truth = synth::sample(timed.path, timed.times),
+                     .path = timed.path,
                      .camera = scenario.camera.camera(),
                      .render = scenario.render,
                      .sensor = scenario.sensor}};

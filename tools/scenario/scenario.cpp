@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "synth/sensor/preset.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/io/toml_file.h"
@@ -30,6 +31,17 @@ std::vector<vo::Field> bound_fields(std::map<std::string, Bound>& bounds) {
     add(".max", &Bound::max);
   }
   return fields;
+}
+
+/// A preset is where the sensor's options start from, so it is applied before them.
+void apply_preset(const std::vector<vo::TomlValue>& values, synth::SensorOptions& sensor) {
+  for (const vo::TomlValue& value : values) {
+    if (value.key == "sensor.preset") {
+      std::vector<vo::Field> fields = vo::fields_of(sensor, "sensor.");
+      vo::assign_fields({value}, fields);
+    }
+  }
+  sensor = synth::preset_options(sensor.preset);
 }
 
 /// A preset is where the tracker's options start from, so it is applied before them.
@@ -103,6 +115,7 @@ Scenario load_scenario(const fs::path& path) {
   Scenario scenario;
   scenario.file = path;
   scenario.name = path.stem().string();
+  apply_preset(values, scenario.sensor);
   apply_preset(values, scenario.odometry);
 
   std::vector<vo::Field> fields = vo::fields_of(scenario);

@@ -77,6 +77,7 @@ enum class FloatDepth { none, npy };
 struct SequenceLayout {
   RgbdCamera camera;
   FloatDepth float_depth = FloatDepth::none;
+  double depth_delay = 0;  ///< s, the stamps of depth after those of colour
 };
 
 /// `depth/000012.png`: where everything about a frame lies.

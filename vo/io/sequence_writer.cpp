@@ -17,10 +17,11 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string format_list(const char* title, const char* folder, const char* extension,
-                        const Trajectory& truth) {
+                        const Trajectory& truth, double delay) {
   std::string text = concat("# ", title, "\n# timestamp filename\n");
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    text += format_timestamp(truth[i].timestamp) + " " + frame_file(folder, i, extension) + "\n";
+    text += format_timestamp(truth[i].timestamp + delay) + " " + frame_file(folder, i, extension) +
+            "\n";
   }
   return text;
 }
@@ -62,11 +63,13 @@ std::vector<NamedBytes> encode_frame(const SequenceLayout& layout, std::size_t i
 
 std::vector<NamedBytes> encode_lists(const SequenceLayout& layout, const Trajectory& truth) {
   std::vector<NamedBytes> files = {
-      {"rgb.txt", format_list("colour images, sRGB", "rgb", "png", truth)},
-      {"depth.txt", format_list("planar depth at pixel centres, 16 bit", "depth", "png", truth)}};
+      {"rgb.txt", format_list("colour images, sRGB", "rgb", "png", truth, 0)},
+      {"depth.txt", format_list("planar depth at pixel centres, 16 bit", "depth", "png", truth,
+                                layout.depth_delay)}};
   if (layout.float_depth == FloatDepth::npy) {
-    files.push_back({"depth_float.txt",
-                     format_list("planar depth at pixel centres, m", "depth_float", "npy", truth)});
+    files.push_back(
+        {"depth_float.txt", format_list("planar depth at pixel centres, m", "depth_float", "npy",
+                                        truth, layout.depth_delay)});
   }
   files.push_back({"groundtruth.txt", format_trajectory(truth)});
   files.push_back({"camera.toml", format_camera(layout.camera)});

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+
+#include <opencv2/core.hpp>
+
+#include "synth/sensor/depth_noise.h"
+#include "vo/core/camera.h"
+#include "vo/core/image.h"
+
+namespace synth {
+
+/// Where a depth camera measures nothing.
+struct DepthHoles {
+  double max_incidence_deg = 90;    ///< deg between normal and ray; beyond it, none
+  double sure_incidence_deg = 90;   ///< deg; from here on some are lost, linearly more up to all
+  double max_step = 0;              ///< m between the farthest and nearest of 3x3; 0 = any
+  double edge_loss = 0;             ///< share of pixels lost beside depth edges
+  double dark_level = 0;            ///< 0..255 of the image's grey; darker surfaces have none
+  double second_view = 0;           ///< m to the right: the projector or second camera; 0 = none
+  bool second_view_framed = false;  ///< whether that is as wide as the image and sees no more
+  double correlation = 0;           ///< px, between what neighbours lose by chance
+  std::uint64_t seed = 0;
+};
+
+/// Pixels beside a depth edge that see both surfaces and measure something between.
+struct FlyingPixels {
+  double share = 0;  ///< of the pixels beside depth edges
+  std::uint64_t seed = 0;
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, DepthHoles& holes) {
+  visit("max_incidence_deg", holes.max_incidence_deg, "greatest angle of normal and ray, deg");
+  visit("sure_incidence_deg", holes.sure_incidence_deg, "from here on some are lost, deg");
+  visit("max_step", holes.max_step, "greatest difference within 3x3 pixels, m; 0 = any");
+  visit("edge_loss", holes.edge_loss, "share of pixels lost beside depth edges");
+  visit("dark_level", holes.dark_level, "pixels with less grey (0 to 255) have no depth");
+  visit("second_view", holes.second_view,
+        "m to the right: a projector or camera whose shadows have no depth; 0 = none");
+  visit("second_view_framed", holes.second_view_framed, "whether it sees no more than an image");
+  visit("correlation", holes.correlation, "between what neighbours lose by chance, px");
+  visit("seed", holes.seed, "of what is lost by chance");
+}
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, FlyingPixels& flying) {
+  visit("share", flying.share, "of pixels beside depth edges that measure something between");
+  visit("seed", flying.seed, "of these");
+}
+
+/// The least and greatest depth of the 3x3 pixels around one, m; both 0 without any.
+struct DepthSpan {
+  float nearest = 0;
+  float farthest = 0;
+
+  /// More than a tenth apart.
+  bool is_edge() const { return farthest > 1.1F * nearest; }
+};
+
+DepthSpan span_around(const vo::DepthImage& depth, const cv::Point& pixel);
+
+/// 255 where a second camera (or projector), a baseline b to the right with the same axes, sees the
+/// surface too: pixel u of depth Z is at u - f b / Z there, and the nearer surface hides the
+/// farther.
+cv::Mat_<uchar> seen_from_beside(const vo::DepthImage& depth, double focal_px, double baseline,
+                                 bool framed);
+
+/// `measured` without what the sensor loses of `view`; `dark_level` is not looked at.
+vo::DepthImage with_holes(const vo::DepthImage& measured, const DepthView& view,
+                          const vo::PinholeCamera& camera, const DepthHoles& holes,
+                          std::uint64_t frame);
+
+vo::DepthImage with_flying_pixels(const vo::DepthImage& measured, const vo::DepthImage& exact,
+                                  const FlyingPixels& flying, std::uint64_t frame);
+
+/// Without what is darker than `level` in the image that the depth is registered to.
+vo::DepthImage without_dark(const vo::DepthImage& depth, const vo::ColorImage& image, double level);
+
+}  // namespace synth

@@ -1,0 +1,129 @@
+#include <cmath>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include <nlohmann/json.hpp>
+#include <tbb/global_control.h>
+
+#include "synth/gltf.h"
+#include "synth/sensor/rgbd_sensor.h"
+#include "tools/cli/options.h"
+#include "tools/commands/commands.h"
+#include "tools/pipeline/path_options.h"
+#include "tools/pipeline/result_files.h"
+#include "tools/sensor_check/contact_sheet.h"
+#include "tools/sensor_check/noise_table.h"
+#include "vo/core/error.h"
+#include "vo/io/png.h"
+
+namespace tools {
+namespace {
+
+constexpr const char* kHelp =
+    "Measures the noise of the sensor presets on planes and greys and compares it with their\n"
+    "formulas: depth_noise.csv, image_noise.csv and noise.svg. With --scene also "
+    "contact_sheet.png:\n"
+    "one frame of a path as each preset takes it.";
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  edvo sensor-check --out check\n"
+    "  edvo sensor-check --scene assets/room/room.gltf --path.orbit.centre -0.95,0.5,0.3 \\\n"
+    "       --path.orbit.radius 1.2 --path.orbit.height 0.8 --path.orbit.period 7.5 --out check";
+
+struct SensorCheckArguments {
+  CommonOptions common;
+  std::string scene;
+  std::string size = "320x240";
+  double fov_deg = 62;
+  int samples = 16;
+  int frames = 20;
+  PathOptions path;
+  std::string out;
+};
+
+/// The greatest share by which a measured deviation is off its formula.
+double worst_share(const std::vector<NoiseSample>& samples) {
+  double worst = 0;
+  for (const NoiseSample& sample : samples) {
+    worst = std::max(worst, std::abs(sample.measured.deviation / sample.formula.deviation - 1));
+  }
+  return worst;
+}
+
+double worst_share(const std::vector<GreyNoise>& samples) {
+  double worst = 0;
+  for (const GreyNoise& sample : samples) {
+    worst = std::max(worst, std::abs(sample.measured / sample.formula - 1));
+  }
+  return worst;
+}
+
+std::string contact_sheet(const SensorCheckArguments& arguments) {
+  const synth::Scene scene = synth::load_gltf(arguments.scene, nullptr);
+  const auto renderer = synth::make_renderer(scene, {.samples = arguments.samples});
+  const auto [width, height] = parse_size(arguments.size);
+  const TimedPath timed = make_path(arguments.path, arguments.scene);
+  const synth::SensorMotion motion{synth::sample(timed.path, timed.times), timed.path};
+  const auto camera = vo::PinholeCamera::from_horizontal_fov(width, height, arguments.fov_deg);
+  return vo::encode_png(
+      draw_contact_sheet(scene, *renderer, camera, motion, motion.truth.size() / 2));
+}
+
+void print(const SensorCheckArguments& arguments, double depth, double image) {
+  if (arguments.common.json) {
+    std::cout << nlohmann::ordered_json{{"out", arguments.out},
+                                        {"worst_depth_deviation_share", depth},
+                                        {"worst_image_deviation_share", image}}
+                     .dump(2)
+              << "\n";
+    return;
+  }
+  std::cout << std::fixed << std::setprecision(1)  //
+            << arguments.out << ": measured deviations are at most " << 100 * depth
+            << " % (depth) and " << 100 * image << " % (image) off their formulas\n";
+}
+
+void sensor_check(const SensorCheckArguments& arguments) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  arguments.common.max_threads());
+  check_usage([&] { arguments.path.validate(); });
+  const std::vector<NoiseSample> depth = measure_noise(arguments.frames);
+  const std::vector<GreyNoise> image = measure_grey_noise();
+  std::vector<vo::NamedBytes> files = {{"depth_noise.csv", format_noise_csv(depth)},
+                                       {"image_noise.csv", format_grey_csv(image)},
+                                       {"noise.svg", plot_noise(depth, image)}};
+  if (!arguments.scene.empty()) {
+    files.push_back({"contact_sheet.png", contact_sheet(arguments)});
+  }
+  make_folder(arguments.out);
+  write_results(arguments.out, files, arguments.common.existing());
+  print(arguments, worst_share(depth), worst_share(image));
+}
+
+}  // namespace
+
+void add_sensor_check_command(CLI::App& program, int& /*exit_code*/) {
+  CLI::App& command = *program.add_subcommand("sensor-check", kHelp);
+  const auto arguments = std::make_shared<SensorCheckArguments>();
+  arguments->path.duration = 1;
+  command.footer(kExamples);
+  command.add_option("--out", arguments->out, "folder for the results")->required();
+  command.add_option("--frames", arguments->frames, "noise images per depth and angle [20]")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--scene", arguments->scene, "glTF file of the contact sheet")
+      ->group("Contact sheet");
+  command.add_option("--size", arguments->size, "WIDTHxHEIGHT, px [320x240]")
+      ->group("Contact sheet");
+  command.add_option("--fov", arguments->fov_deg, "horizontal, deg [62]")->group("Contact sheet");
+  command.add_option("--samples", arguments->samples, "colour samples per pixel [16]")
+      ->group("Contact sheet");
+  add_field_options(command, vo::fields_of(arguments->path, "path."), "Contact sheet");
+  add_common_options(command, arguments->common);
+  command.callback([arguments] { sensor_check(*arguments); });
+}
+
+}  // namespace tools

@@ -1,0 +1,80 @@
+#include "tools/sensor_check/contact_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+#include "synth/sensor/preset.h"
+#include "tools/report/panels.h"
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+
+namespace tools {
+namespace {
+
+using Picture = cv::Mat_<cv::Vec3b>;
+
+constexpr double kFar = 4;       // m, at the end of the colours
+constexpr double kError = 0.03;  // m, of full colour
+constexpr int kEnlargement = 4;  // of the middle
+
+Picture enlarged_middle(const cv::Mat& image) {
+  const cv::Size part(image.cols / kEnlargement, image.rows / kEnlargement);
+  const cv::Rect middle((image.cols - part.width) / 2, (image.rows - part.height) / 2, part.width,
+                        part.height);
+  Picture result;
+  cv::resize(image(middle), result, image.size(), 0, 0, cv::INTER_NEAREST);
+  return result;
+}
+
+Picture colored(const vo::DepthImage& depth) {
+  cv::Mat_<uchar> code(depth.size());
+  std::transform(depth.begin(), depth.end(), code.begin(),
+                 [](float value) { return cv::saturate_cast<uchar>(255 * value / kFar); });
+  Picture result;
+  cv::applyColorMap(code, result, cv::COLORMAP_TURBO);
+  result.setTo(cv::Scalar::all(0), depth == 0);
+  return result;
+}
+
+cv::Vec3b error_color(float measured, float exact) {
+  if (!vo::has_depth(measured) || !vo::has_depth(exact)) {
+    return {0, 0, 0};
+  }
+  const double error = std::clamp((measured - exact) / kError, -1.0, 1.0);
+  const auto pale = static_cast<uchar>(255 * (1 - std::abs(error)));
+  return error > 0 ? cv::Vec3b(pale, pale, 255) : cv::Vec3b(255, pale, pale);
+}
+
+Picture error_picture(const vo::DepthImage& measured, const vo::DepthImage& exact) {
+  Picture result(exact.size());
+  std::transform(measured.begin(), measured.end(), exact.begin(), result.begin(), error_color);
+  return result;
+}
+
+std::vector<Picture> row_of(std::string_view name, const vo::RgbdFrame& frame,
+                            const vo::DepthImage& exact) {
+  return {titled(frame.image.clone(), std::string(name)),
+          titled(enlarged_middle(frame.image), vo::concat("x", kEnlargement)),
+          titled(colored(frame.depth), vo::concat("depth, 0 to ", kFar, " m")),
+          titled(error_picture(frame.depth, exact), vo::concat("error, +-", 1000 * kError, " mm"))};
+}
+
+}  // namespace
+
+cv::Mat_<cv::Vec3b> draw_contact_sheet(const synth::Scene& scene, const synth::Renderer& renderer,
+                                       const vo::PinholeCamera& camera,
+                                       const synth::SensorMotion& motion, std::size_t frame) {
+  std::vector<std::vector<Picture>> rows;
+  vo::DepthImage exact;
+  for (const auto& [preset, name] : enum_names(synth::SensorPreset{})) {
+    const synth::RgbdSensor sensor(scene, renderer, camera, motion, synth::preset_options(preset));
+    const vo::RgbdFrame taken = sensor.take(frame);
+    exact = exact.empty() ? taken.depth : exact;
+    rows.push_back(row_of(name, taken, exact));
+  }
+  return montage(rows);
+}
+
+}  // namespace tools

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+
+#include <opencv2/core.hpp>
+
+#include "synth/renderer.h"
+#include "synth/scene.h"
+#include "synth/sensor/rgbd_sensor.h"
+#include "vo/core/camera.h"
+
+namespace tools {
+
+/// A row per preset, of one frame of a motion: image | its middle enlarged | depth, red far, black
+/// none | depth less the perfect one, red too far, blue too near.
+cv::Mat_<cv::Vec3b> draw_contact_sheet(const synth::Scene& scene, const synth::Renderer& renderer,
+                                       const vo::PinholeCamera& camera,
+                                       const synth::SensorMotion& motion, std::size_t frame);
+
+}  // namespace tools
