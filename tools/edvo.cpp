@@ -24,6 +24,12 @@ constexpr const char* kDescription =
     "  edvo evaluate     two trajectories -> their errors\n"
     "  edvo run          a scenario: all three, and a verdict\n"
     "  edvo depth        monocular mapping alone: an inverse-depth map beside the truth\n"
+    "  edvo test         many scenarios: did a tracker, ours or another, get worse?\n"
+    "  edvo compare      two results or builds, with statistics\n"
+    "  edvo budget       which imperfection of the camera causes what share of the error\n"
+    "  edvo basin        from how far off the truth an alignment finds it\n"
+    "  edvo sweep        any options of scenarios as a table and plot\n"
+    "  edvo cache        the sequences that are kept for tests\n"
     "  edvo train-edges  glTF scenes -> a learnt edge detector, or a detector's precision\n"
     "  edvo sensor-check the noise of the sensor presets beside their formulas\n"
     "  edvo bench        ms per frame, ours beside others\n"
@@ -55,6 +61,12 @@ int run(int argc, char** argv) {
   tools::add_ablate_command(program, exit_code);
   tools::add_sensor_check_command(program, exit_code);
   tools::add_train_edges_command(program, exit_code);
+  tools::add_test_command(program, exit_code);
+  tools::add_cache_command(program, exit_code);
+  tools::add_compare_command(program, exit_code);
+  tools::add_budget_command(program, exit_code);
+  tools::add_basin_command(program, exit_code);
+  tools::add_sweep_command(program, exit_code);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

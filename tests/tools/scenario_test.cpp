@@ -81,4 +81,18 @@ TEST(Scenario, WhatMakesNoSenseIsAnError) {
               HasSubstr("a spline expects at least two eyes"));
 }
 
+TEST(Scenario, ChangesComeAfterTheFileAndAPresetBeforeThem) {
+  const TempFolder folder;
+  const auto file = folder.write("s.toml", kScenario);
+  const tools::Scenario changed = tools::load_scenario(
+      file, {{"odometry.tracker.keyframes.every", "7"}, {"odometry.preset", "default"}});
+  EXPECT_EQ(changed.odometry.tracker.pyramid.levels, 4) << "the file's";
+  EXPECT_EQ(changed.odometry.tracker.keyframes.every, 7);
+  EXPECT_EQ(changed.odometry.tracker.lens, vo::LensModel::distortion) << "the preset's";
+  EXPECT_THAT(error_text([&] { tools::load_scenario(file, {{"odometry.preset", "best"}}); }),
+              HasSubstr("--set odometry.preset=best: "));
+  EXPECT_THAT(error_text([&] { tools::load_scenario(file, {{"path.rat", "1"}}); }),
+              HasSubstr("the nearest known key is path.rate"));
+}
+
 }  // namespace

@@ -1,25 +1,21 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "tools/ablate/clip.h"
 #include "tools/ablate/table.h"
 #include "tools/pipeline/result_files.h"
+#include "tools/scenario/scenario.h"
 #include "vo/core/progress.h"
 #include "vo/odometry.h"
 
 namespace tools {
 
-/// `key = value` of the tracker's options, as `edvo track --set` takes them.
-using Assignment = std::pair<std::string, std::string>;
-using Assignments = std::vector<Assignment>;
-
 /// One of the things that a study compares.
 struct Variant {
   std::string name;
-  Assignments changes;
+  Assignments changes;  ///< of the tracker's options, as `edvo track --set` takes them
 };
 
 struct StudySettings {

@@ -1,14 +1,12 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 
 #include "synth/gltf.h"
@@ -17,6 +15,7 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/study_output.h"
 #include "tools/pipeline/render_sequence.h"
 #include "tools/pipeline/result_files.h"
 #include "tools/scenario/run_scenario.h"
@@ -186,15 +185,6 @@ std::string command_line(const AblateArguments& arguments) {
   return text + " --out DIR";
 }
 
-void write(const AblateArguments& arguments, const StudyReport& report) {
-  std::vector<vo::NamedBytes> files = {
-      {report.name + ".csv", as_csv(report.table)},
-      {report.name + ".svg", report.plot},
-      {report.name + ".md", as_markdown(report, command_line(arguments))}};
-  files.insert(files.end(), report.more.begin(), report.more.end());
-  write_results(arguments.out, files, arguments.common.existing());
-}
-
 void ablate(AblateArguments& arguments) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   arguments.common.max_threads());
@@ -204,14 +194,7 @@ void ablate(AblateArguments& arguments) {
   const Clip clip = load(arguments);
   ProgressBar bar(arguments.study, arguments.common.verbosity());
   const StudyReport report = study(clip, arguments.settings, bar.callback());
-  write(arguments, report);
-  if (arguments.common.json) {
-    std::cout << as_json(report).dump(2) << "\n";
-  } else {
-    const std::string stem = arguments.out + "/" + report.name;
-    std::cout << as_text(report) << "\nreport   " << stem << ".md\nplot     " << stem
-              << ".svg\ntable    " << stem << ".csv\n";
-  }
+  deliver_study(report, command_line(arguments), arguments.out, arguments.common);
 }
 
 }  // namespace

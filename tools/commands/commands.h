@@ -19,5 +19,11 @@ void add_ablate_command(CLI::App& program, int& exit_code);
 void add_path_command(CLI::App& program, int& exit_code);
 void add_sensor_check_command(CLI::App& program, int& exit_code);
 void add_train_edges_command(CLI::App& program, int& exit_code);
+void add_test_command(CLI::App& program, int& exit_code);
+void add_cache_command(CLI::App& program, int& exit_code);
+void add_compare_command(CLI::App& program, int& exit_code);
+void add_budget_command(CLI::App& program, int& exit_code);
+void add_basin_command(CLI::App& program, int& exit_code);
+void add_sweep_command(CLI::App& program, int& exit_code);
 
 }  // namespace tools

@@ -63,8 +63,6 @@ std::string motion_hash(const synth::SequenceRecipe& recipe) {
 
 /// What a reader of the folder must know, and what two equal folders have in common.
 std::string format_manifest(const RenderJob& job, const synth::Scene& scene) {
-  synth::RenderOptions render = job.recipe.render;
-  synth::SensorOptions sensor = job.recipe.sensor;
   std::string text =
       "# Frames: T_world_camera in groundtruth.txt, camera x right, y down, z forward;"
       " world is the scene's.\n"
@@ -78,21 +76,7 @@ std::string format_manifest(const RenderJob& job, const synth::Scene& scene) {
   text += vo::concat("generator = \"edvo ", version(), "\"\n");
   text += "scene = " + vo::quoted_toml(job.scene.filename().string()) + "\n";
   text += "scene_hash = \"" + vo::to_hex(synth::content_hash(scene)) + "\"\n";
-  text += vo::concat("frames = ", job.recipe.truth.size(), "\n");
-  vo::ContentHash truth;
-  truth.add(vo::format_trajectory(job.recipe.truth));
-  text += "trajectory_hash = \"" + vo::to_hex(truth.value()) + "\"\n";
-  if (moves_between_stamps(sensor)) {
-    text += "shutter_motion_hash = \"" + motion_hash(job.recipe) + "\"\n";
-  }
-  text += std::string("float_depth = ") +
-          (job.recipe.float_depth == vo::FloatDepth::npy ? "true" : "false") + "\n";
-  vo::RgbdCamera camera = job.recipe.camera;
-  text += vo::format_toml(vo::fields_of(camera, "camera."));
-  text += vo::format_toml(vo::fields_of(render, "render."));
-  text += vo::format_toml(vo::fields_of(sensor, "sensor."));
-  text += describe_channels(job.recipe);
-  return text;
+  return text + format_recipe(job);
 }
 
 std::vector<std::size_t> all_frames(const RenderJob& job) {
@@ -150,6 +134,23 @@ std::vector<std::size_t> frames_to_render(const RenderJob& job, const synth::Sce
     }
   }
   return share;
+}
+
+std::string format_recipe(const RenderJob& job) {
+  vo::ContentHash truth;
+  truth.add(vo::format_trajectory(job.recipe.truth));
+  std::string text = vo::concat("frames = ", job.recipe.truth.size(), "\n");
+  text += "trajectory_hash = \"" + vo::to_hex(truth.value()) + "\"\n";
+  synth::SequenceRecipe recipe = job.recipe;
+  if (moves_between_stamps(recipe.sensor)) {
+    text += "shutter_motion_hash = \"" + motion_hash(recipe) + "\"\n";
+  }
+  text += std::string("float_depth = ") +
+          (recipe.float_depth == vo::FloatDepth::npy ? "true" : "false") + "\n";
+  text += vo::format_toml(vo::fields_of(recipe.camera, "camera."));
+  text += vo::format_toml(vo::fields_of(recipe.render, "render."));
+  text += vo::format_toml(vo::fields_of(recipe.sensor, "sensor."));
+  return text + describe_channels(recipe);
 }
 
 RenderOutcome render_sequence(const RenderJob& job, const fs::path& folder,

@@ -21,6 +21,9 @@ struct RenderJob {
   FrameShare share;
 };
 
+/// All of it but the scene, as TOML.
+std::string format_recipe(const RenderJob& job);
+
 struct RenderOutcome {
   bool was_there = false;          ///< the folder held the same sequence already
   std::filesystem::path folder;    ///< where the frames are

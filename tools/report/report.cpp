@@ -16,23 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
-}
-
-std::string bound_text(const Bound& bound) {
-  std::string text;
-  if (std::isfinite(bound.min)) {
-    text += ">= " + number(bound.min);
-  }
-  if (std::isfinite(bound.max)) {
-    text += (text.empty() ? "" : ", ") + ("<= " + number(bound.max));
-  }
-  return text;
-}
-
 Json number_or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
@@ -64,6 +47,11 @@ std::string padded(std::string text, std::size_t width) {
   return text;
 }
 
+/// A metric that was neither asked for nor measured is not shown.
+bool is_shown(double value, const BoundCheck* check) {
+  return std::isfinite(value) || check != nullptr;
+}
+
 const BoundCheck* find_check(const Outcome& outcome, const std::string& metric) {
   const auto found = std::find_if(outcome.checks.begin(), outcome.checks.end(),
                                   [&](const BoundCheck& check) { return check.metric == metric; });
@@ -71,6 +59,23 @@ const BoundCheck* find_check(const Outcome& outcome, const std::string& metric) 
 }
 
 }  // namespace
+
+std::string shown_number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", value);
+  return text.data();
+}
+
+std::string bound_text(const Bound& bound) {
+  std::string text;
+  if (std::isfinite(bound.min)) {
+    text += ">= " + shown_number(bound.min);
+  }
+  if (std::isfinite(bound.max)) {
+    text += (text.empty() ? "" : ", ") + ("<= " + shown_number(bound.max));
+  }
+  return text;
+}
 
 Json report_json(const Scenario& scenario, const Outcome& outcome) {
   Json report;
@@ -97,11 +102,14 @@ Json report_json(const Scenario& scenario, const Outcome& outcome) {
 std::string report_markdown(const Scenario& scenario, const Outcome& outcome) {
   std::string text = vo::concat("# ", scenario.name, "\n\n", scenario.why, "\n\n", verdict(outcome),
                                 "; ", outcome.tracking.frames.size(), " frames, ",
-                                number(vo::path_length(outcome.truth)), " m of path.\n\n",
+                                shown_number(vo::path_length(outcome.truth)), " m of path.\n\n",
                                 "| metric | measured | bound | |\n|---|---:|---|---|\n");
   for (const auto& [metric, value] : metric_values(outcome.metrics)) {
     const BoundCheck* check = find_check(outcome, metric);
-    text += vo::concat("| ", metric, " | ", number(value), " | ",
+    if (!is_shown(value, check)) {
+      continue;
+    }
+    text += vo::concat("| ", metric, " | ", shown_number(value), " | ",
                        check != nullptr ? bound_text(check->bound) : "", " | ",
                        check == nullptr ? "" : (check->holds ? "ok" : "VIOLATED"), " |\n");
   }
@@ -120,7 +128,10 @@ std::string report_table(const Scenario& scenario, const Outcome& outcome) {
                      padded("bound", kValueWidth) + "\n";
   for (const auto& [metric, value] : metric_values(outcome.metrics)) {
     const BoundCheck* check = find_check(outcome, metric);
-    text += padded(metric, kNameWidth) + padded(number(value), kValueWidth);
+    if (!is_shown(value, check)) {
+      continue;
+    }
+    text += padded(metric, kNameWidth) + padded(shown_number(value), kValueWidth);
     if (check != nullptr) {
       text += padded(bound_text(check->bound), kValueWidth) + (check->holds ? "ok" : "VIOLATED");
     }

@@ -20,6 +20,10 @@ std::string report_markdown(const Scenario& scenario, const Outcome& outcome);
 /// The aligned table that `edvo run` prints: metric, measured, bound, verdict; one verdict line.
 std::string report_table(const Scenario& scenario, const Outcome& outcome);
 
+std::string shown_number(double value);  ///< six digits
+
+std::string bound_text(const Bound& bound);  ///< ">= 0.9, <= 1"
+
 /// An options struct's fields as a JSON object by dotted key.
 nlohmann::ordered_json fields_json(const std::vector<vo::Field>& fields);
 

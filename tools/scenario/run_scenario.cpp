@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "tools/scenario/consistency.h"
 #include "vo/io/sequence.h"
@@ -21,6 +22,26 @@ double drift_percent(const vo::Trajectory& truth, const vo::Trajectory& estimate
   return 100 * error.norm() / length;
 }
 
+/// Of the poses of two runs over the same frames, m; infinite where only one of them has a pose.
+double greatest_difference(const SequenceResult& a, const SequenceResult& b) {
+  if (a.trajectory.size() != b.trajectory.size()) {
+    return std::numeric_limits<double>::infinity();
+  }
+  double greatest = 0;
+  for (std::size_t i = 0; i < a.trajectory.size(); ++i) {
+    greatest = std::max(greatest, (a.trajectory[i].T_world_camera.translation() -
+                                   b.trajectory[i].T_world_camera.translation())
+                                      .norm());
+  }
+  return greatest;
+}
+
+}  // namespace
+
+bool Outcome::passed() const {
+  return std::all_of(checks.begin(), checks.end(), [](const BoundCheck& c) { return c.holds; });
+}
+
 Metrics measure(const vo::Trajectory& truth, const SequenceResult& tracking,
                 const ScoreOptions& score) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -29,6 +50,7 @@ Metrics measure(const vo::Trajectory& truth, const SequenceResult& tracking,
   metrics.tracked_fraction = tracking.tracked_fraction();
   metrics.keyframes = static_cast<double>(tracking.keyframes());
   metrics.nees_median = nees_median(truth, tracking.frames);
+  metrics.repeat_difference_m = kUnknown;
   if (tracking.trajectory.size() >= kMinPoses) {
     const vo::TrajectoryErrors errors =
         vo::evaluate(truth, tracking.trajectory,
@@ -54,12 +76,6 @@ std::vector<BoundCheck> check_bounds(const Metrics& metrics,
   return checks;
 }
 
-}  // namespace
-
-bool Outcome::passed() const {
-  return std::all_of(checks.begin(), checks.end(), [](const BoundCheck& c) { return c.holds; });
-}
-
 RenderJob render_job(const Scenario& scenario) {
   const TimedPath timed = make_path(scenario.resolved_path(), scenario.scene_file());
   return {.scene = scenario.scene_file(),
@@ -70,19 +86,31 @@ RenderJob render_job(const Scenario& scenario) {
                      .sensor = scenario.sensor}};
 }
 
+Outcome track_scenario(const Scenario& scenario, const vo::SequenceReader& sequence,
+                       const FrameObserver& observe, const vo::Progress& progress) {
+  Outcome outcome;
+  outcome.truth = sequence.ground_truth();
+  const vo::SE3 T_world_first = outcome.truth.front().T_world_camera;
+  const auto track = [&](const FrameObserver& observer) {
+    return track_sequence(sequence, scenario.odometry.tracker, T_world_first, observer, progress);
+  };
+  outcome.tracking = track(observe);
+  outcome.metrics = measure(outcome.truth, outcome.tracking, scenario.score);
+  if (scenario.expect.contains("repeat_difference_m")) {
+    outcome.metrics.repeat_difference_m = greatest_difference(outcome.tracking, track({}));
+  }
+  outcome.checks = check_bounds(outcome.metrics, scenario.expect);
+  return outcome;
+}
+
 Outcome run_scenario(const Scenario& scenario, const std::filesystem::path& folder,
                      vo::ExistingOutput existing, const FrameObserver& observe,
                      const RunProgress& progress) {
-  Outcome outcome;
-  outcome.notes =
-      render_sequence(render_job(scenario), folder / "sequence", existing, progress.render).notes;
-
+  RenderOutcome rendered =
+      render_sequence(render_job(scenario), folder / "sequence", existing, progress.render);
   const vo::SequenceReader sequence(folder / "sequence");
-  outcome.truth = sequence.ground_truth();
-  outcome.tracking = track_sequence(sequence, scenario.odometry.tracker,
-                                    outcome.truth.front().T_world_camera, observe, progress.track);
-  outcome.metrics = measure(outcome.truth, outcome.tracking, scenario.score);
-  outcome.checks = check_bounds(outcome.metrics, scenario.expect);
+  Outcome outcome = track_scenario(scenario, sequence, observe, progress.track);
+  outcome.notes = std::move(rendered.notes);
   return outcome;
 }
 

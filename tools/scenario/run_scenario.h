@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "tools/scenario/scenario.h"
 #include "vo/core/progress.h"
 #include "vo/io/output.h"
+#include "vo/io/sequence.h"
 
 namespace tools {
 
@@ -32,14 +34,26 @@ struct Outcome {
 /// What the scenario renders.
 RenderJob render_job(const Scenario& scenario);
 
+/// NaN where too little was tracked to measure.
+Metrics measure(const vo::Trajectory& truth, const SequenceResult& tracking,
+                const ScoreOptions& score);
+
+/// The bounds of metrics that were measured, in the order of the metrics.
+std::vector<BoundCheck> check_bounds(const Metrics& metrics,
+                                     const std::map<std::string, Bound>& expect);
+
+/// Tracks a sequence as the scenario says, from the true first pose, and evaluates. `observe` sees
+/// every frame.
+Outcome track_scenario(const Scenario& scenario, const vo::SequenceReader& sequence,
+                       const FrameObserver& observe, const vo::Progress& progress);
+
 /// Told of the two long steps' progress.
 struct RunProgress {
   vo::Progress render;
   vo::Progress track;
 };
 
-/// Renders the scenario's sequence into `folder`/sequence (unless it is there), tracks it from the
-/// true first pose, and evaluates. `observe` sees every frame.
+/// Renders the scenario's sequence into `folder`/sequence (unless it is there) and tracks it.
 Outcome run_scenario(const Scenario& scenario, const std::filesystem::path& folder,
                      vo::ExistingOutput existing, const FrameObserver& observe,
                      const RunProgress& progress);

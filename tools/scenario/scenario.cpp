@@ -55,6 +55,26 @@ void apply_preset(const std::vector<vo::TomlValue>& values, OdometryOptions& odo
   odometry.tracker = vo::preset_options(odometry.preset);
 }
 
+void apply(const Assignments& changes, std::vector<vo::Field>& fields) {
+  for (const auto& [key, value] : changes) {
+    try {
+      vo::set_field(fields, key, value);
+    } catch (const vo::Error& error) {
+      vo::fail_as(vo::ErrorKind::usage, "--set ", key, "=", value, ": ", error.what());
+    }
+  }
+}
+
+void apply_preset(const Assignments& changes, OdometryOptions& odometry) {
+  for (const Assignment& change : changes) {
+    if (change.first == "odometry.preset") {
+      std::vector<vo::Field> fields = vo::fields_of(odometry, "odometry.");
+      apply({change}, fields);
+      odometry.tracker = vo::preset_options(odometry.preset);
+    }
+  }
+}
+
 fs::path resolved(const fs::path& file, const fs::path& folder) {
   return file.empty() || file.is_absolute() ? file : (folder / file).lexically_normal();
 }
@@ -66,6 +86,19 @@ class ValueCollector {
   }
 
   std::vector<std::pair<std::string, double>> values;
+};
+
+class ValueSetter {
+ public:
+  explicit ValueSetter(const std::function<double(const std::string&)>& value_of)
+      : value_of_(value_of) {}
+
+  void operator()(const char* name, double& value, const char* /*help*/) {
+    value = value_of_(name);
+  }
+
+ private:
+  const std::function<double(const std::string&)>& value_of_;
 };
 
 void validate(const Scenario& scenario) {
@@ -100,6 +133,13 @@ std::vector<std::pair<std::string, double>> metric_values(const Metrics& metrics
   return collector.values;
 }
 
+Metrics make_metrics(const std::function<double(const std::string& name)>& value_of) {
+  Metrics metrics;
+  ValueSetter setter(value_of);
+  visit_fields(setter, metrics);
+  return metrics;
+}
+
 fs::path Scenario::scene_file() const {
   return resolved(scene.gltf, fs::absolute(file).parent_path() / ".." / "assets");
 }
@@ -110,19 +150,21 @@ PathOptions Scenario::resolved_path() const {
   return result;
 }
 
-Scenario load_scenario(const fs::path& path) {
+Scenario load_scenario(const fs::path& path, const Assignments& changes) {
   const std::vector<vo::TomlValue> values = vo::read_toml(path);
   Scenario scenario;
   scenario.file = path;
   scenario.name = path.stem().string();
   apply_preset(values, scenario.sensor);
   apply_preset(values, scenario.odometry);
+  apply_preset(changes, scenario.odometry);
 
   std::vector<vo::Field> fields = vo::fields_of(scenario);
   for (vo::Field& field : bound_fields(scenario.expect)) {
     fields.push_back(std::move(field));
   }
   vo::assign_fields(values, fields);
+  apply(changes, fields);
 
   try {
     validate(scenario);
@@ -130,6 +172,17 @@ Scenario load_scenario(const fs::path& path) {
     vo::fail(path.string(), ": ", error.what());
   }
   return scenario;
+}
+
+Scenario with_seed(const Scenario& scenario, int offset) {
+  Scenario result = scenario;
+  for (const vo::Field& field : vo::fields_of(result)) {
+    const bool is_seed = field.key.ends_with(".seed") && !field.key.starts_with("odometry.");
+    if (is_seed) {
+      field.set(std::to_string(vo::parse_integer(field.get()) + offset));
+    }
+  }
+  return result;
 }
 
 }  // namespace tools

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <map>
 #include <string>
@@ -83,7 +84,8 @@ struct Metrics {
   double drift_percent = 0;  ///< distance of the last pose from the truth over the path's length
   double tracked_fraction = 0;
   double keyframes = 0;
-  double nees_median = 0;  ///< squared errors over their covariances; 1 is calibrated
+  double nees_median = 0;          ///< squared errors over their covariances; 1 is calibrated
+  double repeat_difference_m = 0;  ///< greatest distance of two runs' poses; measured if bounded
 };
 
 template <typename Visitor>
@@ -96,10 +98,14 @@ void visit_fields(Visitor& visit, Metrics& metrics) {
   visit("tracked_fraction", metrics.tracked_fraction, "frames with a pose");
   visit("keyframes", metrics.keyframes, "frames that became a reference");
   visit("nees_median", metrics.nees_median, "squared errors over covariances; 1 is calibrated");
+  visit("repeat_difference_m", metrics.repeat_difference_m, "of two runs; measured if bounded");
 }
 
 /// The metrics by name, in the order of their fields.
 std::vector<std::pair<std::string, double>> metric_values(const Metrics& metrics);
+
+/// Metrics with the value that `value_of` gives for each name.
+Metrics make_metrics(const std::function<double(const std::string& name)>& value_of);
 
 /// One file of scenarios/: what is rendered, how it is tracked, and how good the result must be.
 struct Scenario {
@@ -134,7 +140,15 @@ void visit_fields(Visitor& visit, Scenario& scenario) {
   visit("score", scenario.score, "");
 }
 
-/// Throws vo::Error as `file:line: unknown key 'sensor.exposre'; the nearest known key is ...`.
-Scenario load_scenario(const std::filesystem::path& path);
+/// `key = value` as a scenario file has it, keys dotted from its outermost table.
+using Assignment = std::pair<std::string, std::string>;
+using Assignments = std::vector<Assignment>;
+
+/// Throws vo::Error as `file:line: unknown key 'sensor.exposre'; the nearest known key is ...`, or
+/// as `--set key=value: ...` where that is in the `changes`, which come after the file.
+Scenario load_scenario(const std::filesystem::path& path, const Assignments& changes = {});
+
+/// The scenario with other random numbers: every `seed` but the tracker's is this much higher.
+Scenario with_seed(const Scenario& scenario, int offset);
 
 }  // namespace tools

@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tools/lab/comparison.h"
+
+namespace {
+
+using testing::HasSubstr;
+using tools::Change;
+using tools::ScenarioResult;
+using tools::TestResults;
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+tools::Metrics errors_of(double ate, double rpe, double rotation) {
+  tools::Metrics metrics = tools::make_metrics([](const std::string&) { return kUnknown; });
+  metrics.ate_rmse_m = ate;
+  metrics.rpe_translation_rmse_m = rpe;
+  metrics.rpe_rotation_rmse_deg = rotation;
+  metrics.tracked_fraction = 1;
+  return metrics;
+}
+
+TestResults results_of(const std::vector<double>& ate) {
+  ScenarioResult scenario{.name = "orbit"};
+  for (std::size_t i = 0; i < ate.size(); ++i) {
+    scenario.trials.push_back({.seed = static_cast<int>(i),
+                               .sequence = std::to_string(i),
+                               .metrics = errors_of(ate[i], 0.01, 0.1)});
+  }
+  return {.tracker = "edvo", .scenarios = {scenario}};
+}
+
+std::vector<Change> alarms(const TestResults& before, const TestResults& after,
+                           const tools::ComparisonOptions& options = {}) {
+  std::vector<Change> changes = tools::compare_results(before, after, options);
+  std::erase_if(changes, [](const Change& change) { return !change.is_alarm(); });
+  return changes;
+}
+
+TEST(Comparison, AResultIsTheSameAsItself) {
+  const TestResults results = results_of({0.01, 0.02, 0.015});
+  EXPECT_TRUE(alarms(results, results).empty());
+}
+
+TEST(Comparison, ALossThatEverySeedShowsIsNamed) {
+  const std::vector<Change> found =
+      alarms(results_of({0.010, 0.020, 0.015, 0.012}), results_of({0.0121, 0.024, 0.0181, 0.0144}));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].kind, tools::ChangeKind::worse);
+  EXPECT_THAT(tools::describe(found[0]),
+              HasSubstr("orbit: ate_rmse_m was 0.01425, is 0.01715 (+20.4 %, p "));
+}
+
+TEST(Comparison, AGainIsAnAlarmOnlyWhenItIsLarge) {
+  EXPECT_TRUE(alarms(results_of({0.010}), results_of({0.008})).empty()) << "20 % better";
+  const std::vector<Change> found = alarms(results_of({0.010}), results_of({0.006}));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].kind, tools::ChangeKind::better);
+}
+
+TEST(Comparison, AChangeWithinTheSpreadOfSeedsIsChance) {
+  EXPECT_TRUE(alarms(results_of({0.010, 0.020, 0.015}), results_of({0.019, 0.011, 0.025})).empty())
+      << "22 % worse in the mean";
+}
+
+TEST(Comparison, ASmallChangeIsNoAlarmHoweverSure) {
+  EXPECT_TRUE(alarms(results_of({0.010}), results_of({0.0109})).empty());
+  EXPECT_TRUE(alarms(results_of({1e-6}), results_of({4e-5})).empty()) << "below 0.05 mm";
+}
+
+TEST(Comparison, WhatCanNoLongerBeMeasuredIsAnAlarm) {
+  TestResults after = results_of({0.010});
+  after.scenarios[0].trials[0].metrics.ate_rmse_m = kUnknown;
+  const std::vector<Change> found = alarms(results_of({0.010}), after);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_THAT(tools::describe(found[0]), HasSubstr("it can no longer be measured"));
+}
+
+TEST(Comparison, SequencesThatChangedAreSaid) {
+  TestResults after = results_of({0.02});
+  after.scenarios[0].trials[0].sequence = "other";
+  const std::vector<Change> found = alarms(results_of({0.01}), after);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_THAT(found[0].note, HasSubstr("the sequence is another one"));
+}
+
+/// Five seeds of three scenarios whose errors spread by a factor, as those of trackers do.
+TestResults random_results(std::mt19937& random, int first_seed) {
+  const auto uniform = [&random] { return (static_cast<double>(random()) + 0.5) / 4294967296.0; };
+  const auto factor = [&](double spread) {  // by Box and Muller
+    return std::exp(spread * std::sqrt(-2 * std::log(uniform())) *
+                    std::cos(2 * std::numbers::pi * uniform()));
+  };
+  TestResults results{.tracker = "edvo", .scenarios = {}};
+  for (const char* name : {"still", "orbit", "fast"}) {
+    ScenarioResult scenario{.name = name};
+    for (int seed = 0; seed < 5; ++seed) {
+      scenario.trials.push_back(
+          {.seed = first_seed + seed,
+           .metrics = errors_of(0.005 * factor(0.3), 0.008 * factor(0.2), 0.2 * factor(0.4))});
+    }
+    results.scenarios.push_back(scenario);
+  }
+  return results;
+}
+
+int count_alarms(int comparisons, int seed_of_second, unsigned first_random) {
+  std::mt19937 random(first_random);
+  const tools::ComparisonOptions every_size{.level = 0.01, .worse_percent = 0, .better_percent = 0};
+  int count = 0;
+  for (int i = 0; i < comparisons; ++i) {
+    const TestResults before = random_results(random, 0);
+    const TestResults after = random_results(random, seed_of_second);
+    count += alarms(before, after, every_size).empty() ? 0 : 1;
+  }
+  return count;
+}
+
+TEST(Comparison, ABuildAgainstItselfRaisesFalseAlarmsAtTheStatedRate) {
+  EXPECT_LE(count_alarms(200, 5, 1), 2) << "other seeds, 1 %";
+  EXPECT_LE(count_alarms(200, 0, 2), 2) << "the same seeds, 1 %";
+  EXPECT_NEAR(count_alarms(5000, 5, 3), 50, 22) << "three standard deviations of a count of 50";
+  EXPECT_NEAR(count_alarms(5000, 0, 4), 50, 22);
+}
+
+}  // namespace

@@ -1,0 +1,74 @@
+#include "tools/lab/budget.h"
+
+#include <memory>
+#include <string>
+
+#include <tbb/global_control.h>
+
+#include "tools/cli/interrupt.h"
+#include "tools/cli/progress_bar.h"
+#include "tools/commands/commands.h"
+#include "tools/commands/laboratory.h"
+#include "tools/commands/study_output.h"
+#include "tools/pipeline/result_files.h"
+
+namespace tools {
+namespace {
+
+constexpr const char* kHelp =
+    "Says what share of a scenario's errors each imperfection of its camera causes: the options "
+    "of\n"
+    "`sensor` and `camera.distortion` that are not at their defaults, one table of options at a\n"
+    "time, are switched on one by one and off one by one, and the Shapley values of the strongest\n"
+    "are taken from all their combinations. Writes DIR/budget.csv, .svg and .md.";
+
+constexpr const char* kExamples =
+    "Example:\n"
+    "  edvo budget scenarios/kinect_orbit.toml --seeds 5 --out budget";
+
+struct BudgetArguments {
+  LaboratoryArguments lab;
+  std::string scenario;
+  BudgetSettings settings;
+};
+
+std::string command_line(const BudgetArguments& arguments) {
+  std::string text = "edvo budget " + arguments.scenario;
+  for (const std::string& assignment : arguments.lab.assignments) {
+    text += " --set " + assignment;
+  }
+  return text + vo::concat(" --seeds ", arguments.settings.run.seeds, " --top ",
+                           arguments.settings.top, " --out DIR");
+}
+
+void budget(BudgetArguments& arguments) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  arguments.lab.common.max_threads());
+  arguments.lab.complete();
+  arguments.settings.run = arguments.lab.run;
+  check_usage([&] { arguments.settings.validate(); });
+  const Scenario scenario = load_scenario(arguments.scenario, arguments.lab.changes());
+  make_folder(arguments.lab.out);
+  ProgressBar bar("measuring", arguments.lab.common.verbosity());
+  deliver_study(error_budget(scenario, arguments.settings, bar.callback(), throw_if_interrupted),
+                command_line(arguments), arguments.lab.out, arguments.lab.common);
+}
+
+}  // namespace
+
+void add_budget_command(CLI::App& program, int& /*exit_code*/) {
+  CLI::App& command = *program.add_subcommand("budget", kHelp);
+  const auto arguments = std::make_shared<BudgetArguments>();
+  arguments->lab.run.seeds = 3;
+  command.footer(kExamples);
+  command.add_option("SCENARIO", arguments->scenario, "scenario file, .toml")->required();
+  command.add_option("--seeds", arguments->lab.run.seeds, "with so many random numbers each [3]");
+  command.add_option("--top", arguments->settings.top,
+                     "imperfections told apart in all combinations; the others are one [3]");
+  command.add_option("--set", arguments->lab.assignments, "key=value of the scenario, repeatable")
+      ->allow_extra_args(false);
+  add_laboratory_options(command, arguments->lab);
+  command.callback([arguments] { budget(*arguments); });
+}
+
+}  // namespace tools

@@ -1,0 +1,105 @@
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/ablate/table.h"
+#include "tools/cli/options.h"
+#include "tools/cli/progress_bar.h"
+#include "tools/commands/commands.h"
+#include "tools/lab/sequence_cache.h"
+#include "vo/core/error.h"
+
+namespace tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kMegabyte = 1e6;
+
+constexpr const char* kHelp =
+    "The sequences that `edvo test` has rendered and keeps. Any number of programs may use one\n"
+    "cache at once; nothing in use is removed, and what is removed is rendered again when needed.";
+
+struct CacheArguments {
+  std::string folder;
+  std::string max_size;
+
+  fs::path cache() const { return folder.empty() ? default_cache_folder() : fs::path(folder); }
+};
+
+/// "500M": bytes, or with k, M, G thousands, millions, thousand millions of them.
+std::uintmax_t parse_bytes(const std::string& text) {
+  constexpr std::string_view kUnits = "kMG";
+  const std::size_t unit = text.empty() ? std::string_view::npos : kUnits.find(text.back());
+  const bool has_unit = unit != std::string_view::npos;
+  try {
+    const double number = vo::parse_real(text.substr(0, text.size() - (has_unit ? 1 : 0)));
+    vo::require(number >= 0, "negative");
+    return static_cast<std::uintmax_t>(
+        number * (has_unit ? std::pow(1000.0, static_cast<double>(unit + 1)) : 1));
+  } catch (const vo::Error&) {
+    vo::fail_as(vo::ErrorKind::usage, "--max-size ", text, ": expected bytes, such as 500M or 2G");
+  }
+}
+
+void print(const std::vector<CacheEntry>& entries, const std::string& what) {
+  Table table{.columns = {{"sequence"}, {"scene"}, {"frames"}, {"MB", 1}, {"state"}}};
+  double bytes = 0;
+  for (const CacheEntry& entry : entries) {
+    bytes += static_cast<double>(entry.bytes);
+    table.add_row({entry.key, entry.scene, static_cast<double>(entry.frames),
+                   static_cast<double>(entry.bytes) / kMegabyte,
+                   entry.problem.empty() ? "ok" : entry.problem});
+  }
+  std::cout << (entries.empty() ? "" : as_text(table)) << entries.size() << " " << what << ", "
+            << format_decimals(bytes / kMegabyte, 1) << " MB\n";
+}
+
+void list(const CacheArguments& arguments) {
+  print(list_cache(arguments.cache()), "sequences in " + arguments.cache().string());
+}
+
+void verify(const CacheArguments& arguments) {
+  ProgressBar bar("verifying", Verbosity::normal);
+  const std::vector<CacheEntry> entries = verify_cache(arguments.cache(), bar.callback());
+  const auto broken = std::count_if(entries.begin(), entries.end(),
+                                    [](const CacheEntry& entry) { return !entry.problem.empty(); });
+  print(entries, vo::concat("sequences, of which ", broken, " were broken and are removed"));
+}
+
+void prune(const CacheArguments& arguments) {
+  print(prune_cache(arguments.cache(), parse_bytes(arguments.max_size)), "sequences removed");
+}
+
+void add_action(CLI::App& command, const std::shared_ptr<CacheArguments>& arguments,
+                const std::pair<const char*, const char*>& name_and_help,
+                void (*action)(const CacheArguments&)) {
+  CLI::App& sub = *command.add_subcommand(name_and_help.first, name_and_help.second);
+  sub.add_option("--cache", arguments->folder, "folder of the cache [$XDG_CACHE_HOME/edvo]");
+  if (action == prune) {
+    sub.add_option("--max-size", arguments->max_size, "what may stay: bytes, 500M, 2G")->required();
+  }
+  sub.callback([arguments, action] { action(*arguments); });
+}
+
+}  // namespace
+
+void add_cache_command(CLI::App& program, int& /*exit_code*/) {
+  CLI::App& command = *program.add_subcommand("cache", kHelp);
+  const auto arguments = std::make_shared<CacheArguments>();
+  command.require_subcommand(1);
+  add_action(command, arguments, {"list", "what is in it, the longest unused first"}, list);
+  add_action(command, arguments,
+             {"verify", "reads every file; removes sequences that are not as they were written"},
+             verify);
+  add_action(command, arguments, {"prune", "removes the longest unused until the rest is small"},
+             prune);
+}
+
+}  // namespace tools

@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "tools/cli/exit_code.h"
+#include "tools/cli/interrupt.h"
+#include "tools/cli/options.h"
+#include "tools/commands/commands.h"
+#include "tools/lab/child_process.h"
+#include "tools/lab/comparison.h"
+#include "tools/lab/results_json.h"
+#include "tools/lab/verdict_table.h"
+#include "vo/core/error.h"
+
+namespace tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kHelp =
+    "Two results of `edvo test --json`, or two builds of edvo, side by side: every metric of "
+    "every\n"
+    "scenario with the probability that its change is chance. Exit code 4 when a change is\n"
+    "significant over all of them and larger than the tolerance.";
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  edvo compare before.json after.json\n"
+    "  edvo compare --build-a old/edvo --build-b build/release/edvo --seeds 5 scenarios";
+
+struct CompareArguments {
+  std::vector<std::string> inputs;
+  std::string build_a;
+  std::string build_b;
+  int seeds = 1;
+  ComparisonOptions options;
+};
+
+/// What a build measures, by its own `edvo test`.
+TestResults run_build(const CompareArguments& arguments, const std::string& build) {
+  constexpr double kTimeLimit = 24 * 3600;  // s
+  vo::require(fs::exists(build), build, ": there is no such program");
+  std::string folder_name = (fs::temp_directory_path() / "edvo-compare-XXXXXX").string();
+  vo::require(mkdtemp(folder_name.data()) != nullptr, folder_name, ": cannot be made");
+  const fs::path folder = folder_name;
+  std::string command = shell_quoted(fs::absolute(build).string()) + " test --quiet --json " +
+                        shell_quoted((folder / "results.json").string()) +
+                        vo::concat(" --seeds ", arguments.seeds);
+  for (const std::string& path : arguments.inputs) {
+    command += " " + shell_quoted(path);
+  }
+  std::cerr << build << " test" << vo::concat(" --seeds ", arguments.seeds) << "\n";
+  run_child(command, folder / "printed.txt", kTimeLimit, throw_if_interrupted);
+  vo::require(fs::exists(folder / "results.json"), build,
+              ": left no results of `edvo test`, expected a build of edvo that has it");
+  TestResults results = read_results(folder / "results.json");
+  std::error_code ignored;
+  fs::remove_all(folder, ignored);
+  return results;
+}
+
+void name_missing(const TestResults& a, const TestResults& b) {
+  for (const std::string& name : missing_scenarios(a, b)) {
+    std::cout << name << ": only in the first\n";
+  }
+  for (const std::string& name : missing_scenarios(b, a)) {
+    std::cout << name << ": only in the second\n";
+  }
+}
+
+int compare(const CompareArguments& arguments) {
+  check_usage([&] { arguments.options.validate(); });
+  const bool has_builds = !arguments.build_a.empty() && !arguments.build_b.empty();
+  if (!has_builds && arguments.inputs.size() != 2) {
+    vo::fail_as(vo::ErrorKind::usage,
+                "compare: expected two results, or --build-a, --build-b and scenarios");
+  }
+  const TestResults a =
+      has_builds ? run_build(arguments, arguments.build_a) : read_results(arguments.inputs[0]);
+  const TestResults b =
+      has_builds ? run_build(arguments, arguments.build_b) : read_results(arguments.inputs[1]);
+  const std::vector<Change> changes = compare_results(a, b, arguments.options);
+  vo::require(!changes.empty(), "the two results have no scenario in common");
+  std::cout << format_changes(changes);
+  name_missing(a, b);
+  const bool has_alarm = std::any_of(changes.begin(), changes.end(),
+                                     [](const Change& change) { return change.is_alarm(); });
+  return has_alarm ? exit_code::kBoundViolated : exit_code::kOk;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& program, int& exit_code) {
+  CLI::App& command = *program.add_subcommand("compare", kHelp);
+  const auto arguments = std::make_shared<CompareArguments>();
+  command.footer(kExamples);
+  command.add_option("RESULTS", arguments->inputs,
+                     "two results, or with builds: scenarios, folders");
+  command.add_option("--build-a", arguments->build_a, "an edvo program");
+  command.add_option("--build-b", arguments->build_b, "another");
+  command.add_option("--seeds", arguments->seeds, "of the builds [1]")->check(CLI::PositiveNumber);
+  add_field_options(command, vo::fields_of(arguments->options), "Alarms");
+  command.callback([arguments, &exit_code] { exit_code = compare(*arguments); });
+}
+
+}  // namespace tools

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "tools/ablate/study.h"
+#include "tools/cli/options.h"
+
+namespace tools {
+
+/// Writes a study's files into a folder and prints its table, or with --json its JSON. `command` is
+/// what repeats it.
+void deliver_study(const StudyReport& report, const std::string& command, const std::string& folder,
+                   const CommonOptions& common);
+
+}  // namespace tools

@@ -1,0 +1,94 @@
+#include "tools/lab/sweep.h"
+
+#include <filesystem>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <tbb/global_control.h>
+
+#include "tools/cli/interrupt.h"
+#include "tools/cli/progress_bar.h"
+#include "tools/commands/commands.h"
+#include "tools/commands/laboratory.h"
+#include "tools/commands/study_output.h"
+#include "tools/pipeline/result_files.h"
+#include "vo/core/error.h"
+
+namespace tools {
+namespace {
+
+constexpr const char* kHelp =
+    "Measures scenarios with every combination of the values of any of their options. Writes\n"
+    "DIR/sweep.csv, .svg (against the values of the first option) and .md. Keys are those of\n"
+    "scenario files; a value with commas in it cannot be swept.";
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  edvo sweep scenarios/room_tour.toml --set odometry.tracker.pyramid.levels=2,3,4 --out "
+    "sweep\n"
+    "  edvo sweep scenarios/a.toml scenarios/b.toml --set path.rate=10,15,30 \\\n"
+    "       --set odometry.preset=paper,default --seeds 3 --out sweep";
+
+struct SweepArguments {
+  LaboratoryArguments lab;
+  std::vector<std::string> scenarios;
+};
+
+std::vector<SweptOption> swept_options(const std::vector<std::string>& assignments) {
+  std::vector<SweptOption> options;
+  for (const std::string& assignment : assignments) {
+    const auto [key, list] = split_assignment(assignment);
+    std::istringstream values(list);
+    options.push_back({key, {}});
+    for (std::string value; std::getline(values, value, ',');) {
+      options.back().second.push_back(value);
+    }
+    if (options.back().second.empty()) {
+      vo::fail_as(vo::ErrorKind::usage, "--set ", assignment, ": expected key=value,value,...");
+    }
+  }
+  return options;
+}
+
+std::string command_line(const SweepArguments& arguments) {
+  std::string text = "edvo sweep";
+  for (const std::string& scenario : arguments.scenarios) {
+    text += " " + scenario;
+  }
+  for (const std::string& assignment : arguments.lab.assignments) {
+    text += " --set " + assignment;
+  }
+  return text + vo::concat(" --seeds ", arguments.lab.run.seeds, " --out DIR");
+}
+
+void run(SweepArguments& arguments) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  arguments.lab.common.max_threads());
+  arguments.lab.complete();
+  const SweepSettings settings{arguments.lab.run, swept_options(arguments.lab.assignments)};
+  const std::vector<std::filesystem::path> files = find_scenarios(
+      {arguments.scenarios.begin(), arguments.scenarios.end()}, SlowScenarios::leave_out);
+  make_folder(arguments.lab.out);
+  ProgressBar bar("measuring", arguments.lab.common.verbosity());
+  deliver_study(sweep(files, settings, bar.callback(), throw_if_interrupted),
+                command_line(arguments), arguments.lab.out, arguments.lab.common);
+}
+
+}  // namespace
+
+void add_sweep_command(CLI::App& program, int& /*exit_code*/) {
+  CLI::App& command = *program.add_subcommand("sweep", kHelp);
+  const auto arguments = std::make_shared<SweepArguments>();
+  command.footer(kExamples);
+  command.add_option("SCENARIOS", arguments->scenarios, "scenario files or folders")->required();
+  command.add_option("--set", arguments->lab.assignments, "key=a,b,c of the scenario, repeatable")
+      ->allow_extra_args(false)
+      ->required();
+  command.add_option("--seeds", arguments->lab.run.seeds, "with so many random numbers each [1]");
+  add_laboratory_options(command, arguments->lab);
+  command.callback([arguments] { run(*arguments); });
+}
+
+}  // namespace tools

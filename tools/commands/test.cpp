@@ -1,0 +1,213 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+#include <tbb/global_control.h>
+
+#include "tools/cli/exit_code.h"
+#include "tools/cli/interrupt.h"
+#include "tools/cli/options.h"
+#include "tools/cli/progress_bar.h"
+#include "tools/commands/commands.h"
+#include "tools/lab/comparison.h"
+#include "tools/lab/junit.h"
+#include "tools/lab/results_json.h"
+#include "tools/lab/sequence_cache.h"
+#include "tools/lab/test_run.h"
+#include "tools/lab/verdict_table.h"
+#include "vo/core/error.h"
+#include "vo/io/output.h"
+
+namespace tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kHelp =
+    "Says whether a tracker got worse: runs scenarios and checks their bounds (exit code 4 when "
+    "one\n"
+    "does not hold). Sequences are rendered once and kept in a cache; what this very program has\n"
+    "measured before is not measured again, so a run that was killed goes on where it was.\n"
+    "PATHS are scenario files, or folders of them without those marked slow.\n\n"
+    "With --seeds K every scenario runs with K different random numbers and is judged by its "
+    "means.\n"
+    "Against a baseline a change is an alarm when it is significant (Student's or Welch's test "
+    "with\n"
+    "Holm's correction over all metrics and scenarios; a single seed has no chance in it, every\n"
+    "difference counts) and larger than the tolerance, to the worse or, unexplained, to the "
+    "better.";
+
+constexpr const char* kFooter =
+    "An outside tracker is a command of the shell. {sequence} is a folder as `edvo render` makes\n"
+    "it, {camera} its camera.toml, {output} the TUM trajectory to write (T_world_camera in any\n"
+    "world). It exits with 0, or with 5 where frames are missing because it was lost. What is "
+    "known\n"
+    "of edvo alone (keyframes, covariances) is not judged.\n\n"
+    "Examples:\n"
+    "  edvo test scenarios --junit junit.xml --baseline scenarios/baseline.json\n"
+    "  edvo test scenarios/room_orbit.toml --seeds 5 --json results.json\n"
+    "  edvo test scenarios --tracker 'my_vo --in {sequence} --camera {camera} --out {output}'\n"
+    "  edvo test scenarios --tracker 'edvo track {sequence} --preset paper --out {output}'\n\n"
+    "Exit codes: 0 all hold, 3 a scenario or scene cannot be used, 4 a bound or the baseline is\n"
+    "violated or the outside tracker failed, 75 a disk was full; the other scenarios still run.";
+
+struct TestArguments {
+  std::vector<std::string> paths{"scenarios"};
+  bool slow = false;
+  bool quiet = false;
+  int threads = 0;
+  std::string cache;
+  std::string tracker;
+  double time_limit = OutsideTracker{}.time_limit;
+  std::string junit;
+  std::string json;
+  std::string baseline;
+  bool update_baseline = false;
+  RunSettings run;
+  ComparisonOptions comparison;
+};
+
+void complete(TestArguments& arguments) {
+  RunSettings& run = arguments.run;
+  if (!arguments.tracker.empty()) {
+    run.trial.tracker = {.command = arguments.tracker, .time_limit = arguments.time_limit};
+  }
+  check_usage([&] {
+    run.validate();
+    arguments.comparison.validate();
+  });
+  if (arguments.update_baseline && arguments.baseline.empty()) {
+    vo::fail_as(vo::ErrorKind::usage, "--update-baseline: expected --baseline FILE with it");
+  }
+  run.trial.cache = arguments.cache.empty() ? default_cache_folder() : fs::path(arguments.cache);
+  for (const std::string& file : {arguments.junit, arguments.json}) {
+    if (!file.empty()) {
+      vo::require_writable(file);
+    }
+  }
+  if (arguments.update_baseline) {
+    vo::require_writable(arguments.baseline);
+  }
+}
+
+/// The baseline with what was run in the place of what it had.
+TestResults updated(const fs::path& baseline, const TestResults& results) {
+  TestResults merged = results;
+  if (fs::exists(baseline)) {
+    const TestResults old = read_results(baseline);
+    const std::vector<std::string> kept = missing_scenarios(old, results);
+    for (const ScenarioResult& scenario : old.scenarios) {
+      if (std::find(kept.begin(), kept.end(), scenario.name) != kept.end()) {
+        merged.scenarios.push_back(scenario);
+      }
+    }
+  }
+  std::sort(merged.scenarios.begin(), merged.scenarios.end(),
+            [](const ScenarioResult& a, const ScenarioResult& b) { return a.name < b.name; });
+  return merged;
+}
+
+/// Replaced, whatever was there: it has times, or is asked for by name.
+void write_report(const std::string& file, const std::string& bytes) {
+  if (!file.empty()) {
+    vo::write_file(file, bytes, vo::ExistingOutput::replace);
+  }
+}
+
+int worst_code(const TestResults& results, const std::vector<Change>& changes) {
+  bool is_violated = std::any_of(changes.begin(), changes.end(),
+                                 [](const Change& change) { return change.is_alarm(); });
+  bool is_unusable = false;
+  for (const ScenarioResult& scenario : results.scenarios) {
+    is_violated = is_violated || scenario.verdict() == Verdict::failed;
+    for (const TrialResult& trial : scenario.trials) {
+      if (trial.problem.empty()) {
+        continue;
+      }
+      if (trial.kind == ProblemKind::temporary) {
+        return exit_code::kTemporary;
+      }
+      is_unusable = is_unusable || trial.kind == ProblemKind::unusable;
+      is_violated = is_violated || trial.kind == ProblemKind::tracker;
+    }
+  }
+  if (is_unusable) {
+    return exit_code::kUnusableInput;
+  }
+  return is_violated ? exit_code::kBoundViolated : exit_code::kOk;
+}
+
+/// Nothing without a baseline, and when it is being replaced.
+std::vector<Change> changes_from_baseline(const TestArguments& arguments,
+                                          const TestResults& results) {
+  if (arguments.baseline.empty() || arguments.update_baseline) {
+    return {};
+  }
+  const TestResults baseline = read_results(arguments.baseline);
+  for (const std::string& name : missing_scenarios(results, baseline)) {
+    std::cerr << "edvo: " << name << ": the baseline does not have it; --update-baseline adds it\n";
+  }
+  return compare_results(baseline, results, arguments.comparison);
+}
+
+int test(TestArguments& arguments) {
+  complete(arguments);
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  CommonOptions{.threads = arguments.threads}.max_threads());
+  if (!arguments.baseline.empty() && !arguments.update_baseline) {
+    read_results(arguments.baseline);
+  }
+  const std::vector<fs::path> files =
+      find_scenarios({arguments.paths.begin(), arguments.paths.end()},
+                     arguments.slow ? SlowScenarios::include : SlowScenarios::leave_out);
+  ProgressBar bar("testing", arguments.quiet ? Verbosity::quiet : Verbosity::normal);
+  const TestResults results = run_tests(files, arguments.run, bar.callback(), throw_if_interrupted);
+  const std::vector<Change> changes = changes_from_baseline(arguments, results);
+  std::cout << format_verdicts(results, changes);
+  write_report(arguments.json, results_json(results).dump(2) + "\n");
+  write_report(arguments.junit, format_junit(results, changes));
+  if (arguments.update_baseline) {
+    write_report(arguments.baseline,
+                 results_json(updated(arguments.baseline, results)).dump(1) + "\n");
+  }
+  return worst_code(results, changes);
+}
+
+void add_run_options(CLI::App& command, TestArguments& arguments) {
+  arguments.run.jobs = static_cast<int>(CommonOptions{}.max_threads());
+  command.add_option("PATHS", arguments.paths, "scenario files or folders [scenarios]");
+  command.add_flag("--slow", arguments.slow, "also those marked slow");
+  command.add_option("--jobs,-j", arguments.run.jobs, "scenarios at a time [cores]");
+  command.add_option("--seeds", arguments.run.seeds, "with so many random numbers each [1]");
+  command.add_flag("--again", arguments.run.trial.measure_again,
+                   "measure what this program has measured before");
+  command.add_option("--cache", arguments.cache, "folder of the cache [$XDG_CACHE_HOME/edvo]");
+  command.add_option("--tracker", arguments.tracker,
+                     "test this program: CMD with {sequence} {camera} {output}");
+  command.add_option("--time-limit", arguments.time_limit, "of --tracker per sequence, s [600]");
+  command.add_option("--threads", arguments.threads, "threads at most; 0 = all cores")
+      ->check(CLI::NonNegativeNumber);
+  command.add_flag("--quiet,-q", arguments.quiet, "no progress on stderr");
+}
+
+}  // namespace
+
+void add_test_command(CLI::App& program, int& exit_code) {
+  CLI::App& command = *program.add_subcommand("test", kHelp);
+  const auto arguments = std::make_shared<TestArguments>();
+  command.footer(kFooter);
+  add_run_options(command, *arguments);
+  command.add_option("--junit", arguments->junit, "write JUnit XML; replaces the file");
+  command.add_option("--json", arguments->json, "write the results; replaces the file");
+  command.add_option("--baseline", arguments->baseline, "results to compare with");
+  command.add_flag("--update-baseline", arguments->update_baseline,
+                   "write the baseline instead of comparing with it");
+  add_field_options(command, vo::fields_of(arguments->comparison), "Baseline");
+  command.callback([arguments, &exit_code] { exit_code = test(*arguments); });
+}
+
+}  // namespace tools

@@ -1,0 +1,218 @@
+#include "tools/lab/comparison.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "tools/ablate/table.h"
+#include "tools/report/report.h"
+#include "vo/core/error.h"
+
+namespace tools {
+namespace {
+
+enum class Sense { less_is_better, more_is_better, neither };
+
+/// What a metric's name says of it.
+struct MetricTraits {
+  Sense sense = Sense::less_is_better;
+  double negligible = 0;  ///< differences below this are never large
+};
+
+MetricTraits traits_of(const std::string& metric) {
+  if (metric == "keyframes") {
+    return {Sense::neither, 1};
+  }
+  if (metric == "nees_median") {
+    return {Sense::neither, 0.2};
+  }
+  if (metric.ends_with("_fraction")) {
+    return {Sense::more_is_better, 0.005};
+  }
+  if (metric.ends_with("_percent")) {
+    return {Sense::less_is_better, 0.02};
+  }
+  constexpr double kAngle = 0.005;  // deg
+  constexpr double kLength = 5e-5;  // m
+  return {Sense::less_is_better, metric.ends_with("_deg") ? kAngle : kLength};
+}
+
+/// The values of two results that a test compares, those of the same seed in the same place.
+struct Samples {
+  std::vector<double> before;
+  std::vector<double> after;
+  bool paired = true;
+};
+
+bool has_seed(const ScenarioResult& scenario, int seed) {
+  return std::any_of(scenario.trials.begin(), scenario.trials.end(),
+                     [&](const TrialResult& t) { return t.seed == seed && t.problem.empty(); });
+}
+
+/// The scenario with the trials alone that the other has, too.
+ScenarioResult common_trials(const ScenarioResult& scenario, const ScenarioResult& other) {
+  ScenarioResult common = scenario;
+  std::erase_if(common.trials, [&](const TrialResult& t) { return !has_seed(other, t.seed); });
+  return common;
+}
+
+Samples samples_of(const ScenarioResult& before, const ScenarioResult& after,
+                   const std::string& metric) {
+  Samples samples{values_of(common_trials(before, after), metric),
+                  values_of(common_trials(after, before), metric)};
+  if (samples.before.empty() || samples.before.size() != samples.after.size()) {
+    samples = {values_of(before, metric), values_of(after, metric), false};
+  }
+  return samples;
+}
+
+bool all_finite(const std::vector<double>& values) {
+  return !values.empty() &&
+         std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+}
+
+bool all_positive(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double v) { return v > 0; });
+}
+
+/// Errors vary by factors: their logarithms are nearer to normal than they are.
+double p_value_of(Samples samples) {
+  if (all_positive(samples.before) && all_positive(samples.after)) {
+    const auto logarithm = [](double v) { return std::log(v); };
+    std::transform(samples.before.begin(), samples.before.end(), samples.before.begin(), logarithm);
+    std::transform(samples.after.begin(), samples.after.end(), samples.after.begin(), logarithm);
+  }
+  const bool is_single = samples.before.size() < 2 || samples.after.size() < 2;
+  if (samples.paired) {
+    return paired_p_value(samples.before, samples.after);
+  }
+  return is_single ? 1 : welch_p_value(samples.before, samples.after);
+}
+
+ChangeKind kind_of(double difference, Sense sense) {
+  if (difference == 0) {
+    return ChangeKind::none;
+  }
+  if (sense == Sense::neither) {
+    return ChangeKind::different;
+  }
+  return (difference > 0) == (sense == Sense::less_is_better) ? ChangeKind::worse
+                                                              : ChangeKind::better;
+}
+
+void judge_size(Change& change, const MetricTraits& traits, const ComparisonOptions& options) {
+  const double difference = change.after - change.before;
+  change.kind = kind_of(difference, traits.sense);
+  change.percent = change.before != 0 ? 100 * difference / std::abs(change.before)
+                                      : std::copysign(100.0, difference);
+  const double allowed =
+      change.kind == ChangeKind::worse ? options.worse_percent : options.better_percent;
+  change.is_large = std::abs(difference) > traits.negligible && std::abs(change.percent) > allowed;
+}
+
+/// A metric that was measured and is not, or the other way round, needs no statistics.
+void judge_missing(Change& change, const Samples& samples) {
+  const bool was = all_finite(samples.before);
+  const bool is = all_finite(samples.after);
+  change.is_large = was != is;
+  change.p_value = was != is ? 0 : 1;
+  change.kind = was == is ? ChangeKind::none : was ? ChangeKind::worse : ChangeKind::different;
+  change.note = was == is ? "" : was ? "it can no longer be measured" : "it could not be measured";
+}
+
+Change compare_metric(const ScenarioResult& before, const ScenarioResult& after,
+                      const std::string& metric, const ComparisonOptions& options) {
+  const Samples samples = samples_of(before, after, metric);
+  Change change{.scenario = after.name,
+                .metric = metric,
+                .before = estimate_mean(samples.before).mean,
+                .after = estimate_mean(samples.after).mean};
+  if (all_finite(samples.before) && all_finite(samples.after)) {
+    judge_size(change, traits_of(metric), options);
+    change.p_value = p_value_of(samples);
+  } else {
+    judge_missing(change, samples);
+  }
+  return change;
+}
+
+bool same_sequences(const ScenarioResult& before, const ScenarioResult& after) {
+  const ScenarioResult a = common_trials(before, after);
+  const ScenarioResult b = common_trials(after, before);
+  return std::equal(
+      a.trials.begin(), a.trials.end(), b.trials.begin(), b.trials.end(),
+      [](const TrialResult& x, const TrialResult& y) { return x.sequence == y.sequence; });
+}
+
+const ScenarioResult* find_scenario(const TestResults& results, const std::string& name) {
+  const auto found = std::find_if(results.scenarios.begin(), results.scenarios.end(),
+                                  [&](const ScenarioResult& s) { return s.name == name; });
+  return found == results.scenarios.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+void ComparisonOptions::validate() const {
+  vo::require(level > 0 && level < 1, "level: expected between 0 and 1, got ", level);
+  vo::require(worse_percent >= 0, "worse_percent: expected 0 or more, got ", worse_percent);
+  vo::require(better_percent >= 0, "better_percent: expected 0 or more, got ", better_percent);
+}
+
+std::string to_text(ChangeKind kind) {
+  constexpr std::array kNames{"same", "worse", "better", "different"};
+  return kNames.at(static_cast<std::size_t>(kind));
+}
+
+std::string describe(const Change& change) {
+  std::string text = vo::concat(change.scenario, ": ", change.metric, " was ",
+                                shown_number(change.before), ", is ", shown_number(change.after));
+  if (change.note.empty() || std::isfinite(change.before + change.after)) {
+    text += vo::concat(" (", change.percent > 0 ? "+" : "", format_decimals(change.percent, 1),
+                       " %, p ", shown_number(change.p_value), "): ", to_text(change.kind));
+  }
+  return text + (change.note.empty() ? "" : "; " + change.note);
+}
+
+std::vector<Change> compare_results(const TestResults& before, const TestResults& after,
+                                    const ComparisonOptions& options) {
+  std::vector<Change> changes;
+  for (const ScenarioResult& now : after.scenarios) {
+    const ScenarioResult* was = find_scenario(before, now.name);
+    if (was == nullptr) {
+      continue;
+    }
+    const bool same = same_sequences(*was, now);
+    for (const auto& [metric, unused] : metric_values({})) {
+      Change change = compare_metric(*was, now, metric, options);
+      if (std::isnan(change.before) && std::isnan(change.after)) {
+        continue;
+      }
+      if (!same && change.note.empty()) {
+        change.note = "the sequence is another one, too";
+      }
+      changes.push_back(std::move(change));
+    }
+  }
+  std::vector<double> p_values;
+  for (const Change& change : changes) {
+    p_values.push_back(change.p_value);
+  }
+  const std::vector<bool> significant = holm_rejections(p_values, options.level);
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    changes[i].is_significant = significant[i];
+  }
+  return changes;
+}
+
+std::vector<std::string> missing_scenarios(const TestResults& among, const TestResults& from) {
+  std::vector<std::string> names;
+  for (const ScenarioResult& scenario : among.scenarios) {
+    if (find_scenario(from, scenario.name) == nullptr) {
+      names.push_back(scenario.name);
+    }
+  }
+  return names;
+}
+
+}  // namespace tools
