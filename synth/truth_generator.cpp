@@ -1,12 +1,15 @@
 #include "synth/truth_generator.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "synth/generate.h"
 #include "synth/motion_truth.h"
 #include "synth/pixel_truth.h"
 #include "synth/point_tracer.h"
+#include "synth/scene_motion.h"
 #include "synth/surface_tracer.h"
 #include "vo/core/fields.h"
 #include "vo/io/flow_file.h"
@@ -17,10 +20,12 @@ namespace synth {
 /// The scene at one time.
 class TruthGenerator::Instant {
  public:
-  Instant(const Scene& scene, const TruthSubject& subject, const TruthOptions& options)
-      : tracer_(scene) {
+  Instant(const TruthSubject& subject, const TruthOptions& options, double time)
+      : moved_(moves(subject.scene) ? std::optional(scene_at(subject.scene, time)) : std::nullopt),
+        scene_(moved_ ? *moved_ : subject.scene),
+        tracer_(scene_) {
     if (options.has(TruthChannel::edges)) {
-      surfaces_ = std::make_unique<const SurfaceTracer>(scene, subject.ambient);
+      surfaces_ = std::make_unique<const SurfaceTracer>(scene_, subject.ambient);
     }
   }
 
@@ -28,6 +33,8 @@ class TruthGenerator::Instant {
   const SurfaceTracer& surfaces() const { return *surfaces_; }  ///< where edges are asked for
 
  private:
+  std::optional<Scene> moved_;
+  const Scene& scene_;
   PointTracer tracer_;
   std::unique_ptr<const SurfaceTracer> surfaces_;
 };
@@ -53,14 +60,18 @@ struct TruthGenerator::Frame {
 TruthGenerator::TruthGenerator(const TruthSubject& subject, const TruthOptions& options)
     : subject_(subject), options_(options) {
   options.validate();
-  still_ = std::make_shared<const Instant>(subject.scene, subject, options);
+  if (!moves(subject.scene)) {
+    still_ = std::make_shared<const Instant>(subject, options, 0);
+  }
 }
 
 TruthGenerator::~TruthGenerator() = default;
 
-std::shared_ptr<const TruthGenerator::Instant> TruthGenerator::instant(
-    std::size_t /*index*/) const {
-  return still_;
+std::shared_ptr<const TruthGenerator::Instant> TruthGenerator::instant(std::size_t index) const {
+  return still_ ? still_
+                : std::make_shared<const Instant>(
+                      subject_, options_,
+                      scene_time(subject_.trajectory, subject_.trajectory[index].timestamp));
 }
 
 std::string TruthGenerator::encode(const Frame& frame, TruthChannel channel) const {
