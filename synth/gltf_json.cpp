@@ -14,8 +14,11 @@ std::string shown(const json& value) {
   if (value.is_structured()) {
     return value.is_array() ? "an array" : "an object";
   }
-  const std::string text = value.dump();
-  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
+  std::string text = value.dump();
+  if (text.size() > kLongest) {
+    text.replace(kLongest, std::string::npos, "...");
+  }
+  return text;
 }
 
 std::string numbered(const std::string& key, std::size_t index) {

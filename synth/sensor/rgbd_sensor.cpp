@@ -107,6 +107,9 @@ void RgbdSensor::follow_balance(const std::vector<Metering>& metered) {
       settings_[i].balance[channel] *= std::exp(followed_log[i]);
     }
   }
+  for (FrameSetting& setting : settings_) {
+    setting.balance /= setting.balance.minCoeff();  // what is saturated stays white
+  }
 }
 
 Shot RgbdSensor::color_shot(std::size_t index) const {

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "tools/bench/opencv_peer.h"
+#include "vo/core/error.h"
 #include "vo/io/camera_file.h"
 #include "vo/io/output.h"
 #include "vo/io/sequence.h"

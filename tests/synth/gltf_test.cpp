@@ -154,8 +154,10 @@ TEST(LoadGltf, ScalesNormalisedIntegers) {
   const std::size_t colors = document.add_accessor<std::uint8_t>(
       "VEC4", kUnsignedByte, 3, {0, 51, 255, 255, 0, 0, 0, 0, 0, 0, 0, 0});
   const std::size_t normals = document.add_accessor<std::int16_t>(
-      "VEC3", kShort, 3, {0, 0, -32768, 0, 0, 32767, 32767, 0, 0});
-  document.json["bufferViews"][normals]["byteLength"] = 18;
+      "VEC3", kShort, 3, {0, 0, -32768, 0, 0, 0, 32767, 0, 32767, 0, 0, 0});
+  document.json["bufferViews"][normals]["byteStride"] = 8;
+  document.json["extensionsUsed"] = {"KHR_mesh_quantization"};
+  document.json["extensionsRequired"] = {"KHR_mesh_quantization"};
   document.json["accessors"][colors]["normalized"] = true;
   document.json["accessors"][normals]["normalized"] = true;
   document.primitive()["attributes"]["COLOR_0"] = colors;

@@ -72,7 +72,8 @@ TEST(MapErrors, CountWhatWasPutIn) {
   vo::add_edges(anchor, vo::EdgeOptions());
   vo::DepthMap map({});
   map.start(anchor, 2);
-  vo::DepthImage wrong = truth * 1.03F;
+  vo::DepthImage wrong = truth.clone();
+  wrong *= 1.03F;
   std::size_t outliers = 0;
   for (std::size_t i = 0; i < map.hypotheses().size(); i += 10, ++outliers) {
     wrong(map.hypotheses().pixel[i]) *= 1.5F;

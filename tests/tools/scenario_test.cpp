@@ -67,8 +67,8 @@ TEST(Scenario, ErrorsNameFileLineAndNearestKey) {
   EXPECT_THAT(error_with("max = 0.01", "max = 'low'"),
               EndsWith("s.toml:11: expect.ate_rmse_m.max: expected a number, got \"low\""));
   EXPECT_THAT(error_with("\"orbit\"", "\"circle\""),
-              EndsWith("s.toml:5: path.kind: expected one of orbit, spline, trajectory, got "
-                       "'circle'"));
+              EndsWith("s.toml:5: path.kind: expected one of orbit, spline, trajectory, recorded, "
+                       "still, dolly, pan, roll, explore, got 'circle'"));
 }
 
 TEST(Scenario, WhatMakesNoSenseIsAnError) {
@@ -89,9 +89,13 @@ TEST(Scenario, ChangesComeAfterTheFileAndAPresetBeforeThem) {
   EXPECT_EQ(changed.odometry.tracker.pyramid.levels, 4) << "the file's";
   EXPECT_EQ(changed.odometry.tracker.keyframes.every, 7);
   EXPECT_EQ(changed.odometry.tracker.lens, vo::LensModel::distortion) << "the preset's";
-  EXPECT_THAT(error_text([&] { tools::load_scenario(file, {{"odometry.preset", "best"}}); }),
+  EXPECT_THAT(error_text([&] {
+                tools::load_scenario(file, {{"odometry.preset", "best"}});
+              }),
               HasSubstr("--set odometry.preset=best: "));
-  EXPECT_THAT(error_text([&] { tools::load_scenario(file, {{"path.rat", "1"}}); }),
+  EXPECT_THAT(error_text([&] {
+                tools::load_scenario(file, {{"path.rat", "1"}});
+              }),
               HasSubstr("the nearest known key is path.rate"));
 }
 

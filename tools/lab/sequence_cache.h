@@ -23,7 +23,7 @@ struct CachedSequence {
   std::filesystem::path folder;
   std::string content;  ///< hash of its files: the same bytes have the same
   std::string problem;  ///< what was wrong with the entry before it was made again; mostly empty
-  FileLock in_use;  ///< nobody removes the sequence while this exists
+  FileLock in_use;      ///< nobody removes the sequence while this exists
 };
 
 /// $XDG_CACHE_HOME/edvo, or ~/.cache/edvo where that is not set.

@@ -97,8 +97,7 @@ Model make_white_room() {
   scene.place(root, "pendant_lamp", scene.add_mesh(pendant_lamp()), at(0.1, kCeiling, 0.1));
   scene.add_light(root, {"pendant_light", LightKind::point, {1, 0.96, 0.9}, 10},
                   at(0.1, kCeiling - kPendantDrop, 0.1));
-  scene.add_light(root, {"second_light", LightKind::point, {0.9, 0.95, 1}, 4},
-                  at(1.2, 2.1, 1.1));
+  scene.add_light(root, {"second_light", LightKind::point, {0.9, 0.95, 1}, 4}, at(1.2, 2.1, 1.1));
   return scene.model();
 }
 

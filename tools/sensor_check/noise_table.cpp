@@ -57,34 +57,45 @@ double lateral_deviation(const synth::LateralNoise& noise, double incidence) {
   return std::sqrt(variance);
 }
 
-void add_disparity_error(const synth::DisparityNoise& noise, double depth, double sigma_px,
+/// White noise under linear interpolation at random places keeps (1 - a)^2 + a^2 = 2 / 3 of its
+/// variance in each of u and v.
+double kept_by_sampling(const synth::LateralNoise& noise) {
+  return noise.sigma > 0 && noise.sampling == synth::DepthSampling::linear ? 2.0 / 3 : 1;
+}
+
+/// Where disparity comes in steps, so does depth, and rounding it once more shifts each of them.
+void add_disparity_error(const DepthSensorOptions& sensor, double depth, double sigma_px,
                          double truth, double probability, ErrorMoments& moments) {
+  const synth::DisparityNoise& noise = sensor.disparity;
   const double disparity = noise.focal_baseline / depth + noise.offset;
   if (noise.step == 0) {
     const double sigma_m = sigma_px * depth * depth / noise.focal_baseline;
     moments.add(noise.focal_baseline / disparity - truth, probability);
-    moments.square += probability * sigma_m * sigma_m;
+    moments.square += probability * (sigma_m * sigma_m + sensor.step * sensor.step / 12);
     return;
   }
   visit_rounded(disparity, sigma_px, noise.step, [&](double rounded, double share) {
     if (rounded > 0) {
-      moments.add(noise.focal_baseline / rounded - truth, probability * share);
+      const double value = noise.focal_baseline / rounded;
+      const double shown = sensor.step > 0 ? sensor.step * std::round(value / sensor.step) : value;
+      moments.add(shown - truth, probability * share);
     }
   });
 }
 
 /// `sigma` of normal noise before disparity, m.
-ErrorMoments through_disparity(const synth::DisparityNoise& noise, double depth, double sigma) {
+ErrorMoments through_disparity(const DepthSensorOptions& sensor, double depth, double sigma) {
+  const synth::DisparityNoise& noise = sensor.disparity;
   ErrorMoments moments;
   if (noise.focal_baseline == 0) {
-    moments.square = sigma * sigma;
+    moments.square = sigma * sigma + sensor.step * sensor.step / 12;
   } else if (noise.depth_step > 0) {
     visit_rounded(depth, sigma, noise.depth_step, [&](double rounded, double share) {
-      add_disparity_error(noise, rounded, noise.sigma, depth, share, moments);
+      add_disparity_error(sensor, rounded, noise.sigma, depth, share, moments);
     });
   } else {
     const double before_px = sigma * noise.focal_baseline / (depth * depth);
-    add_disparity_error(noise, depth, std::hypot(noise.sigma, before_px), depth, 1, moments);
+    add_disparity_error(sensor, depth, std::hypot(noise.sigma, before_px), depth, 1, moments);
   }
   return moments;
 }
@@ -99,12 +110,9 @@ ErrorMoments expected_at(const DepthSensorOptions& sensor, const synth::DepthVie
   const double lateral = lateral_deviation(sensor.lateral, incidence) * slope;
   const double along_normal =
       synth::lateral_sigma(sensor.normal.sigma, sensor.normal.grazing, incidence) * depth /
-      camera.fx * view.normal(pixel)[2];
+      camera.fx * view.normal(pixel)[2] * kept_by_sampling(sensor.lateral);
   const double axial = synth::axial_sigma(sensor.axial, depth, incidence);
-  ErrorMoments moments =
-      through_disparity(sensor.disparity, depth, std::hypot(axial, lateral, along_normal));
-  moments.square += sensor.step * sensor.step / 12;
-  return moments;
+  return through_disparity(sensor, depth, std::hypot(axial, lateral, along_normal));
 }
 
 /// Noise alone.

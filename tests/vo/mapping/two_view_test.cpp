@@ -8,7 +8,7 @@
 namespace {
 
 using support::hash_noise;
-using support::hash_uniform;
+using vo::mixed_uniform;
 using vo::SE3;
 
 constexpr double kFocal = 500;  // px
@@ -23,9 +23,9 @@ struct World {
 World world(const SE3& T_second_first, bool wrong_ones) {
   World world;
   for (std::uint64_t i = 0; i < 200; ++i) {
-    const double d = 0.25 + 0.75 * hash_uniform(3 * i);
-    const Eigen::Vector2d ray(hash_uniform(3 * i + 1) - 0.5,
-                              0.75 * (hash_uniform(3 * i + 2) - 0.5));
+    const double d = 0.25 + 0.75 * mixed_uniform(3 * i);
+    const Eigen::Vector2d ray(mixed_uniform(3 * i + 1) - 0.5,
+                              0.75 * (mixed_uniform(3 * i + 2) - 0.5));
     const Eigen::Vector3d p = T_second_first * Eigen::Vector3d(ray.homogeneous() / d);
     Eigen::Vector2d seen = p.hnormalized();
     seen += kNoisePx / kFocal * Eigen::Vector2d(hash_noise(900 + 2 * i), hash_noise(901 + 2 * i));
