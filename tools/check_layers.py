@@ -29,6 +29,7 @@ ONLY_IN = {  # third-party header: the files that may name it
     "png.h": ["vo/io/png.cpp"],
     "turbojpeg.h": ["synth/sensor/jpeg.cpp"],
     "zlib.h": ["vo/io/gzip.cpp"],
+    "webp/": ["tools/report/webp.cpp"],
     "CLI/": ["tools/"],
     "opencv2/rgbd": ["tools/bench/opencv_peer.cpp"],
     "ceres/": [],

@@ -9,6 +9,7 @@
 #include "tools/ablate/statistics.h"
 #include "tools/ablate/study.h"
 #include "tools/report/panels.h"
+#include "tools/report/pictures.h"
 #include "vo/core/error.h"
 #include "vo/io/png.h"
 

@@ -13,8 +13,11 @@
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
 #include "tools/pipeline/result_files.h"
+#include "tools/report/frame_gallery.h"
+#include "tools/report/html_report.h"
 #include "tools/report/panel_writer.h"
 #include "tools/report/report.h"
+#include "tools/report/scenario_report.h"
 #include "tools/report/trajectory_svg.h"
 #include "tools/scenario/run_scenario.h"
 #include "tools/scenario/scenario.h"
@@ -30,6 +33,8 @@ namespace fs = std::filesystem;
 constexpr const char* kHelp =
     "Runs a scenario: renders its sequence, tracks it, evaluates it against the exact truth and\n"
     "checks its bounds (exit code 4 when one is violated). DIR then holds\n"
+    "  report.html              for a browser: trajectory in its scene, errors over time, "
+    "pictures\n"
     "  report.md, report.json   metrics, bounds, verdict, every option\n"
     "  trajectory.svg           truth and estimate, coloured by error, and the error over time\n"
     "  panels/                  image | edges | depth | residual before and after, every N-th "
@@ -46,9 +51,21 @@ struct RunArguments {
   std::string scenario;
   std::string out;
   int debug_images = 30;
+  bool report_times = false;
 };
 
-/// All that a run writes beside sequence/ and panels/.
+/// For a browser.
+std::string browser_report(const RunArguments& arguments, const Scenario& scenario,
+                           const Outcome& outcome, const FrameGallery& gallery) {
+  ScenarioReport report = scenario_report(scenario, outcome);
+  report.gallery = gallery;
+  if (arguments.report_times) {
+    report.times = outcome.tracking.times;
+  }
+  return html_report({report});
+}
+
+/// All that a run writes beside sequence/, panels/ and report.html.
 std::vector<vo::NamedBytes> result_files(const Scenario& scenario, const Outcome& outcome) {
   const vo::Trajectory& estimate = outcome.tracking.trajectory;
   std::vector<vo::NamedBytes> files = {
@@ -90,9 +107,22 @@ void print(const RunArguments& arguments, const Scenario& scenario, const Outcom
     std::cout << report.dump(2) << "\n";
     return;
   }
-  std::cout << report_table(scenario, outcome) << "report    " << arguments.out << "/report.md\n"
+  std::cout << report_table(scenario, outcome) << "report    " << arguments.out << "/report.html, "
+            << arguments.out << "/report.md\n"
             << "pictures  " << arguments.out << "/trajectory.svg"
             << (arguments.debug_images > 0 ? ", " + arguments.out + "/panels/" : "") << "\n";
+}
+
+/// Both are told of every frame; an empty one is left out.
+FrameObserver in_turn(const FrameObserver& first, const FrameObserver& second) {
+  return [first, second](const vo::RgbdFrame& frame, const vo::FramePyramid& pyramid,
+                         const vo::Tracker& tracker, const vo::TrackingResult& result) {
+    for (const FrameObserver& observe : {first, second}) {
+      if (observe) {
+        observe(frame, pyramid, tracker, result);
+      }
+    }
+  };
 }
 
 int run(const RunArguments& arguments) {
@@ -106,11 +136,15 @@ int run(const RunArguments& arguments) {
               ": scene.gltf: ", scenario.scene_file().string(), ": there is no such file");
   make_folder(folder);
   PanelWriter panels(folder / "panels", arguments.debug_images, existing);
+  FrameGallery gallery;
   ProgressBar render_bar("rendering", arguments.common.verbosity());
   ProgressBar track_bar("tracking", arguments.common.verbosity());
-  const Outcome outcome = run_scenario(scenario, folder, existing, panels.observer(),
-                                       {render_bar.callback(), track_bar.callback()});
-  write_results(folder, result_files(scenario, outcome), existing);
+  const Outcome outcome =
+      run_scenario(scenario, folder, existing, in_turn(panels.observer(), gallery.observer()),
+                   {render_bar.callback(), track_bar.callback()});
+  std::vector<vo::NamedBytes> files = result_files(scenario, outcome);
+  files.push_back({"report.html", browser_report(arguments, scenario, outcome, gallery)});
+  write_results(folder, files, existing);
   panels.commit();
   print(arguments, scenario, outcome);
   return outcome.passed() ? exit_code::kOk : exit_code::kBoundViolated;
@@ -128,6 +162,8 @@ void add_run_command(CLI::App& program, int& exit_code) {
       .add_option("--debug-images", arguments->debug_images,
                   "a picture of every N-th frame; 0 = none [30]")
       ->check(CLI::NonNegativeNumber);
+  command.add_flag("--report-times", arguments->report_times,
+                   "times of each stage in report.html, which then differs from run to run");
   add_common_options(command, arguments->common);
   command.callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

@@ -7,6 +7,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "tools/report/pictures.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 
@@ -15,19 +16,8 @@ namespace {
 
 using Picture = cv::Mat_<cv::Vec3b>;
 
-constexpr double kFullResidual = 30.0 / 255;  // intensity at which the colour saturates
 const cv::Scalar kInk(30, 30, 30);
 const cv::Scalar kPaper(255, 255, 255);
-
-Picture as_picture(const cv::Mat& image) {
-  Picture picture;
-  if (image.channels() == 1) {
-    cv::cvtColor(image, picture, cv::COLOR_GRAY2BGR);
-  } else {
-    image.copyTo(picture);
-  }
-  return picture;
-}
 
 void put_line(Picture& picture, const std::string& text, int x, int y, double size) {
   for (const auto& [colour, thickness] : {std::pair{kPaper, 3}, std::pair{kInk, 1}}) {
@@ -52,31 +42,17 @@ std::string metres(double value) {
 
 /// Near is bright, far is dark, no measurement is grey; the bar on the right carries the metres.
 Picture draw_depth(const vo::DepthImage& depth) {
-  double nearest = 0;
-  double farthest = 0;
-  const cv::Mat missing = depth == 0;
-  cv::minMaxLoc(depth, &nearest, &farthest, nullptr, nullptr, depth > 0);
-  const double scale = farthest > nearest ? 255 / (farthest - nearest) : 0;
-  cv::Mat scaled;
-  depth.convertTo(scaled, CV_8U, -scale, scale * farthest);
-  const int bar_width = depth.cols / 32;
-  const int bar_left = depth.cols - bar_width;
+  const auto [nearest, farthest] = positive_range(depth);
+  vo::DepthImage with_bar = depth.clone();
+  const int bar_left = depth.cols - depth.cols / 32;
   for (int v = 0; v < depth.rows; ++v) {
-    const int shade = 255 - 255 * v / depth.rows;
-    scaled.row(v).colRange(bar_left, depth.cols) = shade;
+    with_bar.row(v).colRange(bar_left, depth.cols) =
+        nearest + (farthest - nearest) * v / depth.rows;
   }
-  Picture picture;
-  cv::applyColorMap(scaled, picture, cv::COLORMAP_VIRIDIS);
-  picture.colRange(0, bar_left).setTo(cv::Vec3b(128, 128, 128), missing.colRange(0, bar_left));
+  Picture picture = draw_values(with_bar, {farthest, nearest});
   put_line(picture, metres(nearest), bar_left - 60, 16, 0.45);
   put_line(picture, metres(farthest), bar_left - 60, depth.rows - 8, 0.45);
   return picture;
-}
-
-cv::Vec3b residual_colour(float residual) {
-  const double strength = std::min(std::abs(residual) / kFullResidual, 1.0);
-  const auto faded = static_cast<uchar>(255 * (1 - strength));
-  return residual > 0 ? cv::Vec3b(faded, faded, 255) : cv::Vec3b(255, faded, faded);
 }
 
 Picture draw_figures(const vo::TrackingResult& result, cv::Size size) {
@@ -109,17 +85,6 @@ Picture draw_figures(const vo::TrackingResult& result, cv::Size size) {
 
 }  // namespace
 
-cv::Mat_<cv::Vec3b> draw_residuals(const vo::EdgePointLevel& points, const vo::PyramidLevel& level,
-                                   const vo::SE3& T_cur_ref) {
-  Picture picture(level.intensity.size(), cv::Vec3b(40, 40, 40));
-  const auto residuals = vo::residuals(points, level, T_cur_ref);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    picture(points.pixel[i]) =
-        residuals[i] ? residual_colour(*residuals[i]) : cv::Vec3b(0, 120, 120);
-  }
-  return picture;
-}
-
 cv::Mat_<cv::Vec3b> titled(cv::Mat_<cv::Vec3b> picture, const std::string& title) {
   put_line(picture, title, 8, 20, 0.5);
   return picture;
@@ -138,10 +103,7 @@ cv::Mat_<cv::Vec3b> montage(const std::vector<std::vector<cv::Mat_<cv::Vec3b>>>&
 Picture draw_panel(const vo::RgbdFrame& frame, const vo::FramePyramid& pyramid,
                    const vo::Tracker& tracker, const vo::TrackingResult& result) {
   const vo::PyramidLevel& level = pyramid.levels.front();
-  const vo::EdgePointLevel none;
-  const auto& levels = tracker.reference_points().levels;
-  const vo::EdgePointLevel& points =
-      result.status == vo::TrackingStatus::initialized ? none : levels.front();
+  const vo::EdgePointLevel points = aligned_points(tracker, result, 0);
   return montage(
       {{titled(as_picture(frame.image), "image"), titled(draw_edges(level), "edges"),
         titled(draw_depth(frame.depth), "depth")},

@@ -11,11 +11,6 @@
 
 namespace tools {
 
-/// The finest level's residuals at the reference's pixels: blue darker, red brighter than the
-/// reference, white equal, yellow not in view.
-cv::Mat_<cv::Vec3b> draw_residuals(const vo::EdgePointLevel& points, const vo::PyramidLevel& level,
-                                   const vo::SE3& T_cur_ref);
-
 /// A line of text at the top left of a picture.
 cv::Mat_<cv::Vec3b> titled(cv::Mat_<cv::Vec3b> picture, const std::string& title);
 

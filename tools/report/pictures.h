@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+
+#include <opencv2/core.hpp>
+
+#include "vo/core/image.h"
+#include "vo/image/pyramid.h"
+#include "vo/tracking/tracker.h"
+
+namespace tools {
+
+/// A grey or colour image as a colour picture of its own.
+cv::Mat_<cv::Vec3b> as_picture(const cv::Mat& image);
+
+/// The least and the greatest of the values above 0; both 0 where there is none.
+std::array<double, 2> positive_range(const cv::Mat_<float>& values);
+
+/// Values of a range in viridis' colours, the first end dark and the second bright (the range may
+/// fall); grey where the value is 0.
+cv::Mat_<cv::Vec3b> draw_values(const cv::Mat_<float>& values, std::array<double, 2> range);
+
+/// The residuals at the reference's pixels: blue darker, red brighter than the reference, white
+/// equal, yellow not in view.
+cv::Mat_<cv::Vec3b> draw_residuals(const vo::EdgePointLevel& points, const vo::PyramidLevel& level,
+                                   const vo::SE3& T_cur_ref);
+
+/// The first reference's points of one level; none where the frame was not aligned to any.
+vo::EdgePointLevel aligned_points(const vo::Tracker& tracker, const vo::TrackingResult& result,
+                                  std::size_t level);
+
+}  // namespace tools

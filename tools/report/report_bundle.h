@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string_view>
+
+namespace tools {
+
+/// The interactive part of the HTML report, bundled from web/ when the program was built.
+struct ReportBundle {
+  std::string_view script;   ///< JavaScript
+  std::string_view style;    ///< CSS
+  std::string_view missing;  ///< a sentence: why there is none; empty where there is one
+};
+
+ReportBundle report_bundle();
+
+}  // namespace tools

@@ -1,0 +1,246 @@
+#include "tools/report/report_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/report/base64.h"
+#include "tools/report/frame_errors.h"
+#include "tools/version.h"
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+
+namespace tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMaxCloudPoints = 15000;
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+/// To a micrometre, a microradian or their like: a report is looked at.
+Json rounded(double value) {
+  constexpr double kUnit = 1e-6;
+  return number(std::round(value / kUnit) * kUnit + 0.0);
+}
+
+Json numbers(const std::vector<std::optional<double>>& values) {
+  Json json = Json::array();
+  for (const std::optional<double>& value : values) {
+    json.push_back(value ? rounded(*value) : Json(nullptr));
+  }
+  return json;
+}
+
+Json poses_json(const FramePoses& poses) {
+  Json json = Json::array();
+  for (const std::optional<vo::SE3>& T_world_camera : poses) {
+    json.push_back(nullptr);
+    if (T_world_camera) {
+      const Eigen::Vector3d& t = T_world_camera->translation();
+      const Eigen::Vector4d q = T_world_camera->rotation().coeffs();
+      json.back() = {rounded(t.x()), rounded(t.y()), rounded(t.z()), rounded(q.x()),
+                     rounded(q.y()), rounded(q.z()), rounded(q.w())};
+    }
+  }
+  return json;
+}
+
+/// One element per frame or time.
+template <typename T, typename Select>
+Json column(const std::vector<T>& elements, Select select) {
+  Json json = Json::array();
+  for (const T& element : elements) {
+    json.push_back(select(element));
+  }
+  return json;
+}
+
+Json metrics_json(const std::vector<ReportedMetric>& metrics) {
+  return column(metrics, [](const ReportedMetric& metric) {
+    const Bound bound = metric.bound.value_or(Bound{});
+    return Json{{"name", metric.name},
+                {"value", number(metric.value)},
+                {"min", number(bound.min)},
+                {"max", number(bound.max)},
+                {"holds", metric.bound ? Json(metric.holds) : Json(nullptr)}};
+  });
+}
+
+Json options_json(const std::vector<ReportedOption>& options) {
+  return column(options, [](const ReportedOption& option) {
+    return Json{{"key", option.key},
+                {"value", option.value},
+                {"preset", option.preset},
+                {"help", option.help}};
+  });
+}
+
+Json camera_json(const vo::PinholeCamera& camera) {
+  return {{"width", camera.width},    {"height", camera.height},  {"fx", rounded(camera.fx)},
+          {"fy", rounded(camera.fy)}, {"cx", rounded(camera.cx)}, {"cy", rounded(camera.cy)}};
+}
+
+/// Of the tracker's frames; of another tracker, those of the truth or of its own poses.
+std::vector<double> timestamps_of(const ScenarioReport& report) {
+  std::vector<double> timestamps;
+  for (const vo::TrackingResult& frame : report.frames) {
+    timestamps.push_back(frame.timestamp);
+  }
+  if (timestamps.empty()) {
+    for (const vo::StampedPose& pose : report.truth.empty() ? report.estimate : report.truth) {
+      timestamps.push_back(pose.timestamp);
+    }
+  }
+  return timestamps;
+}
+
+Json tracking_json(const std::vector<vo::TrackingResult>& frames) {
+  using Frame = vo::TrackingResult;
+  return {{"status", column(frames, [](const Frame& f) { return vo::to_string(f.status); })},
+          {"reason", column(frames, [](const Frame& f) { return vo::to_string(f.reason); })},
+          {"keyframe", column(frames, [](const Frame& f) { return f.is_keyframe; })},
+          {"termination",
+           column(frames, [](const Frame& f) { return vo::to_string(f.alignment.termination); })},
+          {"iterations", column(frames, [](const Frame& f) { return f.alignment.iterations; })},
+          {"points", column(frames, [](const Frame& f) { return f.alignment.points; })},
+          {"visible_fraction",
+           column(frames, [](const Frame& f) { return rounded(f.alignment.visible_fraction); })},
+          {"correlation",
+           column(frames, [](const Frame& f) { return rounded(f.alignment.correlation); })},
+          {"cost", column(frames, [](const Frame& f) { return rounded(f.alignment.cost); })}};
+}
+
+/// Needs three poses that have a partner in the truth.
+FramePoses aligned_poses(const ScenarioReport& report, const std::vector<double>& timestamps,
+                         const FramePoses& truth, const FramePoses& estimate) {
+  constexpr int kMinPoses = 3;
+  int matched = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    matched += truth[i] && estimate[i] ? 1 : 0;
+  }
+  if (matched < kMinPoses) {
+    return FramePoses(timestamps.size());
+  }
+  return poses_of_frames(
+      vo::align_trajectory(report.truth, report.estimate, {.alignment = report.alignment}),
+      timestamps);
+}
+
+Json frames_json(const ScenarioReport& report, const std::vector<double>& timestamps) {
+  const FramePoses truth = interpolated_poses(report.truth, timestamps);
+  const FramePoses estimate = poses_of_frames(report.estimate, timestamps);
+  const FramePoses aligned = aligned_poses(report, timestamps, truth, estimate);
+  const FrameErrors errors = frame_errors(truth, estimate, aligned);
+  Json json = {{"timestamp", column(timestamps, rounded)},
+               {"truth", poses_json(truth)},
+               {"estimate", poses_json(estimate)},
+               {"aligned", poses_json(aligned)},
+               {"position_m", numbers(errors.position_m)},
+               {"rotation_deg", numbers(errors.rotation_deg)},
+               {"step_translation_m", numbers(errors.step_translation_m)},
+               {"step_rotation_deg", numbers(errors.step_rotation_deg)}};
+  if (!report.frames.empty()) {
+    json["tracking"] = tracking_json(report.frames);
+  }
+  return json;
+}
+
+void add_picture(Json& json, const char* key, const std::string& webp) {
+  if (!webp.empty()) {
+    json[key] = base64(webp);
+  }
+}
+
+void add_values(Json& json, const char* key, const ValuePicture& picture) {
+  if (!picture.webp.empty()) {
+    json[key] = {{"webp", base64(picture.webp)},
+                 {"dark", rounded(picture.range[0])},
+                 {"bright", rounded(picture.range[1])}};
+  }
+}
+
+Json pictures_json(const std::vector<FramePictures>& gallery,
+                   const std::vector<double>& timestamps) {
+  Json json = Json::array();
+  for (const FramePictures& pictures : gallery) {
+    const auto found = std::find(timestamps.begin(), timestamps.end(), pictures.timestamp);
+    vo::require(found != timestamps.end(), "report: a picture at ", pictures.timestamp,
+                " s, expected the time of a frame");
+    Json& entry = json.emplace_back();
+    entry["frame"] = found - timestamps.begin();
+    entry["size"] = {pictures.size.width, pictures.size.height};
+    add_picture(entry, "colour", pictures.colour);
+    add_picture(entry, "edges", pictures.edges);
+    add_values(entry, "depth", pictures.depth);
+    add_picture(entry, "residual_before", pictures.residual_before);
+    add_picture(entry, "residual_after", pictures.residual_after);
+    add_values(entry, "inverse_depth", pictures.inverse_depth);
+    add_values(entry, "inverse_depth_truth", pictures.inverse_depth_truth);
+  }
+  return json;
+}
+
+Json cloud_json(const PointCloud& cloud) {
+  return {
+      {"count", cloud.count},
+      {"origin", column(std::vector<double>(cloud.origin.begin(), cloud.origin.end()), rounded)},
+      {"step", cloud.step},
+      {"positions", base64(cloud.positions)},
+      {"colours", base64(cloud.colours)}};
+}
+
+Json times_json(const std::vector<vo::StageTimes>& times) {
+  using Times = vo::StageTimes;
+  return {{"pyramid_ms", column(times, [](const Times& t) { return rounded(t.pyramid_ms); })},
+          {"edges_ms", column(times, [](const Times& t) { return rounded(t.edges_ms); })},
+          {"alignment_ms", column(times, [](const Times& t) { return rounded(t.alignment_ms); })}};
+}
+
+Json scenario_json(const ScenarioReport& report) {
+  const std::vector<double> timestamps = timestamps_of(report);
+  Json json = {{"name", report.name},
+               {"why", report.why},
+               {"command", report.command},
+               {"passed", report.passed()},
+               {"alignment", vo::to_string(report.alignment)},
+               {"metrics", metrics_json(report.metrics)},
+               {"notes", report.notes},
+               {"options", options_json(report.options)},
+               {"frames", frames_json(report, timestamps)},
+               {"stride", report.gallery.stride()},
+               {"pictures", pictures_json(report.gallery.pictures(), timestamps)}};
+  if (!report.problem.empty()) {
+    json["problem"] = report.problem;
+  }
+  if (report.camera) {
+    json["camera"] = camera_json(*report.camera);
+  }
+  const PointCloud cloud = quantised(
+      merge_views(report.gallery.views(), report.truth.empty() ? report.estimate : report.truth,
+                  kMaxCloudPoints));
+  if (cloud.count > 0) {
+    json["cloud"] = cloud_json(cloud);
+  }
+  if (!report.times.empty()) {
+    json["times"] = times_json(report.times);
+  }
+  return json;
+}
+
+}  // namespace
+
+Json report_data(const std::vector<ScenarioReport>& scenarios) {
+  return {{"schema", "edvo-report"},
+          {"version", kReportDataVersion},
+          {"generator", vo::concat("edvo ", version())},
+          {"scenarios", column(scenarios, scenario_json)}};
+}
+
+}  // namespace tools

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "tools/report/scenario_report.h"
+
+namespace tools {
+
+/// Version of the data's form; a change of meaning or a key less is a new version.
+constexpr int kReportDataVersion = 1;
+
+/// The data of the HTML report. web/src/data.ts declares its form and says what each key means; a
+/// test type-checks this function's output against it.
+///
+///     { "schema": "edvo-report", "version": 1, "generator": "edvo ...", "scenarios": [ {
+///         "name", "why", "command", "passed", "problem"?, "alignment", "camera"?,
+///         "metrics": [ { "name", "value", "min", "max", "holds" } ],  null = unmeasured, unbounded
+///         "notes": [ text ],
+///         "options": [ { "key", "value", "preset", "help" } ],
+///         "frames": { one array per quantity, one element per frame: "timestamp", "truth",
+///                     "estimate", "aligned", "position_m", ...; "tracking"?: { "status", ... } },
+///         "stride", "pictures": [ { "frame", "size", "colour", ... } ],  base64 of WebP files
+///         "cloud"?: { "count", "origin", "step", "positions", "colours" },
+///         "times"?: { "pyramid_ms", "edges_ms", "alignment_ms" }  differ from run to run
+///     } ] }
+///
+/// Poses are [tx, ty, tz, qx, qy, qz, qw] of T_world_camera, m, or null. All but `times` depend on
+/// the input alone.
+nlohmann::ordered_json report_data(const std::vector<ScenarioReport>& scenarios);
+
+}  // namespace tools

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/report/scenario_report.h"
+
+namespace tools {
+
+/// The text with what HTML gives a meaning to escaped.
+std::string escaped_html(std::string_view text);
+
+/// The body of a report without scripts: verdicts, metrics and the drawn trajectories.
+std::string static_page(const std::vector<ScenarioReport>& scenarios, std::string_view note);
+
+}  // namespace tools
