@@ -9,22 +9,61 @@ namespace synth {
 
 /// The part of OpenGL 4.5 (core) that is used: looked up in the context, as libraries that export
 /// it do not agree on whose context they mean.
-#define EDVO_GL_FUNCTIONS(X)                                                                      \
-  X(ActiveTexture)                                                                                \
-  X(AttachShader)                                                                                 \
-  X(BindBuffer) X(BindFramebuffer) X(BindRenderbuffer) X(BindTexture) X(BindVertexArray)          \
-      X(BufferData) X(CheckFramebufferStatus) X(ClearBufferfv) X(ClipControl) X(CompileShader)    \
-          X(CreateProgram) X(CreateShader) X(DeleteShader) X(DepthFunc) X(DrawBuffers)            \
-              X(DrawElements) X(Enable) X(EnableVertexAttribArray) X(FramebufferRenderbuffer)     \
-                  X(GenBuffers) X(GenFramebuffers) X(GenRenderbuffers) X(GenTextures)             \
-                      X(GenVertexArrays) X(GetError) X(GetProgramInfoLog) X(GetProgramiv)         \
-                          X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetUniformLocation)   \
-                              X(LinkProgram) X(PixelStorei) X(ReadBuffer) X(ReadPixels)           \
-                                  X(RenderbufferStorage) X(ShaderSource) X(TexImage2D)            \
-                                      X(TexParameteri) X(Uniform1f) X(Uniform1i) X(Uniform3f)     \
-                                          X(Uniform4f) X(Uniform4fv) X(UniformMatrix3fv)          \
-                                              X(UniformMatrix4fv) X(UseProgram) X(VertexAttrib4f) \
-                                                  X(VertexAttribPointer) X(Viewport)
+// clang-format off
+#define EDVO_GL_FUNCTIONS(X) \
+  X(ActiveTexture) \
+  X(AttachShader) \
+  X(BindBuffer) \
+  X(BindFramebuffer) \
+  X(BindRenderbuffer) \
+  X(BindTexture) \
+  X(BindVertexArray) \
+  X(BufferData) \
+  X(CheckFramebufferStatus) \
+  X(ClearBufferfv) \
+  X(ClipControl) \
+  X(CompileShader) \
+  X(CreateProgram) \
+  X(CreateShader) \
+  X(DeleteShader) \
+  X(DepthFunc) \
+  X(DrawBuffers) \
+  X(DrawElements) \
+  X(Enable) \
+  X(EnableVertexAttribArray) \
+  X(FramebufferRenderbuffer) \
+  X(GenBuffers) \
+  X(GenFramebuffers) \
+  X(GenRenderbuffers) \
+  X(GenTextures) \
+  X(GenVertexArrays) \
+  X(GetError) \
+  X(GetProgramInfoLog) \
+  X(GetProgramiv) \
+  X(GetShaderInfoLog) \
+  X(GetShaderiv) \
+  X(GetString) \
+  X(GetUniformLocation) \
+  X(LinkProgram) \
+  X(PixelStorei) \
+  X(ReadBuffer) \
+  X(ReadPixels) \
+  X(RenderbufferStorage) \
+  X(ShaderSource) \
+  X(TexImage2D) \
+  X(TexParameteri) \
+  X(Uniform1f) \
+  X(Uniform1i) \
+  X(Uniform3f) \
+  X(Uniform4f) \
+  X(Uniform4fv) \
+  X(UniformMatrix3fv) \
+  X(UniformMatrix4fv) \
+  X(UseProgram) \
+  X(VertexAttrib4f) \
+  X(VertexAttribPointer) \
+  X(Viewport)
+// clang-format on
 
 /// They work on the context that is current in the thread.
 struct GlFunctions {

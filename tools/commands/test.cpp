@@ -48,7 +48,7 @@ constexpr const char* kFooter =
     "known\n"
     "of edvo alone (keyframes, covariances) is not judged.\n\n"
     "Examples:\n"
-    "  edvo test scenarios --junit junit.xml --baseline scenarios/baseline.json\n"
+    "  edvo test scenarios --junit junit.xml --baseline baseline.json\n"
     "  edvo test scenarios/room_orbit.toml --seeds 5 --json results.json\n"
     "  edvo test scenarios --tracker 'my_vo --in {sequence} --camera {camera} --out {output}'\n"
     "  edvo test scenarios --tracker 'edvo track {sequence} --preset paper --out {output}'\n\n"
