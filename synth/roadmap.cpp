@@ -9,6 +9,7 @@
 
 #include "vo/core/error.h"
 #include "vo/core/hash.h"
+#include "vo/core/median.h"
 
 namespace synth {
 namespace {
@@ -54,12 +55,6 @@ bool is_at_eye_level(const FreeSpace& space, const Vector3d& place, const Explor
   }
   const double room = up > 0 ? std::min(down + up, 2 * region.scale) : 2 * region.scale;
   return down > 0.3 * room && down < 0.75 * room;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 constexpr std::size_t kEnough = 60;
@@ -246,10 +241,10 @@ ExploredRegion find_region(const FreeSpace& space, std::uint64_t seed) {
   ExploredRegion inner{space.bounds(), true, 0};
   const std::vector<double> inside = distances_in(space, inner, seed);
   if (inside.size() >= kLeast) {
-    inner.scale = median(inside);
+    inner.scale = vo::upper_median(inside);
     const std::vector<double> rooms =
         inner.scale > kSky ? distances_in_rooms(space, seed) : std::vector<double>();
-    inner.scale = rooms.empty() ? inner.scale : median(rooms);
+    inner.scale = rooms.empty() ? inner.scale : vo::upper_median(rooms);
     return inner;
   }
   ExploredRegion outer{space.bounds(), false, 0};
@@ -259,7 +254,7 @@ ExploredRegion find_region(const FreeSpace& space, std::uint64_t seed) {
   const std::vector<double> outside = distances_in(space, outer, seed);
   vo::require(outside.size() >= kLeast,
               "explore: found no place from which the scene's surfaces can be seen");
-  outer.scale = median(outside);
+  outer.scale = vo::upper_median(outside);
   return outer;
 }
 

@@ -10,6 +10,7 @@
 #include "synth/surface_tracer.h"
 #include "synth/view_content.h"
 #include "vo/core/error.h"
+#include "vo/core/median.h"
 
 namespace tools {
 namespace {
@@ -18,15 +19,6 @@ constexpr int kBetweenFrames = 8;
 constexpr double kTouch = 1e-3;        // m, from where on it is a collision
 constexpr double kBlank = 0.05;        // share of textured tiles
 constexpr double kDifference = 0.005;  // s, to either side
-
-double median(std::vector<double> values) {
-  if (values.empty()) {
-    return 0;
-  }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 double clearance_between(const synth::FreeSpace& space, const synth::CameraPath& path, double from,
                          double to) {
@@ -68,7 +60,7 @@ double median_flow(const synth::SurfaceTracer& tracer, const vo::PinholeCamera& 
       }
     }
   }
-  return median(std::move(flows));
+  return vo::upper_median(std::move(flows));
 }
 
 void measure_view(const synth::SurfaceTracer& tracer, const vo::PinholeCamera& camera,
@@ -122,7 +114,7 @@ Range range_of(const std::vector<FrameCheck>& frames, double FrameCheck::*value)
     return {};
   }
   const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-  return {*least, median(values), *greatest};
+  return {*least, vo::upper_median(values), *greatest};
 }
 
 PathReport check_path(const synth::Scene& scene, const vo::PinholeCamera& camera,

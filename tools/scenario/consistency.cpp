@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <Eigen/Cholesky>
+
+#include "vo/core/median.h"
 
 namespace tools {
 namespace {
@@ -34,9 +37,7 @@ double nees_median(const vo::Trajectory& truth, const std::vector<vo::TrackingRe
   if (squares.empty()) {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
-  std::nth_element(squares.begin(), middle, squares.end());
-  return *middle / kMedianOfChi2;
+  return vo::upper_median(std::move(squares)) / kMedianOfChi2;
 }
 
 }  // namespace tools

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "vo/core/hash.h"
+#include "vo/core/median.h"
 #include "vo/mapping/stereo_pair.h"
 
 namespace vo {
@@ -138,12 +140,7 @@ float median_inverse_depth(const Hypotheses& hypotheses, float fallback) {
       known.push_back(hypotheses.inverse_depth[i]);
     }
   }
-  if (known.empty()) {
-    return fallback;
-  }
-  const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
-  std::nth_element(known.begin(), middle, known.end());
-  return *middle;
+  return known.empty() ? fallback : upper_median(std::move(known));
 }
 
 }  // namespace vo

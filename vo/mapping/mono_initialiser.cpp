@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vo/core/median.h"
+
 namespace vo {
 namespace {
 
@@ -10,15 +12,6 @@ constexpr int kCorners = 400;
 constexpr std::size_t kMaxFrames = 60;
 constexpr std::size_t kMinPairs = 30;
 constexpr double kRobustPx = 0.7;
-
-double median(std::vector<double> values) {
-  if (values.empty()) {
-    return 0;
-  }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 SE3 scaled(const SE3& T, double scale) {
   return {T.rotation(), scale * T.translation()};
@@ -75,7 +68,7 @@ InitialiserReport MonoInitialiser::judge() {
   for (const RayPair& pair : pairs) {
     flow.push_back(focal_px * (pair.second - pair.first).norm());
   }
-  report.flow_px = median(flow);
+  report.flow_px = upper_median(flow);
   const RotationFit turn = fit_rotation(pairs);
   report.parallax_px = focal_px * turn.parallax;
   if (report.parallax_px < min_parallax_px_) {
@@ -93,7 +86,7 @@ InitialiserReport MonoInitialiser::judge() {
   if (report.parallax_px < kMinSignal * focal_px * fit.residual) {
     return report;
   }
-  const double scale = median_depth_ * median(fit.inverse_depth);
+  const double scale = median_depth_ * upper_median(fit.inverse_depth);
   for (std::size_t k = 0; k < fit.inverse_depth.size(); ++k) {
     known_pixels_.push_back(tracks_.start(corners_.back()[k]));
     known_inverse_depth_.push_back(fit.inverse_depth[k] / scale);

@@ -5,19 +5,12 @@
 
 #include <Eigen/Cholesky>
 
+#include "vo/core/median.h"
+
 namespace vo {
 namespace {
 
 using Row6 = Eigen::Matrix<double, 2, 6>;
-
-double median(std::vector<double> values) {
-  if (values.empty()) {
-    return 0;
-  }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Residual of one pair and its derivatives. The point is P = R ray + d t, up to its scale.
 struct PairTerms {
@@ -152,7 +145,7 @@ RotationFit fit_rotation(const std::vector<RayPair>& pairs) {
     for (const RayPair& pair : pairs) {
       distances.push_back(terms_of(pair, fit.T_second_first, 0).r.norm());
     }
-    fit.parallax = median(distances);
+    fit.parallax = upper_median(distances);
     const double scale = std::max(1.5 * fit.parallax, 1e-5);
     Eigen::Matrix3d H = 1e-12 * Eigen::Matrix3d::Identity();
     Eigen::Vector3d b = Eigen::Vector3d::Zero();
@@ -217,7 +210,7 @@ TwoViewFit fit_two_views(const std::vector<RayPair>& pairs, const SE3& T_rotatio
     best.in_front += valid ? 1.0 / static_cast<double>(pairs.size()) : 0;
     distances.push_back(terms.in_front ? terms.r.norm() : 1);
   }
-  best.residual = median(distances);
+  best.residual = upper_median(distances);
   return best;
 }
 
