@@ -3,33 +3,17 @@
 #include <algorithm>
 
 #include "tools/ablate/table.h"
+#include "tools/report/escaped_markup.h"
 #include "vo/core/error.h"
 
 namespace tools {
 namespace {
 
 /// As the value of an attribute or as text. Characters that XML does not have become '?'.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c >= 0 && c < ' ' ? '?' : c;
-    }
-  }
-  return result;
+std::string escaped(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c >= 0 && c < ' '; }, '?');
+  return escaped_markup(text);
 }
 
 std::vector<std::string> alarms_of(const std::string& scenario,

@@ -1,5 +1,6 @@
 #include "tools/report/static_page.h"
 
+#include "tools/report/escaped_markup.h"
 #include "tools/report/report.h"
 #include "tools/report/trajectory_svg.h"
 #include "vo/core/error.h"
@@ -14,23 +15,24 @@ constexpr const char* kStyle =
 
 std::string metric_row(const ReportedMetric& metric) {
   const std::string verdict = metric.holds ? "ok" : "VIOLATED";
-  return vo::concat("<tr><td>", escaped_html(metric.name), "</td><td>", shown_number(metric.value),
-                    "</td><td>", metric.bound ? escaped_html(bound_text(*metric.bound)) : "",
-                    "</td><td>", metric.bound ? verdict : "", "</td></tr>\n");
+  return vo::concat("<tr><td>", escaped_markup(metric.name), "</td><td>",
+                    shown_number(metric.value), "</td><td>",
+                    metric.bound ? escaped_markup(bound_text(*metric.bound)) : "", "</td><td>",
+                    metric.bound ? verdict : "", "</td></tr>\n");
 }
 
 std::string section(const ScenarioReport& report) {
   std::string text =
-      vo::concat("<h2>", escaped_html(report.name), ": ", report.passed() ? "PASS" : "FAIL",
-                 "</h2>\n<p>", escaped_html(report.why), "</p>\n");
+      vo::concat("<h2>", escaped_markup(report.name), ": ", report.passed() ? "PASS" : "FAIL",
+                 "</h2>\n<p>", escaped_markup(report.why), "</p>\n");
   if (!report.problem.empty()) {
-    text += "<p>" + escaped_html(report.problem) + "</p>\n";
+    text += "<p>" + escaped_markup(report.problem) + "</p>\n";
   }
   text += "<table><tr><th>metric</th><th>measured</th><th>bound</th><th></th></tr>\n";
   for (const ReportedMetric& metric : report.metrics) {
     text += metric_row(metric);
   }
-  text += "</table>\n<p><code>" + escaped_html(report.command) + "</code></p>\n";
+  text += "</table>\n<p><code>" + escaped_markup(report.command) + "</code></p>\n";
   if (!report.estimate.empty()) {
     text += draw_trajectory(report.truth, report.estimate);
   }
@@ -39,32 +41,9 @@ std::string section(const ScenarioReport& report) {
 
 }  // namespace
 
-std::string escaped_html(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
-
 std::string static_page(const std::vector<ScenarioReport>& scenarios, std::string_view note) {
-  std::string text =
-      vo::concat(kStyle, "<h1>edvo report</h1>\n<p class=\"note\">", escaped_html(note), "</p>\n");
+  std::string text = vo::concat(kStyle, "<h1>edvo report</h1>\n<p class=\"note\">",
+                                escaped_markup(note), "</p>\n");
   for (const ScenarioReport& report : scenarios) {
     text += section(report);
   }

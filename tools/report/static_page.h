@@ -8,9 +8,6 @@
 
 namespace tools {
 
-/// The text with what HTML gives a meaning to escaped.
-std::string escaped_html(std::string_view text);
-
 /// The body of a report without scripts: verdicts, metrics and the drawn trajectories.
 std::string static_page(const std::vector<ScenarioReport>& scenarios, std::string_view note);
 
