@@ -12,6 +12,11 @@ namespace synth {
 /// A camera's motion: T_world_camera at any time in seconds.
 using CameraPath = std::function<vo::SE3(double time)>;
 
+struct TimeSpan {
+  double begin = 0;  ///< s
+  double end = 0;    ///< s
+};
+
 struct OrbitOptions {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< m, world; the camera looks at it
   double radius = 1.0;                               ///< m

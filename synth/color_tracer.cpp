@@ -1,6 +1,7 @@
 #include "synth/color_tracer.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <Eigen/Geometry>
 
@@ -11,6 +12,7 @@
 namespace synth {
 namespace {
 
+constexpr float kUnlimited = std::numeric_limits<float>::infinity();
 constexpr int kMaxLayers = 32;  // blended surfaces behind each other; what lies behind is black
 
 /// What a ray draws random numbers for, at each surface it meets; the lights come last.
@@ -97,9 +99,12 @@ void ColorTracer::end_leg(const PathLegs& bundle, int lane, PacketColors& colors
 
 void ColorTracer::meet_surface(const PathLegs& bundle, int lane, Step& step) const {
   const PathLeg& leg = bundle.legs[static_cast<std::size_t>(lane)];
-  const auto make = [this](int mesh, int triangle) {
-    return SurfaceTriangle(flat_, mesh, triangle);
+  const auto make = [&](int mesh, int triangle) {
+    return SurfaceTriangle(flat_, mesh, triangle, bundle.rays.share(lane));
   };
+  if (!flat_.meshes[static_cast<std::size_t>(bundle.rays.mesh(lane))].moments.empty()) {
+    step.last = {};
+  }
   const SurfaceTriangle& triangle =
       step.last.get(bundle.rays.mesh(lane), bundle.rays.triangle(lane), make);
   const Material& material = *triangle.mesh->material;
@@ -122,7 +127,7 @@ void ColorTracer::meet_lit_surface(const PathLegs& bundle, int lane,
   const float reach = leg.travelled + bundle.rays.lanes.ray.tfar[lane];
   SurfacePoint& point = step.lit.points[step.lit.size];
   point = surface_point(triangle, {bundle.rays.weights(lane), bundle.rays.direction(lane),
-                                   step.packet.sample_width * reach});
+                                   step.packet.sample_width * reach, bundle.rays.share(lane)});
   const float share = coverage(*triangle.mesh->material, point.alpha, leg, step);
   pass(bundle, lane, share, step);
   if (share == 0) {
@@ -167,7 +172,9 @@ void ColorTracer::pass(const PathLegs& bundle, int lane, float hidden, Step& ste
   leg.weight *= 1 - hidden;
   step.add(leg, {{ray.org_x[lane], ray.org_y[lane], ray.org_z[lane]},
                  bundle.rays.direction(lane),
-                 kBehind * ray.tfar[lane]});
+                 kBehind * ray.tfar[lane],
+                 kUnlimited,
+                 bundle.rays.share(lane)});
 }
 
 void ColorTracer::bounce(const PathLeg& leg, const SurfacePoint& point, Step& step) const {
@@ -177,7 +184,8 @@ void ColorTracer::bounce(const PathLeg& leg, const SurfacePoint& point, Step& st
   next.weight = leg.weight.cwiseProduct(scattered.weight);
   ++next.bounces;
   if (!next.weight.isZero(0)) {
-    step.add(next, {point.position + point.rounding * point.face_normal, scattered.direction});
+    step.add(next, {point.position + point.rounding * point.face_normal, scattered.direction, 0,
+                    kUnlimited, point.share});
   }
 }
 

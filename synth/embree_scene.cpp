@@ -65,12 +65,29 @@ void drop_invisible(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
+void set_vertices(RTCGeometry geometry, const FlatMesh& flat, unsigned time_step) {
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, time_step, RTC_FORMAT_FLOAT3,
+                             flat.positions.data(), 0, sizeof(Eigen::Vector3f),
+                             flat.mesh->positions.size());
+}
+
+/// At each moment; Embree takes them to be spread evenly over the rays' time from 0 to 1.
+void set_vertices(RTCGeometry geometry, const FlatMesh& flat) {
+  if (flat.moments.empty()) {
+    set_vertices(geometry, flat, 0);
+    return;
+  }
+  const auto moments = static_cast<unsigned>(flat.moments.size());
+  rtcSetGeometryTimeStepCount(geometry, moments);
+  for (unsigned i = 0; i < moments; ++i) {
+    set_vertices(geometry, flat.moments[i], i);
+  }
+}
+
 void attach(RTCDevice device, RTCScene hierarchy, const FlatScene& scene, unsigned index) {
   const FlatMesh& flat = scene.meshes[index];
   const Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
-  rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                             flat.positions.data(), 0, sizeof(Eigen::Vector3f),
-                             flat.mesh->positions.size());
+  set_vertices(geometry.get(), flat);
   rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                              flat.mesh->triangles.data(), 0, sizeof(flat.mesh->triangles[0]),
                              flat.mesh->triangles.size());
@@ -92,6 +109,7 @@ void aim(RTCRay& ray, const Aim& aim) {
   ray.dir_z = aim.direction.z();
   ray.tnear = aim.near;
   ray.tfar = aim.reach;
+  ray.time = aim.share;
   ray.mask = std::numeric_limits<unsigned>::max();
 }
 
@@ -104,7 +122,7 @@ void aim_lane(RTCRay16& rays, int lane, const Aim& aim) {
   rays.dir_z[lane] = aim.direction.z();
   rays.tnear[lane] = aim.near;
   rays.tfar[lane] = aim.reach;
-  rays.time[lane] = 0;
+  rays.time[lane] = aim.share;
   rays.mask[lane] = std::numeric_limits<unsigned>::max();
 }
 
@@ -119,7 +137,7 @@ struct LaneMask {
 
 Aim aim_at(const SurfacePoint& point, const DirectLight& direct, const PlacedLight& light) {
   return {point.position + point.rounding * point.face_normal, direct.to_light, 0,
-          light.has_place() ? 1 : kInfinity};
+          light.has_place() ? 1 : kInfinity, point.share};
 }
 
 Eigen::Matrix3d inverse_of_intrinsics(const vo::PinholeCamera& camera) {
@@ -243,18 +261,19 @@ Eigen::Vector3d View::direction(const Eye& eye, const Eigen::Vector2d& pixel) co
   return eye.R_world_camera * shot_.camera.unproject(pixel, 1);
 }
 
-Aim View::aim_from(const Eye& eye, const Eigen::Vector2d& pixel) const {
-  return {(eye.position - flat_.origin).cast<float>(), direction(eye, pixel).cast<float>(), kNear};
+Aim View::aim_from(const Eye& eye, const Eigen::Vector2d& pixel, float share) const {
+  return {(eye.position - flat_.origin).cast<float>(), direction(eye, pixel).cast<float>(), kNear,
+          kInfinity, share};
 }
 
 Aim View::aim_from_row(int v, const Eigen::Vector2d& pixel) const {
   if (pencils_.empty()) {
-    return aim_from(eyes_.of_row(v), pixel);
+    return aim_from(eyes_.of_row(v), pixel, share_of_row(v));
   }
   const Pencil& pencil = pencils_[pencils_.size() == 1 ? 0 : static_cast<std::size_t>(v)];
   const Eigen::Matrix3d& M = pencil.direction_from_pixel;
   const Eigen::Vector3d direction = M.col(0) * pixel.x() + M.col(1) * pixel.y() + M.col(2);
-  return {pencil.start, direction.cast<float>(), kNear};
+  return {pencil.start, direction.cast<float>(), kNear, kInfinity, share_of_row(v)};
 }
 
 void View::aim_at_centre(const cv::Point& pixel, RTCRayHit& ray) const {
@@ -272,13 +291,16 @@ void View::add_ray_at_cell(const cv::Point& pixel, const PixelCell& cell, HitPac
     add_ray(packet, aim_from_row(pixel.y, place));
     return;
   }
-  const double share = instants_.uniform(pixel.x, pixel.y) + cell.instant;
-  add_ray(packet, aim_from(eyes_.during_row(pixel.y, share - std::floor(share)), place));
+  const double turn = instants_.uniform(pixel.x, pixel.y) + cell.instant;
+  const double time =
+      shot_.shutter.time_in_row(pixel.y, turn - std::floor(turn), shot_.camera.height);
+  add_ray(packet, aim_from(eyes_.at(time), place, share_at(time)));
 }
 
 DepthPlane View::plane_of(int mesh, int triangle, int v) const {
   const Eye& eye = eyes_.of_row(v);
-  return depth_plane(flat_.meshes[mesh], triangle, eye.position, eye.R_world_camera.col(2));
+  return depth_plane(flat_.meshes[mesh], triangle,
+                     {eye.position, eye.R_world_camera.col(2), share_of_row(v)});
 }
 
 std::optional<double> View::depth_of(const DepthPlane& plane, const cv::Point& pixel) const {

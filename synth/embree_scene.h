@@ -37,6 +37,7 @@ struct HitPacket {
   Eigen::Vector3f direction(int lane) const {
     return {lanes.ray.dir_x[lane], lanes.ray.dir_y[lane], lanes.ray.dir_z[lane]};
   }
+  float share(int lane) const { return lanes.ray.time[lane]; }  ///< FlatScene::share_at
 };
 
 /// Rays towards one light.
@@ -87,6 +88,7 @@ struct Aim {
   Eigen::Vector3f direction;
   float near = 0;
   float reach = std::numeric_limits<float>::infinity();
+  float share = 0;  ///< FlatScene::share_at, of when it sees the scene
 };
 
 void add_ray(HitPacket& packet, const Aim& aim);
@@ -121,7 +123,7 @@ class View {
   std::uint64_t seed() const { return shot_.seed; }
   float pixel_width() const { return pixel_width_; }  ///< m at 1 m
 
-  /// Whether all rows are seen from one place.
+  /// Whether all rows are seen from one place, at one time.
   bool is_at_rest() const { return shot_.shutter.readout_time == 0; }
 
   /// Through a pixel's centre in the middle of its exposure.
@@ -150,7 +152,11 @@ class View {
     Eigen::Vector3f start;                 ///< m, in the flat scene's coordinates
   };
 
-  Aim aim_from(const Eye& eye, const Eigen::Vector2d& pixel) const;
+  float share_at(double time) const { return flat_.share_at(shot_.scene_time + time); }
+  float share_of_row(int v) const {
+    return share_at(shot_.shutter.row_time(v, shot_.camera.height));
+  }
+  Aim aim_from(const Eye& eye, const Eigen::Vector2d& pixel, float share) const;
   Aim aim_from_row(int v, const Eigen::Vector2d& pixel) const;
   Eigen::Vector3d direction(const Eye& eye, const Eigen::Vector2d& pixel) const;
 

@@ -12,6 +12,19 @@ namespace {
 
 const Material kDefaultMaterial;  // glTF's, of a mesh without one
 
+/// Without vertices.
+FlatMesh unplaced(const Scene& scene, std::size_t index) {
+  const Instance& instance = scene.instances[index];
+  FlatMesh flat;
+  flat.mesh = &scene.meshes[instance.mesh];
+  flat.instance = static_cast<int>(index);
+  const int material = flat.mesh->material;
+  flat.material = material == kNone ? &kDefaultMaterial : &scene.materials[material];
+  flat.T_world_mesh = instance.T_world_mesh;
+  flat.side = instance.T_world_mesh.linear().determinant() < 0 ? -1.0F : 1.0F;
+  return flat;
+}
+
 Eigen::AlignedBox3d bounds(const FlatMesh& flat) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3f& position : flat.mesh->positions) {
@@ -36,24 +49,41 @@ void place_vertices(const Eigen::Vector3d& origin, FlatMesh& flat) {
                  });
 }
 
+bool moves_between(const std::vector<FlatMesh>& moments) {
+  return std::any_of(moments.begin(), moments.end(), [&](const FlatMesh& moment) {
+    return moment.T_world_mesh.matrix() != moments[0].T_world_mesh.matrix() ||
+           moment.mesh->positions != moments[0].mesh->positions;
+  });
+}
+
+void add_moments(const std::vector<Scene>& scenes, const Eigen::Vector3d& origin, FlatMesh& flat) {
+  for (const Scene& scene : scenes) {
+    flat.moments.push_back(unplaced(scene, static_cast<std::size_t>(flat.instance)));
+  }
+  if (!moves_between(flat.moments)) {
+    flat.moments.clear();
+  }
+  for (FlatMesh& moment : flat.moments) {
+    place_vertices(origin, moment);
+  }
+}
+
+Eigen::Vector3d corner_of(const FlatMesh& mesh, int vertex) {
+  return mesh.T_world_mesh * mesh.mesh->positions[vertex].cast<double>();
+}
+
 }  // namespace
 
 FlatScene flatten(const Scene& scene) {
   FlatScene flat;
   flat.scene = &scene;
   Eigen::AlignedBox3d box;
-  for (const Instance& instance : scene.instances) {
-    if (instance.mesh == kNone || scene.meshes[instance.mesh].triangles.empty()) {
-      continue;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const int mesh = scene.instances[i].mesh;
+    if (mesh != kNone && !scene.meshes[mesh].triangles.empty()) {
+      flat.meshes.push_back(unplaced(scene, i));
+      box.extend(bounds(flat.meshes.back()));
     }
-    FlatMesh& added = flat.meshes.emplace_back();
-    added.mesh = &scene.meshes[instance.mesh];
-    added.instance = static_cast<int>(&instance - scene.instances.data());
-    const int material = added.mesh->material;
-    added.material = material == kNone ? &kDefaultMaterial : &scene.materials[material];
-    added.T_world_mesh = instance.T_world_mesh;
-    added.side = instance.T_world_mesh.linear().determinant() < 0 ? -1.0F : 1.0F;
-    box.extend(bounds(added));
   }
   if (!box.isEmpty()) {
     flat.origin = box.center();
@@ -64,6 +94,30 @@ FlatScene flatten(const Scene& scene) {
   return flat;
 }
 
+FlatScene flatten(const SceneDuring& during) {
+  FlatScene flat = flatten(during.now);
+  flat.begin = during.begin;
+  flat.end = during.end;
+  for (FlatMesh& mesh : flat.meshes) {
+    add_moments(during.moments, flat.origin, mesh);
+  }
+  return flat;
+}
+
+float FlatScene::share_at(double time) const {
+  return end > begin ? static_cast<float>(std::clamp((time - begin) / (end - begin), 0.0, 1.0)) : 0;
+}
+
+MomentPair moments_around(const FlatMesh& mesh, float share) {
+  if (mesh.moments.empty()) {
+    return {&mesh, &mesh, 0};
+  }
+  const std::size_t intervals = mesh.moments.size() - 1;
+  const float place = share * static_cast<float>(intervals);
+  const std::size_t before = std::min(static_cast<std::size_t>(place), intervals - 1);
+  return {&mesh.moments[before], &mesh.moments[before + 1], place - static_cast<float>(before)};
+}
+
 Eigen::AlignedBox3d visible_bounds(const FlatScene& flat) {
   Eigen::AlignedBox3d box;
   for (const FlatMesh& mesh : flat.meshes) {
@@ -72,15 +126,19 @@ Eigen::AlignedBox3d visible_bounds(const FlatScene& flat) {
   return box;
 }
 
-DepthPlane depth_plane(const FlatMesh& mesh, int triangle, const Eigen::Vector3d& eye,
-                       const Eigen::Vector3d& optical_axis) {
+DepthPlane depth_plane(const FlatMesh& mesh, int triangle, const PlaneView& view) {
   constexpr double kTolerance = 1e-6;      // relative; the hit was found in single precision
   std::array<Eigen::Vector3d, 3> corners;  // from the eye, m
   Eigen::Vector3d depths;
+  const MomentPair moments = moments_around(mesh, view.share);
+  const double share = moments.share;
   for (int i = 0; i < 3; ++i) {
     const int vertex = mesh.mesh->triangles[triangle][i];
-    corners[i] = mesh.T_world_mesh * mesh.mesh->positions[vertex].cast<double>() - eye;
-    depths[i] = corners[i].dot(optical_axis);
+    corners[i] = corner_of(*moments.before, vertex) - view.eye;
+    if (share > 0) {
+      corners[i] += share * (corner_of(*moments.after, vertex) - view.eye - corners[i]);
+    }
+    depths[i] = corners[i].dot(view.optical_axis);
   }
   const double margin = kTolerance * depths.cwiseAbs().maxCoeff();
   DepthPlane plane;

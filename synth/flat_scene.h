@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "synth/scene.h"
+#include "synth/scene_motion.h"
 
 namespace synth {
 
@@ -20,6 +21,7 @@ struct FlatMesh {
   float side = 1;                          ///< -1 where T_world_mesh mirrors
   std::vector<Eigen::Vector3f> positions;  ///< and one more: Embree reads 16 bytes at each
   std::vector<Eigen::Vector3f> normals;
+  std::vector<FlatMesh> moments;  ///< of a mesh that moves meanwhile: where it stands at each
 };
 
 /// A scene's triangles without its hierarchy. All float coordinates are the world's less `origin`,
@@ -29,9 +31,27 @@ struct FlatScene {
   const Scene* scene = nullptr;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, world
   std::vector<FlatMesh> meshes;                      ///< each has a triangle
+  double begin = 0;                                  ///< s, of the first moment
+  double end = 0;                                    ///< s, of the last
+
+  /// How far a time of the scene's animations lies from the first moment to the last, 0 to 1.
+  float share_at(double time) const;
 };
 
 FlatScene flatten(const Scene& scene);
+
+/// Vertices that move go straight from moment to moment.
+FlatScene flatten(const SceneDuring& during);
+
+/// What lies between two moments of a mesh; of one that rests, both are the mesh.
+struct MomentPair {
+  const FlatMesh* before = nullptr;
+  const FlatMesh* after = nullptr;
+  float share = 0;  ///< of the way from the one to the other
+};
+
+/// `share` is FlatScene::share_at.
+MomentPair moments_around(const FlatMesh& mesh, float share);
 
 /// The box around all that can be seen, m, world.
 Eigen::AlignedBox3d visible_bounds(const FlatScene& flat);
@@ -49,9 +69,14 @@ struct DepthPlane {
   std::optional<double> depth_along(const Eigen::Vector3d& direction) const;
 };
 
-/// `eye` in the world, m; `optical_axis` is unit, world axes.
-DepthPlane depth_plane(const FlatMesh& mesh, int triangle, const Eigen::Vector3d& eye,
-                       const Eigen::Vector3d& optical_axis);
+/// Where a triangle is looked at from.
+struct PlaneView {
+  Eigen::Vector3d eye = Eigen::Vector3d::Zero();            ///< m, world
+  Eigen::Vector3d optical_axis = Eigen::Vector3d::UnitZ();  ///< unit, world axes
+  float share = 0;                                          ///< FlatScene::share_at
+};
+
+DepthPlane depth_plane(const FlatMesh& mesh, int triangle, const PlaneView& view);
 
 /// The box around all that is lit, m, world.
 Eigen::AlignedBox3d lit_bounds(const FlatScene& flat);

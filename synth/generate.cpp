@@ -54,10 +54,6 @@ vo::Trajectory depth_truth(const SequenceRecipe& recipe) {
 
 }  // namespace
 
-double scene_time(const vo::Trajectory& truth, double timestamp) {
-  return timestamp - truth.front().timestamp;
-}
-
 CameraPath path_of(const SequenceRecipe& recipe) {
   return recipe.path ? recipe.path : path_through(recipe.truth);
 }
@@ -81,8 +77,10 @@ vo::RgbdFrame FrameGenerator::take(std::size_t index) const {
   if (!moves_) {
     return sensor_->take(index, *renderer_);
   }
-  const Scene now = scene_at(scene_, scene_time(recipe_.truth, recipe_.truth.at(index).timestamp));
-  return sensor_->take(index, *make_renderer(now, recipe_.render));
+  const TimeSpan span = sensor_->span(index);
+  const double now = scene_time(recipe_.truth, recipe_.truth.at(index).timestamp);
+  const SceneDuring during = scene_during(scene_, now, span.begin, span.end);
+  return sensor_->take(index, *make_renderer(during, recipe_.render));
 }
 
 std::vector<vo::NamedBytes> FrameGenerator::make(std::size_t index) const {

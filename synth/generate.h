@@ -31,9 +31,6 @@ struct SequenceRecipe {
   TruthOptions channels;  ///< of exact ground truth, beside the poses
 };
 
-/// The time of the scene's animations, s, at a timestamp: they start with the first pose.
-double scene_time(const vo::Trajectory& truth, double timestamp);
-
 /// T_world_camera of the recipe at any time.
 CameraPath path_of(const SequenceRecipe& recipe);
 

@@ -35,11 +35,6 @@ void visit_fields(Visitor& visit, ImuOptions& options) {
   visit("seed", options.seed, "of noise and biases");
 }
 
-struct TimeSpan {
-  double begin = 0;  ///< s
-  double end = 0;    ///< s
-};
-
 /// How a path moves at a time within the span. Only the path within the span counts.
 struct PathMotion {
   Eigen::Vector3d velocity;          ///< m/s, world

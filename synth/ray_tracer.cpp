@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -57,7 +58,7 @@ RenderedFrame empty_frame(const vo::PinholeCamera& camera, const Channels& chann
 
 class RayTracer final : public Renderer {
  public:
-  RayTracer(const Scene& scene, const RenderOptions& options);
+  RayTracer(FlatScene flat, const RenderOptions& options);
 
   using Renderer::render;
   RenderedFrame render(const Shot& shot) const override;
@@ -74,8 +75,8 @@ class RayTracer final : public Renderer {
   ColorTracer color_tracer_;
 };
 
-RayTracer::RayTracer(const Scene& scene, const RenderOptions& options)
-    : flat_(flatten(scene)),
+RayTracer::RayTracer(FlatScene flat, const RenderOptions& options)
+    : flat_(std::move(flat)),
       embree_(flat_),
       has_color_(options.mode != RenderMode::depth),
       cells_(grid_of_cells(options.samples_per_edge())),
@@ -174,7 +175,11 @@ void RayTracer::render_color(const View& view, const Tile& tile, RenderedFrame& 
 }  // namespace
 
 std::unique_ptr<Renderer> make_ray_tracer(const Scene& scene, const RenderOptions& options) {
-  return std::make_unique<RayTracer>(scene, options);
+  return std::make_unique<RayTracer>(flatten(scene), options);
+}
+
+std::unique_ptr<Renderer> make_ray_tracer(const SceneDuring& during, const RenderOptions& options) {
+  return std::make_unique<RayTracer>(flatten(during), options);
 }
 
 }  // namespace synth

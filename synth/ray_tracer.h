@@ -4,6 +4,7 @@
 
 #include "synth/renderer.h"
 #include "synth/scene.h"
+#include "synth/scene_motion.h"
 
 namespace synth {
 
@@ -11,5 +12,8 @@ namespace synth {
 /// its plane in double. Colour is direct light with shadows on diffuse surfaces. The scene must
 /// outlive the renderer.
 std::unique_ptr<Renderer> make_ray_tracer(const Scene& scene, const RenderOptions& options);
+
+/// Each ray meets moving things where they are at its own instant; lights stay as they are `now`.
+std::unique_ptr<Renderer> make_ray_tracer(const SceneDuring& during, const RenderOptions& options);
 
 }  // namespace synth

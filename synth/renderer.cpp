@@ -33,4 +33,10 @@ std::unique_ptr<Renderer> make_renderer(const Scene& scene, const RenderOptions&
                                                   : make_ray_tracer(scene, options);
 }
 
+std::unique_ptr<Renderer> make_renderer(const SceneDuring& during, const RenderOptions& options) {
+  options.validate();
+  return options.kind == RendererKind::rasterizer ? make_rasterizer(during.now, options)
+                                                  : make_ray_tracer(during, options);
+}
+
 }  // namespace synth

@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 
 #include "synth/scene.h"
+#include "synth/scene_motion.h"
 #include "synth/shot.h"
 #include "vo/core/camera.h"
 #include "vo/core/image.h"
@@ -68,7 +69,7 @@ struct RenderedFrame {
   cv::Mat_<cv::Vec3f> normal;  ///< unit, camera's axes, of the triangle, towards the camera, or 0
 };
 
-/// Renders a scene at rest. `render` may be called from several threads; its result depends on its
+/// Renders a scene. `render` may be called from several threads; its result depends on its
 /// arguments alone.
 class Renderer {
  public:
@@ -89,5 +90,9 @@ class Renderer {
 
 /// The scene must outlive the renderer.
 std::unique_ptr<Renderer> make_renderer(const Scene& scene, const RenderOptions& options);
+
+/// The ray tracer has moving things move while a shot is taken; lights stay as they are `now`. The
+/// rasterizer, which takes shots of an instant alone, has all things as they are `now`.
+std::unique_ptr<Renderer> make_renderer(const SceneDuring& during, const RenderOptions& options);
 
 }  // namespace synth

@@ -169,6 +169,15 @@ Scene scene_at(const Scene& scene, double time) {
   return at_time;
 }
 
+SceneDuring scene_during(const Scene& scene, double now, double begin, double end) {
+  constexpr int kIntervals = 8;
+  SceneDuring during{.now = scene_at(scene, now), .begin = begin, .end = end};
+  for (int i = 0; end > begin && i <= kIntervals; ++i) {
+    during.moments.push_back(scene_at(scene, begin + (end - begin) * i / kIntervals));
+  }
+  return during;
+}
+
 Scene scene_at_rest(const Scene& scene) {
   Scene at_rest = without_motion(scene);
   if (!scene.motion.nodes.empty()) {

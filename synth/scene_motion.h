@@ -14,6 +14,17 @@ namespace synth {
 /// is reached. Throws vo::Error where a transform overflows.
 Scene scene_at(const Scene& scene, double time);
 
+/// A scene around an instant of its animations.
+struct SceneDuring {
+  Scene now;                   ///< at the instant
+  std::vector<Scene> moments;  ///< evenly spread from `begin` to `end`; empty: it rests
+  double begin = 0;            ///< s
+  double end = 0;              ///< s
+};
+
+/// Nine moments; one scene alone where begin and end are the same.
+SceneDuring scene_during(const Scene& scene, double now, double begin, double end);
+
 /// The same as its file puts it while no animation plays.
 Scene scene_at_rest(const Scene& scene);
 

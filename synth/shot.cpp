@@ -29,13 +29,15 @@ Shot still(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera) {
   return {.camera = camera, .motion = [T_world_camera](double) { return T_world_camera; }};
 }
 
-ShotEyes::ShotEyes(const Shot& shot) : shutter_(shot.shutter), height_(shot.camera.height) {
-  const int rows = shutter_.readout_time > 0 ? height_ : 1;
+ShotEyes::ShotEyes(const Shot& shot) {
+  const Shutter& shutter = shot.shutter;
+  const int height = shot.camera.height;
+  const int rows = shutter.readout_time > 0 ? height : 1;
   for (int v = 0; v < rows; ++v) {
-    rows_.push_back(eye_at(shot.motion, rows > 1 ? shutter_.row_time(v, height_) : 0));
+    rows_.push_back(eye_at(shot.motion, rows > 1 ? shutter.row_time(v, height) : 0));
   }
-  if (shutter_.exposure_time > 0) {
-    first_knot_ = shutter_.row_time(0, height_) - shutter_.exposure_time / 2;
+  if (shutter.exposure_time > 0) {
+    first_knot_ = shutter.time_in_row(0, 0, height);
     knots_per_s_ = kKnotIntervals / (-2 * first_knot_);
     for (int i = 0; i <= kKnotIntervals; ++i) {
       knots_.push_back(eye_at(shot.motion, first_knot_ + i / knots_per_s_));
@@ -43,11 +45,7 @@ ShotEyes::ShotEyes(const Shot& shot) : shutter_(shot.shutter), height_(shot.came
   }
 }
 
-Eye ShotEyes::during_row(int v, double share) const {
-  if (knots_.empty()) {
-    return of_row(v);
-  }
-  const double time = shutter_.row_time(v, height_) + shutter_.exposure_time * (share - 0.5);
+Eye ShotEyes::at(double time) const {
   const double place = std::clamp((time - first_knot_) * knots_per_s_, 0.0, kKnotIntervals - 1e-9);
   const auto before = static_cast<std::size_t>(place);
   const double b = place - static_cast<double>(before);

@@ -22,6 +22,11 @@ struct Shutter {
     return readout_time * (v - (height - 1) / 2.0) / height;
   }
 
+  /// A share, 0 to 1, of a row's exposure, s after the stamp.
+  double time_in_row(double v, double share, int height) const {
+    return row_time(v, height) + exposure_time * (share - 0.5);
+  }
+
   void validate() const;  ///< throws vo::Error
 };
 
@@ -49,6 +54,7 @@ struct Shot {
   Shutter shutter;
   Channels channels;
   std::uint64_t seed = 0;  ///< of the samples' instants within the exposure
+  double scene_time = 0;   ///< s, of the stamp, where the scene's animations play meanwhile
 };
 
 /// Of a camera at rest.
@@ -70,12 +76,10 @@ class ShotEyes {
     return rows_[rows_.size() == 1 ? 0 : static_cast<std::size_t>(v)];
   }
 
-  /// At a share, 0 to 1, of the row's exposure: linear between 256 instants of the shot.
-  Eye during_row(int v, double share) const;
+  /// While any row is exposed, s after the stamp: linear between 256 instants of the shot.
+  Eye at(double time) const;
 
  private:
-  Shutter shutter_;
-  int height_;             ///< px
   std::vector<Eye> rows_;  ///< one for all where all rows are exposed at once
   std::vector<Eye> knots_;
   double first_knot_ = 0;  ///< s after the stamp

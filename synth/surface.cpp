@@ -50,13 +50,22 @@ TexturePatch texture_patch(const Scene& scene, const FlatMesh& flat, const Textu
   return patch;
 }
 
+Eigen::Vector3f between(const MomentPair& moments, std::vector<Eigen::Vector3f> FlatMesh::*values,
+                        int vertex) {
+  const Eigen::Vector3f& before = (moments.before->*values)[vertex];
+  if (moments.share == 0) {
+    return before;
+  }
+  return before + moments.share * ((moments.after->*values)[vertex] - before);
+}
+
 /// Unit, on the front side.
 Eigen::Vector3f vertex_normal(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights) {
   if (triangle.mesh->normals.empty()) {
     return triangle.normal;
   }
   constexpr float kMinLength = 1e-3F;  // shorter: opposite normals that cancel out
-  const Eigen::Vector3f normal = interpolate(triangle.mesh->normals, triangle.vertices, weights);
+  const Eigen::Vector3f normal = interpolate(triangle.normals, kCorners, weights);
   const float length = normal.norm();
   return length > kMinLength ? Eigen::Vector3f(normal / length) : triangle.normal;
 }
@@ -72,9 +81,8 @@ Eigen::Vector4f tangent_of(const SurfaceTriangle& triangle, const Eigen::Vector3
         flat.T_world_mesh.linear().determinant() < 0 ? -tangent.w() : tangent.w();
     return placed;
   }
-  const Eigen::Vector3f& corner = flat.positions[triangle.vertices[0]];
-  const Eigen::Vector3f a = flat.positions[triangle.vertices[1]] - corner;
-  const Eigen::Vector3f b = flat.positions[triangle.vertices[2]] - corner;
+  const Eigen::Vector3f a = triangle.corners[1] - triangle.corners[0];
+  const Eigen::Vector3f b = triangle.corners[2] - triangle.corners[0];
   const Eigen::Vector2f uv_a = triangle.normal_map.uv[1] - triangle.normal_map.uv[0];
   const Eigen::Vector2f uv_b = triangle.normal_map.uv[2] - triangle.normal_map.uv[0];
   const float determinant = uv_a.x() * uv_b.y() - uv_a.y() * uv_b.x();
@@ -166,10 +174,16 @@ Eigen::Vector4f TexturePatch::color(const Eigen::Vector3f& weights, float log2_f
   return sample(*image, *texture, interpolate(uv, kCorners, weights), lod_at_1m + log2_footprint);
 }
 
-SurfaceTriangle::SurfaceTriangle(const FlatScene& flat, int mesh_index, int triangle)
-    : mesh(&flat.meshes[mesh_index]), vertices(mesh->mesh->triangles[triangle]) {
-  const std::array<Eigen::Vector3f, 3> corners = {
-      mesh->positions[vertices[0]], mesh->positions[vertices[1]], mesh->positions[vertices[2]]};
+SurfaceTriangle::SurfaceTriangle(const FlatScene& flat, int mesh_index, int triangle, float share) {
+  const MomentPair moments = moments_around(flat.meshes[mesh_index], share);
+  mesh = moments.before;
+  vertices = mesh->mesh->triangles[triangle];
+  for (std::size_t i = 0; i < 3; ++i) {
+    corners[i] = between(moments, &FlatMesh::positions, vertices[i]);
+    if (!mesh->normals.empty()) {
+      normals[i] = between(moments, &FlatMesh::normals, vertices[i]);
+    }
+  }
   const Eigen::Vector3f cross =
       mesh->side * (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   const float length = cross.norm();
@@ -196,7 +210,8 @@ Eigen::Vector4f surface_color(const SurfaceTriangle& triangle, const SurfaceRay&
 
 SurfacePoint surface_point(const SurfaceTriangle& triangle, const SurfaceRay& ray) {
   SurfacePoint point;
-  point.position = interpolate(triangle.mesh->positions, triangle.vertices, ray.weights);
+  point.position = interpolate(triangle.corners, kCorners, ray.weights);
+  point.share = ray.share;
   point.to_viewer = -ray.direction.normalized();
   point.rounding = triangle.rounding;
   const float slant = triangle.normal.dot(point.to_viewer);

@@ -30,6 +30,7 @@ struct SurfacePoint {
   float specular = 0;          ///< Material::specular
   float openness = 1;          ///< share of the ambient light that arrives
   float rounding = 0;          ///< m, how far the position may be off the triangle
+  float share = 0;             ///< FlatScene::share_at, of when it was seen
 };
 
 /// A texture as it lies on one triangle.
@@ -46,10 +47,12 @@ struct TexturePatch {
 /// What all points of a triangle have in common: neighbouring rays tend to hit the same one.
 struct SurfaceTriangle {
   SurfaceTriangle() = default;
-  SurfaceTriangle(const FlatScene& flat, int mesh, int triangle);
+  SurfaceTriangle(const FlatScene& flat, int mesh, int triangle, float share = 0);
 
-  const FlatMesh* mesh = nullptr;
+  const FlatMesh* mesh = nullptr;  ///< at the moment before, where it moves
   std::array<int, 3> vertices{};
+  std::array<Eigen::Vector3f, 3> corners;  ///< m, in the flat scene's coordinates
+  std::array<Eigen::Vector3f, 3> normals;  ///< at the corners; of no meaning if the mesh has none
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();  ///< unit, of the front; zero without area
   float rounding = 0;                                ///< m, SurfacePoint's
   TexturePatch base_color;
@@ -64,6 +67,7 @@ struct SurfaceRay {
   Eigen::Vector3f weights;    ///< of the triangle's vertices at the hit
   Eigen::Vector3f direction;  ///< of the ray, any length
   float footprint = 0;        ///< m, width of one colour sample's cone at the hit
+  float share = 0;            ///< FlatScene::share_at, of when the triangle was seen
 };
 
 /// The base colour alone, linear RGBA.

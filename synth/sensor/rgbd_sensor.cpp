@@ -15,7 +15,18 @@ DepthView seen_by_depth_camera(const RenderedFrame& frame) {
   return {frame.depth, frame.normal};
 }
 
+/// When the shot's rows are exposed, in the scene's time.
+TimeSpan span_of(const Shot& shot) {
+  const int height = shot.camera.height;
+  return {shot.scene_time + shot.shutter.time_in_row(0, 0, height),
+          shot.scene_time + shot.shutter.time_in_row(height - 1, 1, height)};
+}
+
 }  // namespace
+
+double scene_time(const vo::Trajectory& truth, double timestamp) {
+  return timestamp - truth.front().timestamp;
+}
 
 CameraPath path_through(const vo::Trajectory& poses) {
   if (poses.size() < 2) {
@@ -118,6 +129,7 @@ Shot RgbdSensor::color_shot(std::size_t index) const {
   shot.shutter = options_.shutter;
   shot.shutter.exposure_time = settings_[index].exposure_time;
   shot.seed = vo::mixed(options_.noise.seed) + index;
+  shot.scene_time = scene_time(motion_.truth, stamp);
   if (shot.shutter.exposure_time > 0 || shot.shutter.readout_time > 0) {
     shot.motion = [this, t = stamp](double time) { return motion_.path(t + time); };
   }
@@ -132,6 +144,7 @@ Shot RgbdSensor::depth_shot(std::size_t index) const {
     shot.camera = camera_.without_distortion();
   }
   const double stamp = motion_.truth[index].timestamp + depth.delay;
+  shot.scene_time += depth.delay;
   const vo::SE3 T_color_depth(Eigen::Quaterniond::Identity(), depth.offset);
   shot.motion = [this, stamp, T_color_depth](double time) {
     return motion_.path(stamp + time) * T_color_depth;
@@ -141,6 +154,12 @@ Shot RgbdSensor::depth_shot(std::size_t index) const {
     shot.shutter.readout_time = 0;
   }
   return shot;
+}
+
+TimeSpan RgbdSensor::span(std::size_t index) const {
+  const TimeSpan color = span_of(color_shot(index));
+  const TimeSpan depth = span_of(depth_shot(index));
+  return {std::min(color.begin, depth.begin), std::max(color.end, depth.end)};
 }
 
 vo::RgbdFrame RgbdSensor::take(std::size_t index, const Renderer& now) const {

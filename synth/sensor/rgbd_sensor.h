@@ -19,6 +19,9 @@ struct SensorMotion {
   CameraPath path;       ///< and at any time between
 };
 
+/// The time of the scene's animations, s, at a timestamp: they start with the first pose.
+double scene_time(const vo::Trajectory& truth, double timestamp);
+
 /// The path through poses: a spline, at rest where there is only one.
 CameraPath path_through(const vo::Trajectory& poses);
 
@@ -32,6 +35,9 @@ class RgbdSensor {
 
   /// Stamped with the colour image's; depth's is `options.depth.delay` later.
   vo::RgbdFrame take(std::size_t index) const { return take(index, renderer_); }
+
+  /// When anything of a frame is measured, s after the first stamp.
+  TimeSpan span(std::size_t index) const;
 
   /// With a renderer of the scene as it is then.
   vo::RgbdFrame take(std::size_t index, const Renderer& now) const;

@@ -16,7 +16,7 @@ constexpr double kRounding = 1e-12;  // m, of some metres in double precision
 const Vector3d kAhead(0.1, 0.2, 1);
 
 std::optional<double> depth_of_plane(const FlatMesh& mesh, const Vector3d& direction) {
-  return depth_plane(mesh, 0, Vector3d::Zero(), Vector3d::UnitZ()).depth_along(direction);
+  return depth_plane(mesh, 0, PlaneView{}).depth_along(direction);
 }
 
 TEST(Flatten, KeepsTheMiddleOfTheSceneNearZero) {

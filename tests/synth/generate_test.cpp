@@ -132,6 +132,21 @@ TEST(GenerateSequence, MovesTheSceneFromTheFirstStampOn) {
   }
 }
 
+/// The wall recedes by 2 m/s, the middle row is read at the stamp.
+TEST(GenerateSequence, MeasuresMovingThingsWhenEachRowIsRead) {
+  const support::TempFolder folder;
+  SequenceRecipe recipe{
+      .truth = {{5, {}}, {5.5, {}}}, .camera = kCamera, .float_depth = vo::FloatDepth::npy};
+  recipe.sensor.shutter.readout_time = 0.1;
+  recipe.sensor.depth.delay = 0.05;
+  generate_sequence(receding_wall(), recipe, folder.path(), {});
+  const cv::Mat_<float> depth = vo::read_npy(folder.path() / "depth_float/000001.npy");
+  for (int v = 0; v < depth.rows; ++v) {
+    const double time = 0.5 + 0.05 + recipe.sensor.shutter.row_time(v, depth.rows);
+    EXPECT_NEAR(depth(v, 32), 2 + 2 * time, 1e-5) << "row " << v;
+  }
+}
+
 TEST(GenerateSequence, AFrameOfAMovingSceneDependsOnItsIndexAlone) {
   const support::TempFolder all;
   const support::TempFolder last;

@@ -31,7 +31,7 @@ TEST(RenderOptions, AmbientMustNotBeNegative) {
 }
 
 TEST(MakeRenderer, RefusesOptionsThatAreNotValid) {
-  EXPECT_THROW(make_renderer({}, {.samples = 0}), vo::Error);
+  EXPECT_THROW(make_renderer(Scene{}, {.samples = 0}), vo::Error);
 }
 
 }  // namespace
