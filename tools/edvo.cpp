@@ -1,9 +1,11 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <new>
 
 #include <CLI/CLI.hpp>
+#include <malloc.h>
 #include <opencv2/core/utility.hpp>
 
 #include "tools/cli/exit_code.h"
@@ -78,12 +80,23 @@ int run(int argc, char** argv) {
   return exit_code;
 }
 
+/// Every frame needs images of the same sizes: what one gives back is not returned to the system,
+/// which would hand it out again page by page, each cleared.
+void keep_freed_memory() {
+#if defined(__GLIBC__)
+  constexpr int kLargestBlock = 32 << 20;  // bytes, the most that glibc takes
+  mallopt(M_MMAP_THRESHOLD, kLargestBlock);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
     tools::remember_signals();
     cv::setNumThreads(1);
+    keep_freed_memory();
     return run(argc, argv);
   } catch (const vo::Error& error) {
     std::cerr << "edvo: " << error.what() << "\n";

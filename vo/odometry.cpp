@@ -40,6 +40,7 @@ TrackerOptions best_options() {
   TrackerOptions options;
   options.pyramid.levels = 5;
   options.points.max_points = 2000;
+  options.points.coarser_share = 0.7;
   options.points.discontinuity_radius = 1;
   options.align.min_translation = 5e-5;
   options.align.min_rotation_deg = 2e-3;

@@ -59,8 +59,8 @@ TEST(Canny, HistogramCountsTheMagnitudesOfOpenCv) {
           std::hypot(gradients.dx.at<short>(v, u), gradients.dy.at<short>(v, u))));
     }
   }
-  EXPECT_EQ(vo::sobel_magnitude_histogram(image, InstructionSet::baseline), expected);
-  EXPECT_EQ(vo::sobel_magnitude_histogram(image, vo::available_instruction_set()), expected);
+  EXPECT_EQ(vo::sobel_magnitude_histogram(image, 1, InstructionSet::baseline), expected);
+  EXPECT_EQ(vo::sobel_magnitude_histogram(image, 1, vo::available_instruction_set()), expected);
 }
 
 }  // namespace

@@ -131,11 +131,12 @@ EDVO_INLINE void classify(const ByteImage& image, SquaredThresholds thresholds,
   }
 }
 
-EDVO_INLINE void count_magnitudes(const ByteImage& image, std::vector<int>& histogram) {
+EDVO_INLINE void count_magnitudes(const ByteImage& image, int row_step,
+                                  std::vector<int>& histogram) {
   GradientRow row(image.cols);
   std::vector<std::uint16_t> magnitudes(static_cast<std::size_t>(image.cols));
   std::vector<int> odd(histogram.size());  // two counters a bin: neighbours often share one
-  for (int v = 0; v < image.rows; ++v) {
+  for (int v = row_step / 2; v < image.rows; v += row_step) {
     row.compute(image, v);
     const int* squared = row.squared();
     for (int u = 0; u < image.cols; ++u) {
@@ -165,47 +166,84 @@ void classify_baseline(const ByteImage& image, SquaredThresholds thresholds, Byt
   classify(image, thresholds, classes);
 }
 
-EDVO_TARGET_AVX2 void count_avx2(const ByteImage& image, std::vector<int>& histogram) {
-  count_magnitudes(image, histogram);
+EDVO_TARGET_AVX2 void count_avx2(const ByteImage& image, int row_step,
+                                 std::vector<int>& histogram) {
+  count_magnitudes(image, row_step, histogram);
 }
 
-void count_baseline(const ByteImage& image, std::vector<int>& histogram) {
-  count_magnitudes(image, histogram);
+void count_baseline(const ByteImage& image, int row_step, std::vector<int>& histogram) {
+  count_magnitudes(image, row_step, histogram);
 }
 
 /// Weak edges that touch a strong one become strong, from neighbour to neighbour.
-void follow_edges(ByteImage& classes) {
-  const std::ptrdiff_t width = classes.cols;
-  const std::array<std::ptrdiff_t, 8> neighbours{-width - 1, -width,    -width + 1, -1,
-                                                 1,          width - 1, width,      width + 1};
-  std::vector<uchar*> strong;
-  uchar* const end = classes.data + classes.total();
-  for (uchar* pixel = classes.data;
-       (pixel = static_cast<uchar*>(
-            std::memchr(pixel, strong_edge, static_cast<std::size_t>(end - pixel)))) != nullptr;
-       ++pixel) {
-    strong.push_back(pixel);
-  }
-  while (!strong.empty()) {
-    uchar* pixel = strong.back();
-    strong.pop_back();
-    for (const std::ptrdiff_t step : neighbours) {
-      if (pixel[step] == weak_edge) {
-        pixel[step] = strong_edge;
-        strong.push_back(pixel + step);
+class EdgeFollower {
+ public:
+  explicit EdgeFollower(ByteImage& classes) : classes_(classes), width_(classes.cols) {}
+
+  /// Most strong edges have no weak neighbour, and most pixels are no edges: both are passed over
+  /// several at a time.
+  void follow() {
+    uchar* const end = classes_.data + classes_.total();
+    for (uchar* pixel = classes_.data; pixel < end; ++pixel) {
+      while (end - pixel >= kStride && !any_strong(pixel)) {
+        pixel += kStride;
+      }
+      if (pixel < end && *pixel == strong_edge && has_weak_neighbour(pixel)) {
+        follow_from(pixel);
       }
     }
   }
-}
+
+ private:
+  static constexpr std::ptrdiff_t kStride = 8;
+
+  static bool any_strong(const uchar* eight) {
+    constexpr std::uint64_t kStrong = 0x0202020202020202;
+    std::uint64_t pixels = 0;
+    std::memcpy(&pixels, eight, kStride);
+    return (pixels & kStrong) != 0;
+  }
+
+  bool has_weak_neighbour(const uchar* pixel) const {
+    constexpr std::uint32_t kWeak = 0x00010101;
+    const auto three = [](const uchar* left) {
+      std::uint32_t pixels = 0;
+      std::memcpy(&pixels, left, 3);
+      return pixels;
+    };
+    return ((three(pixel - width_ - 1) | three(pixel - 1) | three(pixel + width_ - 1)) & kWeak) !=
+           0;
+  }
+
+  void follow_from(uchar* start) {
+    strong_.push_back(start);
+    while (!strong_.empty()) {
+      uchar* pixel = strong_.back();
+      strong_.pop_back();
+      for (const std::ptrdiff_t step : {-width_ - 1, -width_, -width_ + 1, std::ptrdiff_t{-1},
+                                        std::ptrdiff_t{1}, width_ - 1, width_, width_ + 1}) {
+        if (pixel[step] == weak_edge) {
+          pixel[step] = strong_edge;
+          strong_.push_back(pixel + step);
+        }
+      }
+    }
+  }
+
+  ByteImage& classes_;
+  std::ptrdiff_t width_;
+  std::vector<uchar*> strong_;
+};
 
 }  // namespace
 
-std::vector<int> sobel_magnitude_histogram(const ByteImage& image, InstructionSet set) {
+std::vector<int> sobel_magnitude_histogram(const ByteImage& image, int row_step,
+                                           InstructionSet set) {
   std::vector<int> histogram(kMaxMagnitude + 1);
   if (set == InstructionSet::baseline) {
-    count_baseline(image, histogram);
+    count_baseline(image, row_step, histogram);
   } else {
-    count_avx2(image, histogram);
+    count_avx2(image, row_step, histogram);
   }
   return histogram;
 }
@@ -218,7 +256,7 @@ EdgeMask canny(const ByteImage& image, double weak, double strong, InstructionSe
   } else {
     classify_avx2(image, thresholds, classes);
   }
-  follow_edges(classes);
+  EdgeFollower(classes).follow();
   EdgeMask edges(image.size());
   for (int v = 0; v < image.rows; ++v) {
     const uchar* row = classes[v + 1] + 1;

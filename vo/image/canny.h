@@ -8,8 +8,9 @@
 namespace vo {
 
 /// Pixels by the whole part of their gradient's Euclidean magnitude, of 3x3 Sobel kernels on
-/// intensities 0..255; the border is replicated.
-std::vector<int> sobel_magnitude_histogram(const ByteImage& image, InstructionSet set);
+/// intensities 0..255, in every `row_step`-th row; the border is replicated.
+std::vector<int> sobel_magnitude_histogram(const ByteImage& image, int row_step,
+                                           InstructionSet set);
 
 /// Canny, "A computational approach to edge detection", PAMI 1986, with the same gradient: maxima
 /// across the edge, in one of four directions, that are above `strong`, and those above `weak` that

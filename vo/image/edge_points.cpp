@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <cstring>
 
 #include "vo/core/error.h"
 #include "vo/core/hash.h"
 
 namespace vo {
 namespace {
-
-constexpr std::size_t kFloatsPerPoint = 8;
 
 EdgeMask edge_mask(const PyramidLevel& reference, const PyramidLevel& current, EdgeSource source) {
   if (source == EdgeSource::both) {
@@ -24,22 +24,65 @@ bool is_usable(float depth, const EdgePointOptions& options) {
   return depth >= options.min_depth && depth <= options.max_depth;
 }
 
-/// Whether two measured depths near the pixel differ by more than the ratio.
-bool is_near_step(const DepthImage& depth, cv::Point pixel, int radius, double ratio) {
-  float nearest = depth(pixel);
-  float farthest = nearest;
-  for (int v = std::max(0, pixel.y - radius); v <= std::min(depth.rows - 1, pixel.y + radius);
-       ++v) {
-    for (int u = std::max(0, pixel.x - radius); u <= std::min(depth.cols - 1, pixel.x + radius);
-         ++u) {
-      const float neighbour = depth(v, u);
-      if (has_depth(neighbour)) {
-        nearest = std::min(nearest, neighbour);
-        farthest = std::max(farthest, neighbour);
-      }
+/// The span of the measured depths around a pixel.
+struct DepthSpan {
+  float nearest;
+  float farthest;
+
+  void add(float depth) {
+    const float measured = has_depth(depth) ? depth : nearest;
+    nearest = std::min(nearest, measured);
+    farthest = std::max(farthest, measured);
+  }
+};
+
+DepthSpan depth_span(const DepthImage& depth, cv::Point pixel, int radius) {
+  const int first_u = std::max(0, pixel.x - radius);
+  const int last_u = std::min(depth.cols - 1, pixel.x + radius);
+  const int last_v = std::min(depth.rows - 1, pixel.y + radius);
+  DepthSpan span{depth(pixel), depth(pixel)};
+  for (int v = std::max(0, pixel.y - radius); v <= last_v; ++v) {
+    for (int u = first_u; u <= last_u; ++u) {
+      span.add(depth(v, u));
     }
   }
-  return farthest > nearest * static_cast<float>(ratio);
+  return span;
+}
+
+/// The same of the eight neighbours of a pixel that is not on the border.
+DepthSpan depth_span_of_neighbours(const float* centre, std::ptrdiff_t stride) {
+  DepthSpan span{*centre, *centre};
+  for (const float* middle : {centre - stride, centre, centre + stride}) {
+    span.add(middle[-1]);
+    span.add(middle[0]);
+    span.add(middle[1]);
+  }
+  return span;
+}
+
+/// Whether two measured depths near the pixel differ by more than the ratio.
+bool is_near_step(const DepthImage& depth, cv::Point pixel, int radius, float ratio) {
+  const bool inside = cv::Rect(1, 1, depth.cols - 2, depth.rows - 2).contains(pixel);
+  const DepthSpan span =
+      radius == 1 && inside
+          ? depth_span_of_neighbours(&depth(pixel), static_cast<std::ptrdiff_t>(depth.step1()))
+          : depth_span(depth, pixel, radius);
+  return span.farthest > span.nearest * ratio;
+}
+
+/// Calls `visit(u)` for each set pixel of a mask's row. Few are, so eight are skipped at a time.
+template <typename Visit>
+void for_each_set(const uchar* row, int cols, Visit visit) {
+  constexpr int kStride = 8;
+  for (int u = 0; u < cols; ++u) {
+    std::uint64_t ahead = 0;
+    while (u + kStride <= cols && (std::memcpy(&ahead, row + u, kStride), ahead == 0)) {
+      u += kStride;
+    }
+    if (u < cols && row[u] != 0) {
+      visit(u);
+    }
+  }
 }
 
 /// As many pixels with depth as the mask has, anywhere in the image.
@@ -85,21 +128,27 @@ cv::Vec2f image_gradient(const PyramidLevel& level, cv::Point pixel, cv::Vec2f r
   return {by_u * imaged.dx_dx + by_v * imaged.dx_dy, by_u * imaged.dx_dy + by_v * imaged.dy_dy};
 }
 
+void set_edge_point(const PyramidLevel& level, cv::Point pixel, const PointDepth& depth,
+                    std::size_t index, EdgePointLevel& points) {
+  const cv::Vec2f ray = level.rays(pixel);
+  const cv::Vec2f slope = image_gradient(level, pixel, ray) / depth.z;
+  points.x_ref[index] = ray[0] * depth.z;
+  points.y_ref[index] = ray[1] * depth.z;
+  points.z_ref[index] = depth.z;
+  points.intensity[index] = level.intensity(pixel);
+  points.dI_dx[index] = slope[0];
+  points.dI_dy[index] = slope[1];
+  points.dI_dz[index] = -slope.dot(ray);
+  points.depth_sigma[index] = depth.sigma;
+  points.pixel[index] = pixel;
+}
+
 }  // namespace
 
-void add_edge_point(const PyramidLevel& level, cv::Point pixel, float z, float depth_sigma,
+void add_edge_point(const PyramidLevel& level, cv::Point pixel, const PointDepth& depth,
                     EdgePointLevel& points) {
-  const cv::Vec2f ray = level.rays(pixel);
-  const cv::Vec2f slope = image_gradient(level, pixel, ray) / z;
-  points.x_ref.push_back(ray[0] * z);
-  points.y_ref.push_back(ray[1] * z);
-  points.z_ref.push_back(z);
-  points.intensity.push_back(level.intensity(pixel));
-  points.dI_dx.push_back(slope[0]);
-  points.dI_dy.push_back(slope[1]);
-  points.dI_dz.push_back(-slope.dot(ray));
-  points.depth_sigma.push_back(depth_sigma);
-  points.pixel.push_back(pixel);
+  points.resize(points.size() + 1);
+  set_edge_point(level, pixel, depth, points.size() - 1, points);
 }
 
 Thinning::Thinning(const EdgePointOptions& options, std::size_t count, int width)
@@ -116,39 +165,55 @@ bool Thinning::keeps(cv::Point pixel) const {
 
 namespace {
 
-void thin_out(const EdgePointOptions& options, int width, EdgePointLevel& points) {
-  const Thinning thinning(options, points.size(), width);
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (thinning.keeps(points.pixel[i])) {
-      kept.push_back(i);
-    }
+/// The mask's pixels that have depth and are not near a step, in scan order.
+std::vector<cv::Point> usable_pixels(const DepthImage& depth, const EdgeMask& mask,
+                                     const EdgePointOptions& options) {
+  const auto ratio = static_cast<float>(options.discontinuity_ratio);
+  std::vector<cv::Point> pixels;
+  for (int v = 0; v < mask.rows; ++v) {
+    for_each_set(mask[v], mask.cols, [&](int u) {
+      if (is_usable(depth(v, u), options) &&
+          (options.discontinuity_radius == 0 ||
+           !is_near_step(depth, {u, v}, options.discontinuity_radius, ratio))) {
+        pixels.emplace_back(u, v);
+      }
+    });
   }
-  points.keep(kept);
+  return pixels;
+}
+
+void thin_out(const EdgePointOptions& options, int width, std::vector<cv::Point>& pixels) {
+  const Thinning thinning(options, pixels.size(), width);
+  const auto is_left_out = [&](cv::Point pixel) { return !thinning.keeps(pixel); };
+  pixels.erase(std::remove_if(pixels.begin(), pixels.end(), is_left_out), pixels.end());
 }
 
 EdgePointLevel collect_points(const PyramidLevel& reference, const EdgeMask& mask,
-                              const EdgePointOptions& options, int discontinuity_radius) {
+                              const EdgePointOptions& options) {
+  std::vector<cv::Point> pixels = usable_pixels(reference.depth, mask, options);
+  thin_out(options, mask.cols, pixels);
   EdgePointLevel points;
-  for (int v = 0; v < mask.rows; ++v) {
-    const uchar* row = mask[v];
-    for (int u = 0; u < mask.cols; ++u) {
-      if (row[u] == 0 || !is_usable(reference.depth(v, u), options) ||
-          (discontinuity_radius > 0 && is_near_step(reference.depth, {u, v}, discontinuity_radius,
-                                                    options.discontinuity_ratio))) {
-        continue;
-      }
-      const float z = reference.depth(v, u);
-      add_edge_point(reference, {u, v}, z, structured_light_sigma(z), points);
-    }
+  points.resize(pixels.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const float z = reference.depth(pixels[i]);
+    set_edge_point(reference, pixels[i], {z, structured_light_sigma(z)}, i, points);
   }
-  thin_out(options, mask.cols, points);
   return points;
 }
 
 }  // namespace
 
+EdgePointOptions EdgePointOptions::at_level(std::size_t level) const {
+  EdgePointOptions result = *this;
+  result.max_points =
+      static_cast<int>(std::ceil(max_points * std::pow(coarser_share, static_cast<double>(level))));
+  result.discontinuity_radius >>= level;
+  return result;
+}
+
 void EdgePointOptions::validate() const {
+  require(coarser_share > 0 && coarser_share <= 1,
+          "points.coarser_share: expected above 0 and at most 1, got ", coarser_share);
   require(min_depth > 0 && max_depth > min_depth,
           "points: expected 0 < min_depth < max_depth, got ", min_depth, " and ", max_depth);
   require(fraction > 0 && fraction <= 1, "points.fraction: expected above 0 and at most 1, got ",
@@ -160,13 +225,23 @@ void EdgePointOptions::validate() const {
           discontinuity_ratio);
 }
 
+auto EdgePointLevel::values() -> std::array<std::vector<float>*, kFloatsPerPoint> {
+  return {&x_ref, &y_ref, &z_ref, &intensity, &dI_dx, &dI_dy, &dI_dz, &depth_sigma};
+}
+
+void EdgePointLevel::resize(std::size_t count) {
+  for (std::vector<float>* each : values()) {
+    each->resize(count);
+  }
+  pixel.resize(count);
+}
+
 void EdgePointLevel::keep(const std::vector<std::size_t>& indices) {
-  for (std::vector<float>* values : std::array<std::vector<float>*, kFloatsPerPoint>{
-           &x_ref, &y_ref, &z_ref, &intensity, &dI_dx, &dI_dy, &dI_dz, &depth_sigma}) {
+  for (std::vector<float>* each : values()) {
     for (std::size_t i = 0; i < indices.size(); ++i) {
-      (*values)[i] = (*values)[indices[i]];
+      (*each)[i] = (*each)[indices[i]];
     }
-    values->resize(indices.size());
+    each->resize(indices.size());
   }
   for (std::size_t i = 0; i < indices.size(); ++i) {
     pixel[i] = pixel[indices[i]];
@@ -175,7 +250,8 @@ void EdgePointLevel::keep(const std::vector<std::size_t>& indices) {
 }
 
 std::size_t memory_bytes(const EdgePoints& points) {
-  constexpr std::size_t kBytesPerPoint = kFloatsPerPoint * sizeof(float) + sizeof(cv::Point);
+  constexpr std::size_t kBytesPerPoint =
+      EdgePointLevel::kFloatsPerPoint * sizeof(float) + sizeof(cv::Point);
   std::size_t bytes = 0;
   for (const EdgePointLevel& level : points.levels) {
     bytes += level.size() * kBytesPerPoint;
@@ -183,14 +259,14 @@ std::size_t memory_bytes(const EdgePoints& points) {
   return bytes;
 }
 
-std::size_t edge_pixels_with_depth(const PyramidLevel& level, const EdgePointOptions& options) {
+bool has_edge_pixels_with_depth(const PyramidLevel& level, std::size_t wanted,
+                                const EdgePointOptions& options) {
   std::size_t count = 0;
-  for (int v = 0; v < level.edges.rows; ++v) {
-    for (int u = 0; u < level.edges.cols; ++u) {
-      count += level.edges(v, u) != 0 && is_usable(level.depth(v, u), options) ? 1 : 0;
-    }
+  for (int v = 0; v < level.edges.rows && count < wanted; ++v) {
+    for_each_set(level.edges[v], level.edges.cols,
+                 [&](int u) { count += is_usable(level.depth(v, u), options) ? 1 : 0; });
   }
-  return count;
+  return count >= wanted;
 }
 
 EdgePoints edge_points(const FramePyramid& reference, const FramePyramid& current,
@@ -199,9 +275,8 @@ EdgePoints edge_points(const FramePyramid& reference, const FramePyramid& curren
   EdgePoints points;
   for (std::size_t l = 0; l < reference.levels.size(); ++l) {
     const EdgeMask mask = edge_mask(reference.levels[l], current.levels[l], options.source);
-    points.levels.push_back(collect_points(reference.levels[l],
-                                           selected(reference.levels[l], mask, options), options,
-                                           options.discontinuity_radius >> l));
+    points.levels.push_back(collect_points(
+        reference.levels[l], selected(reference.levels[l], mask, options), options.at_level(l)));
   }
   return points;
 }

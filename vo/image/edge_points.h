@@ -39,16 +39,18 @@ constexpr auto enum_names(PointSelection) {
 struct EdgePointOptions {
   EdgeSource source = EdgeSource::reference;
   PointSelection selection = PointSelection::edges;
-  double fraction = 1;     ///< of the selected pixels, chosen at random
-  std::uint64_t seed = 0;  ///< of what is chosen at random
-  int max_points = 0;      ///< per level, spread evenly; 0 is no limit
-  double min_depth = 0.1;  ///< m
-  double max_depth = 10;   ///< m
+  double fraction = 1;       ///< of the selected pixels, chosen at random
+  std::uint64_t seed = 0;    ///< of what is chosen at random
+  int max_points = 0;        ///< on the finest level, spread evenly; 0 is no limit
+  double coarser_share = 1;  ///< of the limit, with each coarser level
+  double min_depth = 0.1;    ///< m
+  double max_depth = 10;     ///< m
   int discontinuity_radius =
       0;  ///< px; points this near to a depth step are left out; 0 keeps them
   double discontinuity_ratio = 1.05;  ///< of depths beside each other that are a step
 
-  void validate() const;  ///< throws Error
+  EdgePointOptions at_level(std::size_t level) const;  ///< with that level's limit and radius
+  void validate() const;                               ///< throws Error
 };
 
 template <typename Visitor>
@@ -57,7 +59,8 @@ void visit_fields(Visitor& visit, EdgePointOptions& options) {
   visit("selection", options.selection, "which pixels are aligned");
   visit("fraction", options.fraction, "share of the selected pixels that is kept, at random");
   visit("seed", options.seed, "of what is chosen at random");
-  visit("max_points", options.max_points, "per level, spread evenly; 0 is no limit");
+  visit("max_points", options.max_points, "on the finest level, spread evenly; 0 is no limit");
+  visit("coarser_share", options.coarser_share, "of max_points, with each coarser level");
   visit("min_depth", options.min_depth, "nearer pixels are not used, m");
   visit("max_depth", options.max_depth, "farther pixels are not used, m");
   visit("discontinuity_radius", options.discontinuity_radius,
@@ -78,7 +81,13 @@ struct EdgePointLevel {
   std::vector<cv::Point> pixel;    ///< px, where in the reference
 
   std::size_t size() const { return x_ref.size(); }
+  void resize(std::size_t count);
   void keep(const std::vector<std::size_t>& indices);  ///< ascending
+
+  static constexpr std::size_t kFloatsPerPoint = 8;
+
+ private:
+  std::array<std::vector<float>*, kFloatsPerPoint> values();
 };
 
 /// What a reference frame is to the tracker. A depth sensor and a monocular depth map both make
@@ -96,8 +105,13 @@ inline float structured_light_sigma(float depth) {
   return 0.0012F + 0.0019F * beyond * beyond;
 }
 
-/// Appends the pixel of a level at a depth known with a standard deviation, both in m.
-void add_edge_point(const PyramidLevel& level, cv::Point pixel, float z, float depth_sigma,
+struct PointDepth {
+  float z;      ///< m
+  float sigma;  ///< standard deviation, m
+};
+
+/// Appends the pixel of a level at a known depth.
+void add_edge_point(const PyramidLevel& level, cv::Point pixel, const PointDepth& depth,
                     EdgePointLevel& points);
 
 /// Which of a level's `count` candidates the options' fraction and limit leave: those whose rank in
@@ -113,8 +127,9 @@ class Thinning {
   int width_;  ///< px, of the level
 };
 
-/// How many of a level's own edge pixels have depth in the options' range.
-std::size_t edge_pixels_with_depth(const PyramidLevel& level, const EdgePointOptions& options);
+/// Whether at least `wanted` of a level's own edge pixels have depth in the options' range.
+bool has_edge_pixels_with_depth(const PyramidLevel& level, std::size_t wanted,
+                                const EdgePointOptions& options);
 
 /// The pixels of `reference` that lie on an edge of the chosen source and have depth. Both pyramids
 /// have edges, the same cameras and the same number of levels.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
@@ -24,9 +25,12 @@ double otsu_threshold(const ByteImage& image) {
   return cv::threshold(image, unused, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU);
 }
 
-/// The magnitude below which `wanted` pixels lie.
-double gradient_quantile(const ByteImage& image, double wanted) {
-  const std::vector<int> histogram = sobel_magnitude_histogram(image, available_instruction_set());
+/// The magnitude below which a share of the pixels lies. Evenly spread rows stand for the image.
+double gradient_quantile(const ByteImage& image, double share) {
+  constexpr int kRows = 60;
+  const std::vector<int> histogram = sobel_magnitude_histogram(
+      image, std::max(1, image.rows / kRows), available_instruction_set());
+  const double wanted = share * std::accumulate(histogram.begin(), histogram.end(), 0);
   double below = 0;
   std::size_t magnitude = 0;
   while (magnitude + 1 < histogram.size() && below + histogram[magnitude] < wanted) {
@@ -37,7 +41,8 @@ double gradient_quantile(const ByteImage& image, double wanted) {
 
 /// The least whole magnitude that at most `count` pixels reach.
 double gradient_of_count(const ByteImage& image, int count) {
-  const std::vector<int> histogram = sobel_magnitude_histogram(image, available_instruction_set());
+  const std::vector<int> histogram =
+      sobel_magnitude_histogram(image, 1, available_instruction_set());
   int above = 0;
   std::size_t magnitude = histogram.size();
   while (magnitude > 0 && above + histogram[magnitude - 1] <= count) {
@@ -51,9 +56,7 @@ double strong_threshold(const ByteImage& image, const EdgeOptions& options) {
     case EdgeThreshold::otsu:
       return otsu_threshold(image);
     case EdgeThreshold::percentile:
-      return std::max(
-          options.floor,
-          gradient_quantile(image, options.percentile / 100 * static_cast<double>(image.total())));
+      return std::max(options.floor, gradient_quantile(image, options.percentile / 100));
     case EdgeThreshold::target_count:
       return std::max(options.floor, gradient_of_count(image, options.target_count));
     case EdgeThreshold::fixed:

@@ -6,23 +6,79 @@
 #include <opencv2/imgproc.hpp>
 
 #include "vo/core/error.h"
+#include "vo/core/instruction_set.h"
 
 namespace vo {
 namespace {
 
 constexpr int kMinSize = 20;              // px, of the smallest level's shorter side
 constexpr float kMaxDepthSpread = 1.05F;  // farthest over nearest of four depths on one surface
+constexpr float kFar = 1e6F;              // m, beyond any measured depth
 
-float merged_depth(float a, float b, float c, float d) {
-  const auto nearest_of = [](float x, float y) {
-    return has_depth(x) && (!has_depth(y) || x < y) ? x : y;
-  };
-  const float nearest = nearest_of(nearest_of(a, b), nearest_of(c, d));
-  const bool all_measured = has_depth(a) && has_depth(b) && has_depth(c) && has_depth(d);
-  if (!all_measured || std::max({a, b, c, d}) > kMaxDepthSpread * nearest) {
-    return nearest;
+EDVO_INLINE float lesser(float a, float b) {
+  return a < b ? a : b;
+}
+
+EDVO_INLINE float greater(float a, float b) {
+  return a > b ? a : b;
+}
+
+/// One row of `halve_depth`, in steps that are vectorized each.
+class DepthRowMerger {
+ public:
+  explicit DepthRowMerger(int cols)
+      : upper_(2 * static_cast<std::size_t>(cols)),
+        lower_(upper_.size()),
+        nearest_(static_cast<std::size_t>(cols)),
+        farthest_(nearest_.size()) {}
+
+  EDVO_INLINE void merge(const float* upper, const float* lower, float* __restrict merged) {
+    put_holes_far(upper, upper_);
+    put_holes_far(lower, lower_);
+    const std::size_t cols = nearest_.size();
+    float* __restrict nearest = nearest_.data();
+    float* __restrict farthest = farthest_.data();
+    for (std::size_t u = 0; u < cols; ++u) {
+      const float a = upper_[2 * u];
+      const float b = upper_[2 * u + 1];
+      const float c = lower_[2 * u];
+      const float d = lower_[2 * u + 1];
+      nearest[u] = lesser(lesser(a, b), lesser(c, d));
+      farthest[u] = greater(greater(a, b), greater(c, d));
+      merged[u] = 4 / (1 / a + 1 / b + 1 / c + 1 / d);
+    }
+    for (std::size_t u = 0; u < cols; ++u) {
+      merged[u] = farthest[u] <= kMaxDepthSpread * nearest[u] ? merged[u] : nearest[u];
+    }
+    for (std::size_t u = 0; u < cols; ++u) {
+      merged[u] = merged[u] < kFar / 2 ? merged[u] : 0;
+    }
   }
-  return 4 / (1 / a + 1 / b + 1 / c + 1 / d);
+
+ private:
+  EDVO_INLINE static void put_holes_far(const float* depth, std::vector<float>& row) {
+    for (std::size_t u = 0; u < row.size(); ++u) {
+      row[u] = depth[u] > 0 ? depth[u] : kFar;
+    }
+  }
+
+  std::vector<float> upper_, lower_;       ///< m, of the finer level
+  std::vector<float> nearest_, farthest_;  ///< m, of each four
+};
+
+EDVO_INLINE void merge_depth(const DepthImage& depth, DepthImage& half) {
+  DepthRowMerger merger(half.cols);
+  for (int v = 0; v < half.rows; ++v) {
+    merger.merge(depth[2 * v], depth[2 * v + 1], half[v]);
+  }
+}
+
+EDVO_TARGET_AVX2 void merge_depth_avx2(const DepthImage& depth, DepthImage& half) {
+  merge_depth(depth, half);
+}
+
+void merge_depth_baseline(const DepthImage& depth, DepthImage& half) {
+  merge_depth(depth, half);
 }
 
 PinholeCamera halved_camera(const PinholeCamera& camera, HalvedPrincipalPoint principal_point) {
@@ -75,12 +131,10 @@ GrayImage halve(const GrayImage& image) {
 
 DepthImage halve_depth(const DepthImage& depth) {
   DepthImage half(depth.rows / 2, depth.cols / 2);
-  for (int v = 0; v < half.rows; ++v) {
-    const float* upper = depth[2 * v];
-    const float* lower = depth[2 * v + 1];
-    for (int u = 0; u < half.cols; ++u) {
-      half(v, u) = merged_depth(upper[2 * u], upper[2 * u + 1], lower[2 * u], lower[2 * u + 1]);
-    }
+  if (available_instruction_set() == InstructionSet::baseline) {
+    merge_depth_baseline(depth, half);
+  } else {
+    merge_depth_avx2(depth, half);
   }
   return half;
 }

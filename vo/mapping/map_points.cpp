@@ -75,11 +75,12 @@ EdgePoints map_points(const FramePyramid& anchor, const Hypotheses& hypotheses,
     if (l > 0) {
       depths = halved(depths, level.intensity.size());
     }
-    const Thinning thinning(options, depths.size(), level.intensity.cols);
+    const Thinning thinning(options.at_level(l), depths.size(), level.intensity.cols);
     for (const SparseDepth& depth : depths) {
       const float z = 1 / depth.inverse_depth;
       if (z >= options.min_depth && z <= options.max_depth && thinning.keeps(depth.pixel)) {
-        add_edge_point(level, depth.pixel, z, std::sqrt(depth.variance) * z * z, points.levels[l]);
+        add_edge_point(level, depth.pixel, {z, std::sqrt(depth.variance) * z * z},
+                       points.levels[l]);
       }
     }
   }

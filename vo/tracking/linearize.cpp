@@ -83,7 +83,7 @@ PointScores score_points(const PointView& view, const AlignOptions& options,
 
 std::vector<float> sampled_intensities(const PointView& view) {
   std::vector<float> intensities;
-  sample_points(view, available_instruction_set(), intensities);
+  sample_points(view, 1, available_instruction_set(), intensities);
   return intensities;
 }
 
@@ -116,9 +116,12 @@ Brightness matched_brightness(const PointView& view) {
 
 double residual_spread(const PointView& view, const Brightness& brightness) {
   constexpr double kMadToSigma = 1.4826;
+  constexpr std::size_t kEnoughPoints = 600;
   const auto gain = static_cast<float>(brightness.gain);
   const auto offset = static_cast<float>(brightness.offset);
-  std::vector<float> magnitudes = sampled_intensities(view);
+  std::vector<float> magnitudes;
+  sample_points(view, 1 + view.points.size() / kEnoughPoints, available_instruction_set(),
+                magnitudes);
   std::size_t seen = 0;
   for (std::size_t i = 0; i < magnitudes.size(); ++i) {
     if (!std::isnan(magnitudes[i])) {

@@ -17,6 +17,8 @@ using detail::store_row;
 constexpr std::size_t kLanes = 16;       // floats of the widest register
 constexpr std::size_t kFlushPeriod = 8;  // blocks summed in float before they are added in double
 
+constexpr float kUnseen = std::numeric_limits<float>::quiet_NaN();
+
 using Lanes = std::array<float, kLanes>;
 
 EDVO_INLINE void add_products(const BlockRow& a, const BlockRow& b, Lanes& sum) {
@@ -124,12 +126,12 @@ EDVO_INLINE void score_blocks(const PointView& view, const PassOptions& options,
   }
 }
 
-EDVO_INLINE void sample_blocks(const PointView& view, std::vector<float>& intensities) {
-  constexpr float kUnseen = std::numeric_limits<float>::quiet_NaN();
+EDVO_INLINE void sample_blocks(const PointView& view, std::size_t stride,
+                               std::vector<float>& intensities) {
   Block block{};
   const EdgePointLevel& points = view.points;
   const PassWarp warp(view);
-  for (std::size_t first = 0; first < points.size(); first += kBlock) {
+  for (std::size_t first = 0; first < points.size(); first += stride * kBlock) {
     const std::size_t count = std::min(kBlock, points.size() - first);
     load_points(points, first, count, block);
     warp_block(warp, count, block);
@@ -162,12 +164,13 @@ EDVO_TARGET_AVX2 void score_avx2(const PointView& view, const PassOptions& optio
   score_blocks(view, options, scores);
 }
 
-void sample_baseline(const PointView& view, std::vector<float>& intensities) {
-  sample_blocks(view, intensities);
+void sample_baseline(const PointView& view, std::size_t stride, std::vector<float>& intensities) {
+  sample_blocks(view, stride, intensities);
 }
 
-EDVO_TARGET_AVX2 void sample_avx2(const PointView& view, std::vector<float>& intensities) {
-  sample_blocks(view, intensities);
+EDVO_TARGET_AVX2 void sample_avx2(const PointView& view, std::size_t stride,
+                                  std::vector<float>& intensities) {
+  sample_blocks(view, stride, intensities);
 }
 
 }  // namespace
@@ -202,12 +205,13 @@ PointScores score_points(const PointView& view, const PassOptions& options, Inst
   return scores;
 }
 
-void sample_points(const PointView& view, InstructionSet set, std::vector<float>& intensities) {
-  intensities.resize(view.points.size());
+void sample_points(const PointView& view, std::size_t stride, InstructionSet set,
+                   std::vector<float>& intensities) {
+  intensities.assign(view.points.size(), kUnseen);
   if (set == InstructionSet::baseline) {
-    sample_baseline(view, intensities);
+    sample_baseline(view, stride, intensities);
   } else {
-    sample_avx2(view, intensities);
+    sample_avx2(view, stride, intensities);
   }
 }
 

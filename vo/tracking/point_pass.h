@@ -67,7 +67,9 @@ PassSums sum_points(const PointView& view, const PassOptions& options, Instructi
 /// The terms of the sums' b, point by point.
 PointScores score_points(const PointView& view, const PassOptions& options, InstructionSet set);
 
-/// The image's intensity at each point, NaN where the point is not seen.
-void sample_points(const PointView& view, InstructionSet set, std::vector<float>& intensities);
+/// The image's intensity at each point, NaN where the point is not seen. With a stride, only every
+/// so many groups of 64 neighbouring points are looked up, and the others are NaN.
+void sample_points(const PointView& view, std::size_t stride, InstructionSet set,
+                   std::vector<float>& intensities);
 
 }  // namespace vo

@@ -240,8 +240,8 @@ void Tracker::update_keyframe(std::shared_ptr<const EdgePoints> points) {
 }
 
 bool Tracker::can_be_reference(const FramePyramid& frame) const {
-  return edge_pixels_with_depth(frame.levels.front(), options_.points) >=
-         static_cast<std::size_t>(options_.align.min_points);
+  return has_edge_pixels_with_depth(
+      frame.levels.front(), static_cast<std::size_t>(options_.align.min_points), options_.points);
 }
 
 }  // namespace vo

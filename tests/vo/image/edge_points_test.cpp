@@ -71,7 +71,9 @@ TEST(EdgePoints, RandomPixelsAreAsManyAsEdgePixelsWithDepth) {
   const auto random =
       vo::edge_points(reference, reference, {.selection = vo::PointSelection::random, .seed = 3});
   EXPECT_EQ(random.levels[0].size(), points_of(reference, {}));
-  EXPECT_EQ(points_of(reference, {}), vo::edge_pixels_with_depth(reference.levels[0], {}));
+  EXPECT_TRUE(vo::has_edge_pixels_with_depth(reference.levels[0], points_of(reference, {}), {}));
+  EXPECT_FALSE(
+      vo::has_edge_pixels_with_depth(reference.levels[0], points_of(reference, {}) + 1, {}));
   std::size_t on_edges = 0;
   for (const cv::Point& pixel : random.levels[0].pixel) {
     EXPECT_GE(pixel.x, 100);
@@ -113,6 +115,15 @@ TEST(EdgePoints, AThinnedSetIsASubsetThatTheSeedChooses) {
     EXPECT_EQ(points.intensity[i], level.intensity(points.pixel[i]));
     EXPECT_EQ(points.z_ref[i], level.depth(points.pixel[i]));
   }
+}
+
+TEST(EdgePoints, CoarserLevelsHaveTheirShareOfTheLimit) {
+  const vo::EdgePointOptions options{
+      .max_points = 1000, .coarser_share = 0.7, .discontinuity_radius = 4};
+  EXPECT_EQ(options.at_level(0).max_points, 1000);
+  EXPECT_EQ(options.at_level(2).max_points, 490);
+  EXPECT_EQ(options.at_level(2).discontinuity_radius, 1);
+  EXPECT_EQ(vo::EdgePointOptions().at_level(3).max_points, 0) << "no limit";
 }
 
 /// Depth steps from 2 to 3 m between columns 159 and 160: within r px lie 2 r columns.
