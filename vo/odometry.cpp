@@ -44,10 +44,12 @@ TrackerOptions best_options() {
   options.points.discontinuity_radius = 1;
   options.align.min_translation = 5e-5;
   options.align.min_rotation_deg = 2e-3;
+  options.align.step_limit_growth = 2;
   options.align.formulation = Formulation::esm;
   options.align.loss = RobustLoss::student_t;
   options.align.scale = LossScale::residuals;
   options.align.brightness = BrightnessModel::affine;
+  options.align.depth_term = 0.4;
   options.keyframes = {.every = 0, .max_flow = 0.06, .min_overlap = 0.75, .min_sharpness = 0.85};
   options.map.references = 4;
   options.lost.recover = true;

@@ -1,6 +1,7 @@
 #include "vo/tracking/align.h"
 
 #include <cassert>
+#include <cmath>
 #include <numbers>
 
 #include <Eigen/Cholesky>
@@ -35,9 +36,10 @@ double conditioning_of(const Matrix6d& H) {
   return solver.eigenvalues().minCoeff() / solver.eigenvalues().maxCoeff();
 }
 
-bool is_small(const Vector6d& delta, const AlignOptions& options) {
-  return delta.head<3>().norm() < options.min_translation &&
-         degrees(delta.tail<3>().norm()) < options.min_rotation_deg;
+bool is_small(const Vector6d& delta, std::size_t level, const AlignOptions& options) {
+  const double growth = std::pow(options.step_limit_growth, static_cast<double>(level));
+  return delta.head<3>().norm() < growth * options.min_translation &&
+         degrees(delta.tail<3>().norm()) < growth * options.min_rotation_deg;
 }
 
 /// A step that is shortened while it raises the cost.
@@ -81,7 +83,7 @@ class LevelAlignment {
     double damping = 0;
     for (int retry = 0; retry <= options_.step_retries; ++retry) {
       const Vector6d delta = damped_step(system_, damping);
-      if (is_small(delta, options_)) {
+      if (is_small(delta, problem_.level(), options_)) {
         result_.termination = Termination::converged;
         return false;
       }
@@ -148,6 +150,9 @@ void AlignOptions::validate() const {
   require(max_iterations >= 1, "align.max_iterations: expected at least 1, got ", max_iterations);
   require(min_translation >= 0 && min_rotation_deg >= 0,
           "align: expected step limits of at least 0");
+  require(step_limit_growth >= 1, "align.step_limit_growth: expected at least 1, got ",
+          step_limit_growth);
+  require(depth_term >= 0, "align.depth_term: expected at least 0, got ", depth_term);
   require(step_retries >= 0, "align.step_retries: expected at least 0, got ", step_retries);
   require(min_loss_scale > 0, "align.min_loss_scale: expected above 0, got ", min_loss_scale);
   require(depth_noise >= 0, "align.depth_noise: expected at least 0, got ", depth_noise);

@@ -46,6 +46,7 @@ struct AlignOptions {
   int max_iterations = 30;         ///< per pyramid level
   double min_translation = 1e-5;   ///< m; a step below it and below min_rotation_deg is not taken
   double min_rotation_deg = 5e-4;  ///< deg
+  double step_limit_growth = 1;    ///< of both limits, with each coarser level
   int step_retries = 0;            ///< shorter steps tried after one that raised the cost
   bool keep_worse_step = false;    ///< a step that raised the cost: the paper's authors keep it
   Formulation formulation = Formulation::forward;
@@ -58,6 +59,7 @@ struct AlignOptions {
   double depth_noise = 0;  ///< times a structured-light sensor's noise, in the weights; 0 is off
   double readout = 0;      ///< s, from the first to the last row: a rolling shutter
   double max_depth_ratio = 0;  ///< the z-test, against the current depth; 0 is off
+  double depth_term = 0;       ///< weight of the point-to-plane distances; 0 is off
   int min_points = 100;        ///< fewer visible edge points are not a fit
 
   void validate() const;  ///< throws Error
@@ -69,6 +71,8 @@ void visit_fields(Visitor& visit, AlignOptions& options) {
   visit("min_translation", options.min_translation, "a smaller step is not taken: converged, m");
   visit("min_rotation_deg", options.min_rotation_deg,
         "a smaller step is not taken: converged, deg");
+  visit("step_limit_growth", options.step_limit_growth,
+        "factor of both limits with each coarser level");
   visit("step_retries", options.step_retries, "shorter steps tried after one that raised the cost");
   visit("keep_worse_step", options.keep_worse_step,
         "whether a step that raised the cost is kept, as the paper's authors do");
@@ -85,6 +89,8 @@ void visit_fields(Visitor& visit, AlignOptions& options) {
   visit("readout", options.readout, "time from the first to the last row, s: a rolling shutter");
   visit("max_depth_ratio", options.max_depth_ratio,
         "points whose depth differs more from the current depth image are not used; 0 is off");
+  visit("depth_term", options.depth_term,
+        "weight of the distances from the first reference's surfaces; 0 is off");
   visit("min_points", options.min_points, "fewer visible points are not a fit");
 }
 

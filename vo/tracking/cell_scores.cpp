@@ -29,6 +29,10 @@ void CellScores::add(const PointScores& scores, const Projection& projection) {
   }
 }
 
+void CellScores::add(float u, float v, const Vector6d& b) {
+  b_[cell_of(u, v)] += b;
+}
+
 std::size_t CellScores::cell_of(float u, float v) const {
   return kColumns * static_cast<std::size_t>((v + 0.5F) / cell_px_) +
          static_cast<std::size_t>((u + 0.5F) / cell_px_);

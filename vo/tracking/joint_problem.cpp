@@ -61,7 +61,11 @@ double JointSystem::least_loss() const {
 
 JointProblem::JointProblem(std::span<const AlignReference> references, const AlignCurrent& current,
                            std::size_t level, const AlignOptions& options)
-    : current_(current), level_(level), options_(options), readout_(options.readout) {
+    : current_(current),
+      level_(level),
+      options_(options),
+      readout_(options.readout),
+      first_(references.front()) {
   for (const AlignReference& reference : references) {
     pairs_.push_back({&reference, /*backward=*/false});
   }
@@ -116,12 +120,47 @@ void JointProblem::add_part(std::size_t pair, const SE3& T_cur_first, JointSyste
   system.total += part.total;
 }
 
+/// The first reference's surfaces in the current depth image.
+DepthView JointProblem::depth_view(const SE3& T_cur_first) const {
+  return {*first_.surface, current_.frame.levels[surface_level(current_.frame)],
+          T_cur_first * first_.T_first_ref};
+}
+
+double JointProblem::depth_weight() const {
+  return options_.depth_term / (distance_scale_ * distance_scale_);
+}
+
+void JointProblem::add_depth(const SE3& T_cur_first, JointSystem& system) const {
+  if (!(distance_scale_ > 0)) {
+    return;
+  }
+  const DepthSystem depth = linearize_depth(depth_view(T_cur_first), distance_scale_);
+  const double weight = depth_weight();
+  system.H += weight * depth.H;
+  system.b += weight * depth.b;
+  system.cost += weight * depth.cost;
+}
+
+/// The same, taken apart. A pixel of the surfaces' level is several of the finest.
+void JointProblem::add_depth(const SE3& T_cur_first, CellScores& scores) const {
+  if (!(distance_scale_ > 0)) {
+    return;
+  }
+  const DepthView view = depth_view(T_cur_first);
+  const double pixels = static_cast<double>(camera().width) / view.image.camera.width;
+  for (const DepthScore& score : score_depth(view, distance_scale_)) {
+    scores.add(static_cast<float>(pixels * score.pixel.x()),
+               static_cast<float>(pixels * score.pixel.y()), depth_weight() * score.b);
+  }
+}
+
 JointSystem JointProblem::linearize(const SE3& T_cur_first) const {
   JointSystem system;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     system.parts.push_back(vo::linearize(view(pairs_[i], T_cur_first), options_, models_[i]));
     add_part(i, T_cur_first, system);
   }
+  add_depth(T_cur_first, system);
   system.cost /= static_cast<double>(std::max<std::size_t>(system.total, 1));
   return system;
 }
@@ -153,11 +192,17 @@ JointScores JointProblem::scores(const JointSystem& system, const SE3& T_cur_fir
                              CellScores(camera()));
     result.references[reference].add(scores, projection(i, system.parts[i], T_cur_first));
   }
+  add_depth(T_cur_first, result.references.front());
   result.curvature_share = sums.curvature / sums.weight;
   return result;
 }
 
 void JointProblem::estimate_scales(const SE3& T_cur_first) {
+  constexpr double kMinDistanceScale = 5e-4;  // m
+  if (options_.depth_term > 0 && first_.surface != nullptr) {
+    const double spread = distance_spread(depth_view(T_cur_first));
+    distance_scale_ = spread > 0 ? std::max(spread, kMinDistanceScale) : 0;
+  }
   if (options_.scale == LossScale::fixed) {
     return;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "vo/tracking/cell_scores.h"
+#include "vo/tracking/depth_term.h"
 #include "vo/tracking/linearize.h"
 
 namespace vo {
@@ -15,6 +16,7 @@ struct AlignReference {
   SE3 T_first_ref;                       ///< first: the first reference
   const FramePyramid* frame = nullptr;   ///< where the current frame's points are looked up, if any
   Vector6d velocity = Vector6d::Zero();  ///< of the camera in its own frame, m/s and rad/s
+  const SurfacePoints* surface = nullptr;  ///< where depth is compared, too: its own surfaces
 };
 
 /// Where the camera was one frame earlier: how fast it moves follows from the pose that is sought.
@@ -81,6 +83,7 @@ class JointProblem {
   void set_models(std::vector<ResidualModel> models) { models_ = std::move(models); }
   void set_readout(double readout) { readout_ = readout; }  ///< s
   const AlignOptions& options() const { return options_; }
+  std::size_t level() const { return level_; }
   const PinholeCamera& camera() const { return current_.frame.levels[level_].camera; }
 
  private:
@@ -93,6 +96,10 @@ class JointProblem {
   PointView view(const ImagePair& pair, const SE3& T_cur_first) const;
   Matrix6d increment_jacobian(const ImagePair& pair, const SE3& T_cur_first) const;
   void add_part(std::size_t pair, const SE3& T_cur_first, JointSystem& system) const;
+  DepthView depth_view(const SE3& T_cur_first) const;
+  double depth_weight() const;
+  void add_depth(const SE3& T_cur_first, JointSystem& system) const;
+  void add_depth(const SE3& T_cur_first, CellScores& scores) const;
   CellScores::Projection projection(std::size_t pair, const LinearSystem& part,
                                     const SE3& T_cur_first) const;
 
@@ -102,6 +109,8 @@ class JointProblem {
   double readout_;
   std::vector<ImagePair> pairs_;
   std::vector<ResidualModel> models_;
+  const AlignReference& first_;
+  double distance_scale_ = 0;  ///< m, of the distances from the first reference's surfaces
 };
 
 /// The matrix Ad(T) with T exp(delta) = exp(Ad(T) delta) T.

@@ -10,6 +10,7 @@
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
 #include "vo/tracking/linearize.h"
+#include "vo/tracking/surface_points.h"
 
 namespace vo {
 
@@ -19,6 +20,7 @@ struct Keyframe {
   std::shared_ptr<const EdgePoints> points;  ///< of its own edges
   SE3 T_world_keyframe;
   std::optional<Vector6d> velocity;  ///< of the camera in its own frame, m/s and rad/s; if known
+  std::shared_ptr<const SurfacePoints> surface;  ///< where depth is aligned, too
 };
 
 /// Which keyframes are kept, and which of them a frame is aligned to.

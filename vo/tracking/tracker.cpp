@@ -89,10 +89,10 @@ Tracker::References Tracker::references_for(const FramePyramid& current,
                                     ? keyframe->points
                                     : std::make_shared<const EdgePoints>(edge_points(
                                           keyframe->pyramid, current, options_.points)));
-    references.views.push_back({*references.points.back(),
-                                T_first_world * keyframe->T_world_keyframe,
-                                options_.symmetric ? &keyframe->pyramid : nullptr,
-                                keyframe->velocity.value_or(Vector6d::Zero())});
+    references.views.push_back(
+        {*references.points.back(), T_first_world * keyframe->T_world_keyframe,
+         options_.symmetric ? &keyframe->pyramid : nullptr,
+         keyframe->velocity.value_or(Vector6d::Zero()), keyframe->surface.get()});
   }
   return references;
 }
@@ -231,7 +231,12 @@ void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyf
 
 void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyframe,
                            std::shared_ptr<const EdgePoints> points) {
-  map_.add({keyframe, std::move(points), T_world_keyframe, velocity_});
+  std::shared_ptr<const SurfacePoints> surface;
+  if (options_.align.depth_term > 0 && !keyframe.levels.front().depth.empty()) {
+    surface = std::make_shared<const SurfacePoints>(
+        surface_points(keyframe.levels[surface_level(keyframe)]));
+  }
+  map_.add({keyframe, std::move(points), T_world_keyframe, velocity_, std::move(surface)});
   frames_since_keyframe_ = 0;
 }
 
