@@ -23,16 +23,15 @@ constexpr std::uint64_t kPaths = 0x9a74;  // the purpose of their random numbers
 }  // namespace
 
 struct ColorTracer::LitPoints {
-  std::array<SurfacePoint, kPacketSize> points;
+  LitLanes points;
   std::array<const PathLeg*, kPacketSize> legs;
   std::array<Eigen::Vector3f, kPacketSize> weights;
-  std::size_t size = 0;
 };
 
 /// All legs of a packet advance by one surface.
 struct ColorTracer::Step {
-  Step(const ColorPacket& traced, LastTriangle<SurfaceTriangle>& last_hit, PacketColors& sums)
-      : packet(traced), last(last_hit), colors(sums) {}
+  Step(const ColorPacket& traced, ColorMemory& remembered, PacketColors& sums)
+      : packet(traced), memory(remembered), colors(sums) {}
 
   void add(const PathLeg& leg, const Aim& aim) {
     next.legs[static_cast<std::size_t>(next.rays.size)] = leg;
@@ -40,7 +39,7 @@ struct ColorTracer::Step {
   }
 
   const ColorPacket& packet;
-  LastTriangle<SurfaceTriangle>& last;
+  ColorMemory& memory;
   PacketColors& colors;
   int index = 0;  ///< of the step
   LitPoints lit;
@@ -57,18 +56,22 @@ ColorTracer::ColorTracer(const FlatScene& flat, const EmbreeScene& embree,
       ambient_(ambient_light(flat, options.ambient)),
       lights_(place_lights(flat)) {}
 
-PacketColors ColorTracer::trace(ColorPacket& packet, LastTriangle<SurfaceTriangle>& last) const {
+ColorMemory ColorTracer::new_memory() const {
+  return {.seen = {}, .blockers = std::vector<Blocker>(lights_.size())};
+}
+
+PacketColors ColorTracer::trace(ColorPacket& packet, ColorMemory& memory) const {
   PacketColors colors;
   colors.fill(Eigen::Vector3f::Zero());
   for (std::size_t i = 0; i < kPacketSize; ++i) {
     packet.start.legs[i] = {i, Eigen::Vector3f::Ones(), 0, 0};
   }
-  Step step(packet, last, colors);
+  Step step(packet, memory, colors);
   advance(packet.start, step);
   while (step.next.rays.size > 0 && step.index < bounces_ + kMaxLayers) {
     PathLegs legs = step.next;
     step.next.rays.size = 0;
-    step.lit.size = 0;
+    step.lit.points.size = 0;
     ++step.index;
     advance(legs, step);
   }
@@ -84,8 +87,8 @@ void ColorTracer::advance(PathLegs& bundle, Step& step) const {
       end_leg(bundle, lane, step.colors);
     }
   }
-  for (std::size_t light = 0; step.lit.size > 0 && light < lights_.size(); ++light) {
-    add_light(light, step);
+  if (step.lit.points.size > 0) {
+    add_lights(step);
   }
 }
 
@@ -103,10 +106,10 @@ void ColorTracer::meet_surface(const PathLegs& bundle, int lane, Step& step) con
     return SurfaceTriangle(flat_, mesh, triangle, bundle.rays.share(lane));
   };
   if (!flat_.meshes[static_cast<std::size_t>(bundle.rays.mesh(lane))].moments.empty()) {
-    step.last = {};
+    step.memory.seen = {};
   }
   const SurfaceTriangle& triangle =
-      step.last.get(bundle.rays.mesh(lane), bundle.rays.triangle(lane), make);
+      step.memory.seen.get(bundle.rays.mesh(lane), bundle.rays.triangle(lane), make);
   const Material& material = *triangle.mesh->material;
   if (!material.unlit && mode_ != RenderMode::unlit) {
     meet_lit_surface(bundle, lane, triangle, step);
@@ -125,9 +128,9 @@ void ColorTracer::meet_lit_surface(const PathLegs& bundle, int lane,
                                    const SurfaceTriangle& triangle, Step& step) const {
   const PathLeg& leg = bundle.legs[static_cast<std::size_t>(lane)];
   const float reach = leg.travelled + bundle.rays.lanes.ray.tfar[lane];
-  SurfacePoint& point = step.lit.points[step.lit.size];
-  point = surface_point(triangle, {bundle.rays.weights(lane), bundle.rays.direction(lane),
-                                   step.packet.sample_width * reach, bundle.rays.share(lane)});
+  const SurfacePoint point =
+      surface_point(triangle, {bundle.rays.weights(lane), bundle.rays.direction(lane),
+                               step.packet.sample_width * reach, bundle.rays.share(lane)});
   const float share = coverage(*triangle.mesh->material, point.alpha, leg, step);
   pass(bundle, lane, share, step);
   if (share == 0) {
@@ -139,9 +142,10 @@ void ColorTracer::meet_lit_surface(const PathLegs& bundle, int lane,
     radiance += reflect_ambient(point, ambient_);
   }
   step.colors[leg.sample] += weight.cwiseProduct(radiance);
-  step.lit.legs[step.lit.size] = &leg;
-  step.lit.weights[step.lit.size] = weight;
-  ++step.lit.size;
+  const auto place = static_cast<std::size_t>(step.lit.points.size);
+  add_point(step.lit.points, point);
+  step.lit.legs[place] = &leg;
+  step.lit.weights[place] = weight;
   if (mode_ == RenderMode::path && leg.bounces < bounces_) {
     PathLeg next = leg;
     next.travelled = reach;
@@ -189,44 +193,57 @@ void ColorTracer::bounce(const PathLeg& leg, const SurfacePoint& point, Step& st
   }
 }
 
-void ColorTracer::add_light(std::size_t light_index, Step& step) const {
-  PlacedLight light = lights_[light_index];
-  ShadowPacket shadows;
-  std::array<std::size_t, kPacketSize> lit;  // of the step, one per shadow ray
-  std::array<DirectLight, kPacketSize> direct;
-  for (std::size_t i = 0; i < step.lit.size; ++i) {
-    const SurfacePoint& point = step.lit.points[i];
-    if (light_radius_ > 0 && light.has_place()) {
-      light.position = place_on_light(lights_[light_index], point,
-                                      draw(step, *step.lit.legs[i], of_lights + light_index));
-    }
-    const auto next = static_cast<std::size_t>(shadows.size);
-    direct[next] = direct_light(light, point);
-    if (!direct[next].irradiance.isZero(0)) {
-      lit[next] = i;
-      add_ray_to_light(shadows, point, direct[next], light);
+void ColorTracer::add_lights(Step& step) const {
+  const LitLanes& lit = step.lit.points;
+  ShadowPacket shadows = shadow_rays(lit);
+  Lanes3 sum;
+  for (std::size_t i = 0; i < lights_.size(); ++i) {
+    const PlacedLight& light = lights_[i];
+    LightLanes direct = direct_light(light, places_on_light(i, step), lit, instruction_set_);
+    aim_at_light(shadows, direct, light);
+    if (cast_shadows(shadows, shadow_reach(light), step.memory.blockers[i])) {
+      direct.keep(shadows.active);
+      add_reflected(lit, direct, light.intensity, instruction_set_, sum);
     }
   }
-  if (shadows.size == 0) {
-    return;
-  }
-  embree_.occlude(shadows);
-  for (int lane = 0; lane < shadows.size; ++lane) {
-    if (!shadows.is_occluded(lane)) {
-      const auto ray = static_cast<std::size_t>(lane);
-      const std::size_t i = lit[ray];
-      step.colors[step.lit.legs[i]->sample] +=
-          step.lit.weights[i].cwiseProduct(reflect_light(step.lit.points[i], direct[ray]));
-    }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(lit.size); ++i) {
+    step.colors[step.lit.legs[i]->sample] +=
+        step.lit.weights[i].cwiseProduct(Eigen::Vector3f(sum.x[i], sum.y[i], sum.z[i]));
   }
 }
 
-/// A point of the disc that a light shows to a surface, m.
-Eigen::Vector3f ColorTracer::place_on_light(const PlacedLight& light, const SurfacePoint& point,
-                                            const Eigen::Vector2f& random) const {
-  const Frame frame((light.position - point.position).normalized());
-  const Eigen::Vector2f place = light_radius_ * on_disc(random);
-  return light.position + frame.x * place.x() + frame.y * place.y();
+/// Leaves those rays active that meet nothing. Returns whether there are any.
+bool ColorTracer::cast_shadows(ShadowPacket& shadows, float reach, Blocker& blocker) const {
+  if (!shadows.has_rays() || !blocker.stop(shadows, reach, instruction_set_)) {
+    return false;
+  }
+  ShadowHit hit;
+  embree_.occlude(shadows, hit);
+  if (hit.mesh != kNone && !blocker.is(hit)) {
+    blocker = Blocker(flat_, hit);
+  }
+  return shadows.has_rays();
+}
+
+/// Where each point sees the light, m: a point of the disc that it shows to the surface.
+Lanes3 ColorTracer::places_on_light(std::size_t light_index, const Step& step) const {
+  const PlacedLight& light = lights_[light_index];
+  Lanes3 places = same_place(light);
+  if (light_radius_ == 0 || !light.has_place()) {
+    return places;
+  }
+  const Lanes3& from = step.lit.points.position;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(step.lit.points.size); ++i) {
+    const Eigen::Vector3f position(from.x[i], from.y[i], from.z[i]);
+    const Frame frame((light.position - position).normalized());
+    const Eigen::Vector2f place =
+        light_radius_ * on_disc(draw(step, *step.lit.legs[i], of_lights + light_index));
+    const Eigen::Vector3f moved = frame.x * place.x() + frame.y * place.y();
+    places.x[i] += moved.x();
+    places.y[i] += moved.y();
+    places.z[i] += moved.z();
+  }
+  return places;
 }
 
 /// No two draws of a path are the same.

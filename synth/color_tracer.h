@@ -8,11 +8,13 @@
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
 
+#include "synth/blocker.h"
 #include "synth/embree_scene.h"
 #include "synth/flat_scene.h"
 #include "synth/last_triangle.h"
 #include "synth/renderer.h"
 #include "synth/shading.h"
+#include "vo/core/instruction_set.h"
 
 namespace synth {
 
@@ -44,6 +46,12 @@ struct ColorPacket {
   float sample_width = 0;  ///< m at 1 m, of a sample's cone
 };
 
+/// What was met last, and is likely to be met again.
+struct ColorMemory {
+  LastTriangle<SurfaceTriangle> seen;
+  std::vector<Blocker> blockers;  ///< one per light
+};
+
 using PacketColors = std::array<Eigen::Vector3f, kPacketSize>;
 
 /// Finds the light that comes back along rays. The flat scene and Embree's must outlive it.
@@ -51,8 +59,10 @@ class ColorTracer {
  public:
   ColorTracer(const FlatScene& flat, const EmbreeScene& embree, const RenderOptions& options);
 
-  /// Linear RGB of each ray.
-  PacketColors trace(ColorPacket& packet, LastTriangle<SurfaceTriangle>& last) const;
+  /// Linear RGB of each ray, whatever is remembered.
+  PacketColors trace(ColorPacket& packet, ColorMemory& memory) const;
+
+  ColorMemory new_memory() const;
 
  private:
   struct LitPoints;
@@ -66,9 +76,9 @@ class ColorTracer {
   float coverage(const Material& material, float alpha, const PathLeg& leg, const Step& step) const;
   static void pass(const PathLegs& bundle, int lane, float hidden, Step& step);
   void bounce(const PathLeg& leg, const SurfacePoint& point, Step& step) const;
-  void add_light(std::size_t light_index, Step& step) const;
-  Eigen::Vector3f place_on_light(const PlacedLight& light, const SurfacePoint& point,
-                                 const Eigen::Vector2f& random) const;
+  void add_lights(Step& step) const;
+  bool cast_shadows(ShadowPacket& shadows, float reach, Blocker& blocker) const;
+  Lanes3 places_on_light(std::size_t light_index, const Step& step) const;
   Eigen::Vector2f draw(const Step& step, const PathLeg& leg, std::size_t use) const;
 
   const FlatScene& flat_;
@@ -76,6 +86,7 @@ class ColorTracer {
   RenderMode mode_;
   int bounces_;
   float light_radius_;  ///< m
+  vo::InstructionSet instruction_set_ = vo::available_instruction_set();
   AmbientLight ambient_;
   std::vector<PlacedLight> lights_;
 };

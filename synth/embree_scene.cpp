@@ -29,24 +29,41 @@ void keep_first_error(void* message, RTCError /*code*/, const char* text) {
   }
 }
 
-/// There are no instances, so the context's place for them tells the filter what the query sees;
-/// Embree's own initial value means solid surfaces alone.
-constexpr unsigned kSeesLayers = 0;
-
-RTCIntersectContext coherent_context(Sight sight) {
+/// What a query is about: Embree hands it on to the filters. Its own part comes first.
+struct Query {
   RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  if (sight == Sight::layers) {
-    context.instID[0] = kSeesLayers;
+  Sight sight = Sight::solid;
+  ShadowHit* blocker = nullptr;  ///< where to note what cast a shadow
+};
+
+Query coherent_query(Sight sight) {
+  Query query;
+  rtcInitIntersectContext(&query.context);
+  query.context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  query.sight = sight;
+  return query;
+}
+
+Query& query_of(const RTCFilterFunctionNArguments* arguments) {
+  return *reinterpret_cast<Query*>(arguments->context);
+}
+
+/// Notes the last of the triangles that rays were found to hit.
+void note_blocker(const RTCFilterFunctionNArguments* arguments) {
+  ShadowHit* const blocker = query_of(arguments).blocker;
+  const unsigned count = arguments->N;
+  for (unsigned i = 0; blocker != nullptr && i < count; ++i) {
+    if (arguments->valid[i] == -1) {
+      *blocker = {static_cast<int>(RTCHitN_geomID(arguments->hit, count, i)),
+                  static_cast<int>(RTCHitN_primID(arguments->hit, count, i))};
+    }
   }
-  return context;
 }
 
 /// Lets rays pass where the alpha says that nothing is.
 void drop_invisible(const RTCFilterFunctionNArguments* arguments) {
   const auto& flat = *static_cast<const FlatScene*>(arguments->geometryUserPtr);
-  const bool sees_layers = arguments->context->instID[0] == kSeesLayers;
+  const bool sees_layers = query_of(arguments).sight == Sight::layers;
   const unsigned count = arguments->N;
   for (unsigned i = 0; i < count; ++i) {
     if (arguments->valid[i] != -1) {
@@ -95,6 +112,8 @@ void attach(RTCDevice device, RTCScene hierarchy, const FlatScene& scene, unsign
     rtcSetGeometryUserData(geometry.get(), const_cast<FlatScene*>(&scene));  // only read
     rtcSetGeometryIntersectFilterFunction(geometry.get(), drop_invisible);
     rtcSetGeometryOccludedFilterFunction(geometry.get(), drop_invisible);
+  } else {
+    rtcSetGeometryOccludedFilterFunction(geometry.get(), note_blocker);
   }
   rtcCommitGeometry(geometry.get());
   rtcAttachGeometryByID(hierarchy, geometry.get(), index);
@@ -126,19 +145,13 @@ void aim_lane(RTCRay16& rays, int lane, const Aim& aim) {
   rays.mask[lane] = std::numeric_limits<unsigned>::max();
 }
 
-/// Embree's way to say which lanes hold a ray: -1 in them.
-struct LaneMask {
-  explicit LaneMask(int size) {
-    std::fill_n(valid.begin(), size, -1);
-    std::fill(valid.begin() + size, valid.end(), 0);
+struct alignas(64) FirstLanes {
+  explicit FirstLanes(int size) {
+    std::fill_n(mask.begin(), size, -1);
+    std::fill(mask.begin() + size, mask.end(), 0);
   }
-  alignas(64) std::array<int, kPacketSize> valid;
+  LaneMask mask;
 };
-
-Aim aim_at(const SurfacePoint& point, const DirectLight& direct, const PlacedLight& light) {
-  return {point.position + point.rounding * point.face_normal, direct.to_light, 0,
-          light.has_place() ? 1 : kInfinity, point.share};
-}
 
 Eigen::Matrix3d inverse_of_intrinsics(const vo::PinholeCamera& camera) {
   Eigen::Matrix3d result = Eigen::Matrix3d::Identity();
@@ -150,6 +163,10 @@ Eigen::Matrix3d inverse_of_intrinsics(const vo::PinholeCamera& camera) {
 }
 
 }  // namespace
+
+float shadow_reach(const PlacedLight& light) {
+  return light.has_place() ? 1 : kInfinity;
+}
 
 EmbreeScene::EmbreeScene(const FlatScene& flat) : device_(rtcNewDevice(nullptr)) {
   vo::require(device_ != nullptr, "Embree: no device, error ", rtcGetDeviceError(nullptr));
@@ -167,27 +184,30 @@ EmbreeScene::EmbreeScene(const FlatScene& flat) : device_(rtcNewDevice(nullptr))
 }
 
 void EmbreeScene::intersect(std::vector<RTCRayHit>& rays) const {
-  RTCIntersectContext context = coherent_context(Sight::solid);
-  rtcIntersect1M(hierarchy_.get(), &context, rays.data(), static_cast<unsigned>(rays.size()),
+  Query query = coherent_query(Sight::solid);
+  rtcIntersect1M(hierarchy_.get(), &query.context, rays.data(), static_cast<unsigned>(rays.size()),
                  sizeof(RTCRayHit));
 }
 
 void EmbreeScene::occlude(std::vector<RTCRay>& rays) const {
-  RTCIntersectContext context = coherent_context(Sight::solid);
-  rtcOccluded1M(hierarchy_.get(), &context, rays.data(), static_cast<unsigned>(rays.size()),
+  Query query = coherent_query(Sight::solid);
+  rtcOccluded1M(hierarchy_.get(), &query.context, rays.data(), static_cast<unsigned>(rays.size()),
                 sizeof(RTCRay));
 }
 
 void EmbreeScene::intersect(HitPacket& packet, Sight sight) const {
-  RTCIntersectContext context = coherent_context(sight);
-  const LaneMask mask(packet.size);
-  rtcIntersect16(mask.valid.data(), hierarchy_.get(), &context, &packet.lanes);
+  Query query = coherent_query(sight);
+  const FirstLanes first(packet.size);
+  rtcIntersect16(first.mask.data(), hierarchy_.get(), &query.context, &packet.lanes);
 }
 
-void EmbreeScene::occlude(ShadowPacket& packet) const {
-  RTCIntersectContext context = coherent_context(Sight::solid);
-  const LaneMask mask(packet.size);
-  rtcOccluded16(mask.valid.data(), hierarchy_.get(), &context, &packet.lanes);
+void EmbreeScene::occlude(ShadowPacket& packet, ShadowHit& blocker) const {
+  Query query = coherent_query(Sight::solid);
+  query.blocker = &blocker;
+  rtcOccluded16(packet.active.data(), hierarchy_.get(), &query.context, &packet.lanes);
+  const float* const left = packet.lanes.tfar;
+  std::transform(packet.active.begin(), packet.active.end(), left, packet.active.begin(),
+                 [](int active, float far) { return far < 0 ? 0 : active; });
 }
 
 void add_ray(HitPacket& packet, const Aim& aim) {
@@ -217,13 +237,30 @@ void aim_along(RTCRayHit& ray, const Eigen::Vector3f& from, const Eigen::Vector3
 
 void aim_at_light(RTCRay& ray, const SurfacePoint& point, const DirectLight& direct,
                   const PlacedLight& light) {
-  aim(ray, aim_at(point, direct, light));
+  aim(ray, {point.position + point.rounding * point.face_normal, direct.to_light, 0,
+            shadow_reach(light), point.share});
 }
 
-void add_ray_to_light(ShadowPacket& packet, const SurfacePoint& point, const DirectLight& direct,
-                      const PlacedLight& light) {
-  aim_lane(packet.lanes, packet.size, aim_at(point, direct, light));
-  ++packet.size;
+ShadowPacket shadow_rays(const LitLanes& lit) {
+  ShadowPacket packet;
+  RTCRay16& rays = packet.lanes;
+  std::copy(lit.start.x.begin(), lit.start.x.end(), rays.org_x);
+  std::copy(lit.start.y.begin(), lit.start.y.end(), rays.org_y);
+  std::copy(lit.start.z.begin(), lit.start.z.end(), rays.org_z);
+  std::fill_n(rays.tnear, kPacketSize, 0.0F);
+  std::copy(lit.scene_share.begin(), lit.scene_share.end(), rays.time);
+  std::fill_n(rays.mask, kPacketSize, std::numeric_limits<unsigned>::max());
+  return packet;
+}
+
+void aim_at_light(ShadowPacket& packet, const LightLanes& direct, const PlacedLight& light) {
+  RTCRay16& rays = packet.lanes;
+  std::copy(direct.to_light.x.begin(), direct.to_light.x.end(), rays.dir_x);
+  std::copy(direct.to_light.y.begin(), direct.to_light.y.end(), rays.dir_y);
+  std::copy(direct.to_light.z.begin(), direct.to_light.z.end(), rays.dir_z);
+  std::fill_n(rays.tfar, kPacketSize, shadow_reach(light));
+  std::transform(direct.share.begin(), direct.share.end(), packet.active.begin(),
+                 [](float share) { return share > 0 ? -1 : 0; });
 }
 
 std::vector<PixelCell> grid_of_cells(int per_edge) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -12,14 +13,14 @@
 #include <opencv2/core.hpp>
 
 #include "synth/flat_scene.h"
+#include "synth/lanes.h"
 #include "synth/random.h"
 #include "synth/shading.h"
+#include "synth/shading_lanes.h"
 #include "synth/shot.h"
 #include "vo/core/camera.h"
 
 namespace synth {
-
-inline constexpr int kPacketSize = 16;
 
 /// Rays that go nearly the same way and are traced together: the first `size` lanes.
 struct HitPacket {
@@ -40,12 +41,18 @@ struct HitPacket {
   float share(int lane) const { return lanes.ray.time[lane]; }  ///< FlatScene::share_at
 };
 
-/// Rays towards one light.
+/// Rays of a packet towards one light. Lanes that are not active hold numbers but no ray.
 struct ShadowPacket {
   RTCRay16 lanes;
-  int size = 0;
+  alignas(64) LaneMask active;
 
-  bool is_occluded(int lane) const { return lanes.tfar[lane] < 0; }  ///< after `occlude`
+  bool has_rays() const { return std::find(active.begin(), active.end(), -1) != active.end(); }
+};
+
+/// The triangle that stopped a shadow ray.
+struct ShadowHit {
+  int mesh = kNone;      ///< of FlatScene::meshes
+  int triangle = kNone;  ///< of that mesh
 };
 
 /// What a ray stops at: what depth, shadows and labels see, where alpha is at or above a mask's
@@ -64,7 +71,10 @@ class EmbreeScene {
   void occlude(std::vector<RTCRay>& rays) const;
 
   void intersect(HitPacket& packet, Sight sight) const;
-  void occlude(ShadowPacket& packet) const;
+
+  /// Leaves those rays active that meet nothing. `blocker` becomes the last opaque triangle that
+  /// stopped a ray, if one did.
+  void occlude(ShadowPacket& packet, ShadowHit& blocker) const;
 
   RTCScene hierarchy() const { return hierarchy_.get(); }
 
@@ -96,12 +106,18 @@ void add_ray(HitPacket& packet, const Aim& aim);
 /// A ray from a point of the flat scene along a direction that is 1 along the optical axis.
 void aim_along(RTCRayHit& ray, const Eigen::Vector3f& from, const Eigen::Vector3f& direction);
 
+/// How far from a surface things cast shadows on it, in lengths of DirectLight::to_light.
+float shadow_reach(const PlacedLight& light);
+
 /// A ray from a surface point to the light that `direct` is about.
 void aim_at_light(RTCRay& ray, const SurfacePoint& point, const DirectLight& direct,
                   const PlacedLight& light);
 
-void add_ray_to_light(ShadowPacket& packet, const SurfacePoint& point, const DirectLight& direct,
-                      const PlacedLight& light);
+/// Rays from all points; which way they go, `aim_at_light` says for one light after another.
+ShadowPacket shadow_rays(const LitLanes& lit);
+
+/// Active are the rays from the points that the light may reach.
+void aim_at_light(ShadowPacket& packet, const LightLanes& direct, const PlacedLight& light);
 
 /// One of the equal squares that a pixel's colour is sampled in.
 struct PixelCell {

@@ -65,7 +65,8 @@ class RayTracer final : public Renderer {
 
  private:
   void render_surface(const View& view, const Tile& tile, RenderedFrame& frame) const;
-  void render_color(const View& view, const Tile& tile, RenderedFrame& frame) const;
+  void render_color(const View& view, const Tile& tile, ColorMemory& memory,
+                    RenderedFrame& frame) const;
 
   FlatScene flat_;
   EmbreeScene embree_;
@@ -89,6 +90,7 @@ RenderedFrame RayTracer::render(const Shot& shot) const {
   shot.shutter.validate();
   const View view(flat_, shot);
   RenderedFrame frame = empty_frame(camera, shot.channels);
+  ColorMemory memory = color_tracer_.new_memory();
   for (int v = 0; v < camera.height; v += kTile) {
     for (int u = 0; u < camera.width; u += kTile) {
       const Tile tile({u, v}, {camera.width, camera.height});
@@ -96,7 +98,7 @@ RenderedFrame RayTracer::render(const Shot& shot) const {
         render_surface(view, tile, frame);
       }
       if (shot.channels.color && has_color_) {
-        render_color(view, tile, frame);
+        render_color(view, tile, memory, frame);
       }
     }
   }
@@ -137,8 +139,8 @@ void RayTracer::render_surface(const View& view, const Tile& tile, RenderedFrame
 }
 
 /// The mean over each pixel's cells, which are traced in their order, pixel by pixel.
-void RayTracer::render_color(const View& view, const Tile& tile, RenderedFrame& frame) const {
-  LastTriangle<SurfaceTriangle> last;
+void RayTracer::render_color(const View& view, const Tile& tile, ColorMemory& memory,
+                             RenderedFrame& frame) const {
   ColorPacket packet;
   packet.seed = view.seed();
   packet.sample_width = view.pixel_width() * width_of_cell_;
@@ -146,7 +148,7 @@ void RayTracer::render_color(const View& view, const Tile& tile, RenderedFrame& 
   sums.fill(Eigen::Vector3f::Zero());
   std::array<std::size_t, kPacketSize> places;  // of the packet's rays in the tile
   const auto trace = [&] {
-    const PacketColors colors = color_tracer_.trace(packet, last);
+    const PacketColors colors = color_tracer_.trace(packet, memory);
     for (std::size_t i = 0; i < static_cast<std::size_t>(packet.start.rays.size); ++i) {
       sums[places[i]] += colors[i];
     }

@@ -89,10 +89,12 @@ std::vector<PlacedLight> place_lights(const FlatScene& flat) {
     added.direction = light.direction.cast<float>();
     added.intensity = light.intensity;
     added.inverse_range = static_cast<float>(1 / light.range);
-    const double cos_outer = std::cos(light.outer_cone);
-    const double cone_width = std::cos(light.inner_cone) - cos_outer;
-    added.cos_outer = static_cast<float>(cos_outer);
-    added.inverse_cone_width = static_cast<float>(1 / std::max(kLeastConeWidth, cone_width));
+    if (light.kind == LightKind::spot) {
+      const double cos_outer = std::cos(light.outer_cone);
+      const double cone_width = std::cos(light.inner_cone) - cos_outer;
+      added.cos_outer = static_cast<float>(cos_outer);
+      added.inverse_cone_width = static_cast<float>(1 / std::max(kLeastConeWidth, cone_width));
+    }
   }
   return placed;
 }
@@ -107,47 +109,23 @@ DirectLight direct_light(const PlacedLight& light, const SurfacePoint& point) {
   if (!light.has_place()) {
     return {to_light, light.intensity * along_normal};
   }
-  const float distance2 = to_light.squaredNorm();
-  const float distance = std::sqrt(distance2);
-  float share = along_normal / (distance2 * distance);
-  if (light.inverse_range > 0) {
-    const float of_range = distance2 * light.inverse_range * light.inverse_range;
-    share *= std::clamp(1 - of_range * of_range, 0.0F, 1.0F);
-  }
-  if (light.kind == LightKind::spot) {
-    const float cosine = -light.direction.dot(to_light) / distance;
-    const float cone =
-        std::clamp((cosine - light.cos_outer) * light.inverse_cone_width, 0.0F, 1.0F);
-    share *= cone * cone;
-  }
-  return {to_light, light.intensity * share};
+  const float along_axis = -light.direction.dot(to_light);
+  return {to_light,
+          light.intensity * (along_normal * fading(light, along_axis, to_light.squaredNorm()))};
+}
+
+SurfaceFinish finish_of(const SurfacePoint& point) {
+  const float alpha = ggx_alpha(point);
+  return {point.metallic, point.specular, alpha * alpha};
 }
 
 Eigen::Vector3f reflectance(const SurfacePoint& point, const Eigen::Vector3f& to_light) {
-  constexpr float kInvPi = std::numbers::inv_pi_v<float>;
-  constexpr float kDielectric = 0.04F;  // reflected by glass at right angles
-  constexpr float kLeastCosine = 1e-4F;
   const Eigen::Vector3f l = to_light.normalized();
-  const Eigen::Vector3f h = (l + point.to_viewer).normalized();
-  const float n_l = std::max(kLeastCosine, point.normal.dot(l));
-  const float n_v = std::max(kLeastCosine, point.normal.dot(point.to_viewer));
-  const float n_h = std::max(0.0F, point.normal.dot(h));
-  const float v_h = std::max(0.0F, point.to_viewer.dot(h));
-
-  const float alpha = ggx_alpha(point);
-  const float alpha2 = alpha * alpha;
-  const float spread = n_h * n_h * (alpha2 - 1) + 1;
-  const float D = alpha2 * kInvPi / (spread * spread);
-  const float V = 0.5F / (n_l * std::sqrt(n_v * n_v * (1 - alpha2) + alpha2) +
-                          n_v * std::sqrt(n_l * n_l * (1 - alpha2) + alpha2));
-  const float m = 1 - v_h;
-  const float grazing = m * m * m * m * m;
-  const float glass = point.specular * (kDielectric + (1 - kDielectric) * grazing);
-  const Eigen::Vector3f metal =
-      point.base_color + (Eigen::Vector3f::Ones() - point.base_color) * grazing;
-  const Eigen::Vector3f diffuse = point.base_color * ((1 - glass) * kInvPi);
-  const Eigen::Vector3f dielectric = diffuse + Eigen::Vector3f::Constant(glass * D * V);
-  return dielectric + point.metallic * (metal * (D * V) - dielectric);
+  const Reflectance reflected =
+      reflectance(finish_of(point), {.n_l = point.normal.dot(l),
+                                     .n_v = point.normal.dot(point.to_viewer),
+                                     .l_v = l.dot(point.to_viewer)});
+  return (point.base_color.array() * reflected.tint + reflected.gloss).matrix();
 }
 
 }  // namespace synth
