@@ -37,8 +37,9 @@ Plan make_plan(const ExploreOptions& options, double scale, double duration_s) {
   const double steps =
       options.length > 0 ? options.length / plan.spacing + 1 : duration_s / plan.step - 1;
   constexpr double kMost = 1e5;
-  vo::require(steps >= 2, "explore: expected at least ", 3 * plan.step,
-              " s (speed and clearance given), so that there is a way to go");
+  vo::require(steps >= 2, "explore: no time to go anywhere, expected at least ", 3 * plan.step,
+              " s, a higher explore.speed or a smaller explore.clearance than ", plan.clearance,
+              " m");
   vo::require(steps < kMost, "explore: expected a shorter length, or a greater clearance");
   plan.controls = static_cast<std::size_t>(steps);
   return plan;

@@ -1,6 +1,7 @@
 #include "synth/generate.h"
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 #include <numeric>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include "synth/scene_motion.h"
 #include "vo/core/error.h"
+#include "vo/io/depth_units.h"
 #include "vo/io/trajectory_file.h"
 
 namespace synth {
@@ -83,13 +85,15 @@ vo::RgbdFrame FrameGenerator::take(std::size_t index) const {
   return sensor_->take(index, *make_renderer(during, recipe_.render));
 }
 
-std::vector<vo::NamedBytes> FrameGenerator::make(std::size_t index) const {
-  std::vector<vo::NamedBytes> files = vo::encode_frame(layout_of(recipe_), index, take(index));
+MadeFrame FrameGenerator::make(std::size_t index) const {
+  const vo::RgbdFrame frame = take(index);
+  MadeFrame made{vo::encode_frame(layout_of(recipe_), index, frame),
+                 vo::count_beyond_16_bit(frame.depth, recipe_.camera.depth_units_per_m)};
   if (truth_) {
     const std::vector<vo::NamedBytes> exact = truth_->make(index);
-    files.insert(files.end(), exact.begin(), exact.end());
+    made.files.insert(made.files.end(), exact.begin(), exact.end());
   }
-  return files;
+  return made;
 }
 
 std::vector<std::string> frame_files(const SequenceRecipe& recipe, std::size_t index) {
@@ -115,21 +119,25 @@ std::vector<std::size_t> missing_frames(const SequenceRecipe& recipe,
   return missing;
 }
 
-void generate_frames(const Scene& scene, const SequenceRecipe& recipe,
-                     const std::vector<std::size_t>& frames, const std::filesystem::path& folder,
-                     const vo::Progress& progress) {
+std::size_t generate_frames(const Scene& scene, const SequenceRecipe& recipe,
+                            const std::vector<std::size_t>& frames,
+                            const std::filesystem::path& folder, const vo::Progress& progress) {
   if (frames.empty()) {
-    return;
+    return 0;
   }
   const FrameGenerator generator(scene, recipe);
   vo::make_folders_of(folder, frame_files(recipe, 0));
   FrameCounter counter(progress, frames.size());
+  std::atomic<std::size_t> depth_beyond_16_bit = 0;
   tbb::parallel_for(std::size_t{0}, frames.size(), [&](std::size_t i) {
-    for (const auto& [name, bytes] : generator.make(frames[i])) {
+    const MadeFrame made = generator.make(frames[i]);
+    for (const auto& [name, bytes] : made.files) {
       vo::write_file(folder / name, bytes, vo::ExistingOutput::replace);
     }
+    depth_beyond_16_bit += made.depth_beyond_16_bit;
     counter.add_one();
   });
+  return depth_beyond_16_bit;
 }
 
 void finish_sequence(const SequenceRecipe& recipe, const std::filesystem::path& folder) {

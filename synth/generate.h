@@ -34,13 +34,19 @@ struct SequenceRecipe {
 /// T_world_camera of the recipe at any time.
 CameraPath path_of(const SequenceRecipe& recipe);
 
+/// All files of a frame.
+struct MadeFrame {
+  std::vector<vo::NamedBytes> files;
+  std::size_t depth_beyond_16_bit = 0;  ///< pixels that are 0 therefore
+};
+
 /// Makes the frames of one sequence, from any thread: each is a pure function of the scene, the
 /// recipe and its index. Both must outlive it.
 class FrameGenerator {
  public:
   FrameGenerator(const Scene& scene, const SequenceRecipe& recipe);
 
-  std::vector<vo::NamedBytes> make(std::size_t index) const;  ///< all files of a frame
+  MadeFrame make(std::size_t index) const;
 
  private:
   vo::RgbdFrame take(std::size_t index) const;
@@ -63,9 +69,10 @@ std::vector<std::size_t> missing_frames(const SequenceRecipe& recipe,
                                         const std::filesystem::path& folder);
 
 /// Renders, measures and writes these frames into an existing folder, in parallel on all cores.
-void generate_frames(const Scene& scene, const SequenceRecipe& recipe,
-                     const std::vector<std::size_t>& frames, const std::filesystem::path& folder,
-                     const vo::Progress& progress);
+/// Returns how many pixels of depth 16 bits could not hold.
+std::size_t generate_frames(const Scene& scene, const SequenceRecipe& recipe,
+                            const std::vector<std::size_t>& frames,
+                            const std::filesystem::path& folder, const vo::Progress& progress);
 
 /// Writes what a folder with all frames still lacks: the lists, groundtruth.txt, which is
 /// `recipe.truth`, camera.toml, groundtruth_depth.txt where depth has stamps of its own, and the

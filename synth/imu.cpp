@@ -38,11 +38,11 @@ PathMotion central_differences(const CameraPath& path, double time, double step)
 
 void ImuOptions::validate() const {
   constexpr double kMaxRate = 1e5;  // Hz
-  vo::require(rate > 0 && rate <= kMaxRate, "imu: expected a rate above 0 and at most ", kMaxRate,
-              " Hz, got ", rate);
+  vo::require(noise.rate > 0 && noise.rate <= kMaxRate, "imu: expected a rate above 0 and at most ",
+              kMaxRate, " Hz, got ", noise.rate);
   vo::require(std::isfinite(gravity), "imu: expected a finite gravity, got ", gravity);
-  vo::require(is_density(gyro_noise) && is_density(gyro_bias_walk) && is_density(accel_noise) &&
-                  is_density(accel_bias_walk),
+  vo::require(is_density(noise.gyro_noise) && is_density(noise.gyro_bias_walk) &&
+                  is_density(noise.accel_noise) && is_density(noise.accel_bias_walk),
               "imu: expected noise densities at or above 0");
 }
 
@@ -67,14 +67,15 @@ PathMotion path_motion(const CameraPath& path, const TimeSpan& span, double time
 
 vo::ImuRecord measure_imu(const CameraPath& path, const TimeSpan& span, const ImuOptions& options) {
   options.validate();
+  const vo::ImuNoise& noise = options.noise;
   constexpr double kTolerance = 1e-9;  // samples, for the rounding of rate times duration
-  const auto last = static_cast<std::size_t>((span.end - span.begin) * options.rate + kTolerance);
-  const double noise_scale = std::sqrt(options.rate);
+  const auto last = static_cast<std::size_t>((span.end - span.begin) * noise.rate + kTolerance);
+  const double noise_scale = std::sqrt(noise.rate);
   const Eigen::Vector3d gravity(0, -options.gravity, 0);
-  vo::ImuRecord record;
+  vo::ImuRecord record{.samples = {}, .states = {}, .noise = noise};
   vo::BodyState state;
   for (std::size_t i = 0; i <= last; ++i) {
-    state.timestamp = span.begin + static_cast<double>(i) / options.rate;
+    state.timestamp = span.begin + static_cast<double>(i) / noise.rate;
     state.T_world_body = path(state.timestamp);
     const PathMotion motion = path_motion(path, span, state.timestamp);
     state.velocity = motion.velocity;
@@ -82,12 +83,12 @@ vo::ImuRecord measure_imu(const CameraPath& path, const TimeSpan& span, const Im
     record.samples.push_back(
         {state.timestamp,
          motion.angular_velocity + state.gyro_bias +
-             options.gyro_noise * noise_scale * normals(options, kGyroNoise, i),
+             noise.gyro_noise * noise_scale * normals(options, kGyroNoise, i),
          state.T_world_body.rotation().conjugate() * (motion.acceleration - gravity) +
              state.accel_bias +
-             options.accel_noise * noise_scale * normals(options, kAccelNoise, i)});
-    state.gyro_bias += options.gyro_bias_walk / noise_scale * normals(options, kGyroWalk, i);
-    state.accel_bias += options.accel_bias_walk / noise_scale * normals(options, kAccelWalk, i);
+             noise.accel_noise * noise_scale * normals(options, kAccelNoise, i)});
+    state.gyro_bias += noise.gyro_bias_walk / noise_scale * normals(options, kGyroWalk, i);
+    state.accel_bias += noise.accel_bias_walk / noise_scale * normals(options, kAccelWalk, i);
   }
   return record;
 }

@@ -13,12 +13,8 @@ namespace synth {
 /// defaults are perfect. Noise is white, sigma = density sqrt(rate) per sample; biases start at 0
 /// and walk by sigma = density / sqrt(rate) from sample to sample.
 struct ImuOptions {
-  double rate = 200;           ///< Hz
-  double gravity = 9.81;       ///< m/s^2 along the world's -y
-  double gyro_noise = 0;       ///< rad/s/sqrt(Hz)
-  double gyro_bias_walk = 0;   ///< rad/s^2/sqrt(Hz)
-  double accel_noise = 0;      ///< m/s^2/sqrt(Hz)
-  double accel_bias_walk = 0;  ///< m/s^3/sqrt(Hz)
+  vo::ImuNoise noise{.rate = 200};
+  double gravity = 9.81;  ///< m/s^2 along the world's -y
   std::uint64_t seed = 1;
 
   void validate() const;  ///< throws vo::Error
@@ -26,12 +22,8 @@ struct ImuOptions {
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, ImuOptions& options) {
-  visit("rate", options.rate, "samples per second");
+  visit_fields(visit, options.noise);
   visit("gravity", options.gravity, "along the world's -y, m/s^2");
-  visit("gyro_noise", options.gyro_noise, "white noise density, rad/s/sqrt(Hz)");
-  visit("gyro_bias_walk", options.gyro_bias_walk, "density of the bias's walk, rad/s^2/sqrt(Hz)");
-  visit("accel_noise", options.accel_noise, "white noise density, m/s^2/sqrt(Hz)");
-  visit("accel_bias_walk", options.accel_bias_walk, "density of the bias's walk, m/s^3/sqrt(Hz)");
   visit("seed", options.seed, "of noise and biases");
 }
 

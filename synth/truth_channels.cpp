@@ -112,7 +112,8 @@ std::string truth_convention(TruthChannel channel, vo::FloatFormat format) {
       return "truth/velocity.csv: s, m/s in the world, rad/s in the camera's axes";
     case TruthChannel::imu:
       return "imu.csv: EuRoC, ns, rad/s, m/s^2 (acceleration less gravity), camera's axes, at the "
-             "camera; truth/imu_states.csv: EuRoC, T_world_camera, quaternion w first, velocity "
+             "camera; imu.toml: its noise; truth/imu_states.csv: EuRoC, T_world_camera, quaternion "
+             "w first, velocity "
              "in the world, biases";
   }
   return "";
@@ -140,6 +141,7 @@ std::vector<vo::NamedBytes> encode_motion(const TruthOptions& options, const Cam
     const vo::ImuRecord record =
         measure_imu(path, {trajectory.front().timestamp, trajectory.back().timestamp}, options.imu);
     files.push_back({"imu.csv", vo::format_imu(record.samples)});
+    files.push_back({"imu.toml", vo::format_imu_noise(record.noise)});
     files.push_back({"truth/imu_states.csv", vo::format_states(record.states)});
   }
   return files;

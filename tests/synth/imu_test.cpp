@@ -21,7 +21,7 @@ TEST(Imu, OnACircularOrbitReadsTheCentripetalForceGravityAndTheTurn) {
   constexpr double kPeriod = 4;  // s
   const double turn = 2 * std::numbers::pi / kPeriod;
   const CameraPath path = orbit({.radius = kRadius, .height = 0, .period = kPeriod});
-  const vo::ImuRecord record = measure_imu(path, {0, 1}, {.rate = 50});
+  const vo::ImuRecord record = measure_imu(path, {0, 1}, {.noise = {.rate = 50}});
   ASSERT_EQ(record.samples.size(), 51U);
   for (const vo::ImuSample& sample : record.samples) {
     // The camera looks at the centre, upright: its z is inwards, its y is down.
@@ -43,9 +43,9 @@ TEST(Imu, AtRestReadsGravityUpwards) {
 
 TEST(Imu, IntegratedTwiceReturnsToThePath) {
   const CameraPath path = support::example_pose;
-  const ImuOptions options{.rate = 1000};
+  const ImuOptions options{.noise = {.rate = 1000}};
   const vo::ImuRecord record = measure_imu(path, kSpan, options);
-  const double dt = 1 / options.rate;
+  const double dt = 1 / options.noise.rate;
   Eigen::Quaterniond R = path(kSpan.begin).rotation();
   Eigen::Vector3d p = path(kSpan.begin).translation();
   Eigen::Vector3d v = record.states.front().velocity;
@@ -70,8 +70,8 @@ TEST(Imu, IntegratedTwiceReturnsToThePath) {
 TEST(Imu, NoiseHasTheDensityThatWasAskedFor) {
   const vo::SE3 upright = vo::look_at({0, 0, 0}, {0, 0, -1}, Eigen::Vector3d::UnitY());
   const CameraPath path = [&](double) { return upright; };
-  const ImuOptions options{.rate = 100, .gyro_noise = 0.01, .accel_noise = 0.02};
-  const vo::ImuRecord perfect = measure_imu(path, {0, 100}, {.rate = 100});
+  const ImuOptions options{.noise = {.rate = 100, .gyro_noise = 0.01, .accel_noise = 0.02}};
+  const vo::ImuRecord perfect = measure_imu(path, {0, 100}, {.noise = {.rate = 100}});
   const vo::ImuRecord noisy = measure_imu(path, {0, 100}, options);
   Eigen::Vector3d gyro = Eigen::Vector3d::Zero();
   Eigen::Vector3d accel = Eigen::Vector3d::Zero();
@@ -90,8 +90,8 @@ TEST(Imu, BiasesWalkAndAreInTheTruth) {
   const vo::SE3 upright = vo::look_at({0, 0, 0}, {0, 0, -1}, Eigen::Vector3d::UnitY());
   const CameraPath path = [&](double) { return upright; };
   const vo::ImuRecord perfect = measure_imu(path, {0, 10}, {});
-  const vo::ImuRecord biased =
-      measure_imu(path, {0, 10}, {.gyro_bias_walk = 0.1, .accel_bias_walk = 0.2});
+  const vo::ImuRecord biased = measure_imu(
+      path, {0, 10}, {.noise = {.rate = 200, .gyro_bias_walk = 0.1, .accel_bias_walk = 0.2}});
   double step = 0;
   for (std::size_t i = 0; i < biased.samples.size(); ++i) {
     const Eigen::Vector3d bias =
@@ -105,9 +105,9 @@ TEST(Imu, BiasesWalkAndAreInTheTruth) {
 }
 
 TEST(Imu, RefusesOptionsThatMakeNoSense) {
-  EXPECT_EQ(support::error_text([] { ImuOptions{.rate = 0}.validate(); }),
+  EXPECT_EQ(support::error_text([] { ImuOptions{.noise = {.rate = 0}}.validate(); }),
             "imu: expected a rate above 0 and at most 100000 Hz, got 0");
-  EXPECT_THROW(ImuOptions{.gyro_noise = -1}.validate(), vo::Error);
+  EXPECT_THROW((ImuOptions{.noise = {.rate = 200, .gyro_noise = -1}}.validate()), vo::Error);
 }
 
 }  // namespace

@@ -60,6 +60,28 @@ TEST(PathCheck, FindsWhereAPathGoesThroughAWall) {
   EXPECT_EQ(tools::range_of(report.frames, &FrameCheck::clearance).min, 0);
 }
 
+/// A board that crosses the room along z at 1 m/s meets a camera at rest once.
+TEST(PathCheck, FindsWhereAMovingThingRunsIntoTheCamera) {
+  synth::Scene scene = support::box_room();
+  const std::size_t board = scene.instances.size();
+  support::add_rectangle(scene, {-0.5F, 0.5F, 0}, {1, 0, 0}, {0, -1, 0}, 0.5F);
+  scene.motion.nodes.resize(2);
+  scene.motion.instance_nodes.assign(scene.instances.size(), 0);
+  scene.motion.instance_nodes[board] = 1;
+  scene.motion.animations = {
+      {.duration = 4,
+       .channels = {{.node = 1,
+                     .property = synth::AnimatedProperty::translation,
+                     .curve = {.width = 3, .times = {0, 4}, .values = {0, 0, -2, 0, 0, 2}}}}}};
+  const synth::MoveOptions move{.eye = {0, 0, 0.15}, .target = {0, 0, -2.5}};
+  const PathReport report =
+      tools::check_path(scene, kCamera, {synth::still(move), {10, 11, 12, 13}}, {});
+  EXPECT_EQ(report.collisions, 1);
+  EXPECT_NEAR(report.frames[0].clearance, 1.5, 1e-5) << "the walls, the board is at -2";
+  EXPECT_NEAR(report.frames[1].clearance, 1.15, 1e-5) << "the board is at -1";
+  EXPECT_EQ(report.frames[2].clearance, 0) << "on its way from 0 to 1";
+}
+
 TEST(PathCheck, FindsViewsThatShowNothing) {
   const synth::MoveOptions move{.eye = {0, 0, 0}, .target = {0, 0, 2.5}};
   const PathReport report = check({synth::still(move), {0, 1}});

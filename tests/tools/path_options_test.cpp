@@ -14,7 +14,7 @@ using support::PoseNear;
 using support::TempFolder;
 using tools::PathKind;
 
-const std::filesystem::path kNoScene;  // none of these paths looks at it
+const tools::SceneFile kNoScene;  // none of these paths looks at it
 constexpr support::PoseTolerance kFilePrecision{.translation_m = 1e-8, .rotation_deg = 1e-6};
 
 constexpr support::PoseTolerance kNearAStraightLine{.translation_m = 1e-2, .rotation_deg = 1};

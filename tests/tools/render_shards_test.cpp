@@ -4,7 +4,9 @@
 
 #include "tests/support/folder_contents.h"
 #include "tests/support/program.h"
+#include "tests/support/render_room.h"
 #include "tests/support/temp_folder.h"
+#include "vo/io/output.h"
 
 namespace {
 
@@ -17,13 +19,8 @@ using support::run_program;
 using support::TempFolder;
 using testing::HasSubstr;
 
-const std::string kRender =
-    std::string("render '") + EDVO_SOURCE_DIR +
-    "/assets/room/room.gltf' --path orbit --orbit.centre=-0.95,0.5,0.3 --orbit.radius 1.2 "
-    "--orbit.height 0.8 --rate 5 --duration 1 --size 32x24 --samples 1 --float-depth --quiet ";
-
 ProgramResult render(const fs::path& out, const std::string& options) {
-  return run_program(kRender + options + " --out '" + out.string() + "'");
+  return support::render_room(out, "--duration 1 --size 32x24 --float-depth " + options);
 }
 
 TEST(RenderShards, GiveTheBytesOfOneRunInAnyOrderOnAnyNumberOfThreads) {
@@ -39,6 +36,51 @@ TEST(RenderShards, GiveTheBytesOfOneRunInAnyOrderOnAnyNumberOfThreads) {
   EXPECT_EQ(contents(whole).size(), 3 * 6 + 6U);
   EXPECT_EQ(contents(whole), contents(shards));
   EXPECT_FALSE(fs::exists(shards.string() + ".part"));
+}
+
+/// Rolling shutter, blur, noise, a late depth camera, moving things, and every channel of truth.
+TEST(RenderShards, GiveTheBytesOfOneRunWithAllEffectsAndChannels) {
+  const TempFolder folder;
+  const auto run = [&](const char* name, const std::string& share) {
+    return run_program(
+               std::string("render '") + EDVO_SOURCE_DIR +
+               "/assets/moving_room/moving_room.gltf' --path pan --move.eye 0.8,1.4,1.2 "
+               "--move.target 0,0.9,-1.5 --move.turn-deg 20 --move.ramp 0.2 "
+               "--shake.amplitude 0.01 --rate 4 --duration 0.8 --size 32x24 --samples 4 "
+               "--sensor kinect-v1 --channels all --imu.gyro-noise 0.001 --float-depth --quiet " +
+               share + " --out '" + (folder.path() / name).string() + "'")
+        .exit_code;
+  };
+  ASSERT_EQ(run("whole", "--threads 1"), 0);
+  for (const char* share : {"--shard 4/4 --threads 2", "--shard 3/4 --threads 1",
+                            "--shard 2/4 --threads 2", "--shard 1/4 --threads 1"}) {
+    EXPECT_EQ(run("shards", share), 0) << share;
+  }
+  EXPECT_EQ(run("two_threads", "--threads 2"), 0);
+  const auto whole = contents(folder.path() / "whole");
+  EXPECT_GT(whole.size(), 4 * 10U);
+  EXPECT_EQ(whole, contents(folder.path() / "shards"));
+  EXPECT_EQ(whole, contents(folder.path() / "two_threads"));
+}
+
+TEST(RenderShards, DepthBeyond16BitIsCounted) {
+  const TempFolder folder;
+  const fs::path camera =
+      folder.write("c.toml",
+                   "width = 32\nheight = 24\nfx = 30.0\nfy = 30.0\ncx = 15.5\ncy = 11.5\n"
+                   "depth_units_per_m = 30000.0\n");
+  const ProgramResult result =
+      run_program(std::string("render '") + EDVO_SOURCE_DIR +
+                  "/assets/plane_and_box/plane_and_box.gltf' --path still --move.eye 0,0,2.2 "
+                  "--move.target 0,0,0 --rate 1 --duration 0.5 --samples 1 --json --camera '" +
+                  camera.string() + "' --out '" + (folder.path() / "s").string() + "'");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  // The plane is 2.2 m away, beyond 65534 / 30000; the box's front, 1.2 m away, covers the pixels
+  // from 15.5 - 0.25 * 30 / 1.2 to the right and 0.375 * 30 / 1.2 up and down from 11.5.
+  EXPECT_EQ(json::parse(result.out)["depth_beyond_16_bit"], 32 * 24 - 22 * 18);
+  EXPECT_THAT(result.err, HasSubstr("depth pixels are beyond 2.18447 m"));
+  EXPECT_THAT(vo::read_file(folder.path() / "s/sequence.toml"),
+              HasSubstr("16 bit hold up to 2.18447 m"));
 }
 
 TEST(RenderShards, FinishedFramesAreKeptAndMissingOnesMade) {

@@ -4,6 +4,7 @@
 
 #include "tests/support/folder_contents.h"
 #include "tests/support/program.h"
+#include "tests/support/render_room.h"
 #include "tests/support/temp_folder.h"
 #include "vo/io/float_image.h"
 #include "vo/io/flow_file.h"
@@ -20,13 +21,8 @@ using support::run_program;
 using support::TempFolder;
 using testing::HasSubstr;
 
-const std::string kRender =
-    std::string("render '") + EDVO_SOURCE_DIR +
-    "/assets/room/room.gltf' --path orbit --orbit.centre=-0.95,0.5,0.3 --orbit.radius 1.2 "
-    "--orbit.height 0.8 --rate 5 --duration 0.4 --size 64x48 --samples 1 --quiet ";
-
 ProgramResult render(const fs::path& out, const std::string& options) {
-  return run_program(kRender + options + " --out '" + out.string() + "'");
+  return support::render_room(out, "--duration 0.4 --size 64x48 " + options);
 }
 
 TEST(RenderTruth, EveryChannelIsThereAndItsConventionInTheManifest) {

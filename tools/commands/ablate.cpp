@@ -9,7 +9,6 @@
 
 #include <tbb/global_control.h>
 
-#include "synth/gltf.h"
 #include "tools/ablate/pose_pairs.h"
 #include "tools/ablate/study.h"
 #include "tools/cli/options.h"
@@ -120,8 +119,9 @@ fs::path render_pairs(const AblateArguments& arguments) {
   const vo::PinholeCamera camera{
       kWidth, kHeight, kFocalLength, kFocalLength, (kWidth - 1) / 2.0, (kHeight - 1) / 2.0, {}};
   constexpr int kSamples = 9;
-  const RenderJob job{.scene = arguments.input,
-                      .recipe = {.truth = pose_pairs(synth::load_gltf(arguments.input), camera, {}),
+  const SceneFile scene(arguments.input);
+  const RenderJob job{.scene = scene,
+                      .recipe = {.truth = pose_pairs(scene.scene(), camera, {}),
                                  .camera = {camera},
                                  .render = {.samples = kSamples}}};
   fs::path folder = fs::path(arguments.out) / "pairs";

@@ -6,7 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "synth/gltf.h"
 #include "tools/cli/exit_code.h"
 #include "tools/cli/options.h"
 #include "tools/cli/scene_arguments.h"
@@ -18,8 +17,10 @@ namespace {
 
 constexpr const char* kCheckHelp =
     "Says what a camera path does in a scene, before anything is rendered: least distance to any\n"
-    "surface, collisions, blank views, speed, acceleration, optical flow. The scene is at rest.\n"
-    "Exit code 4 where a limit that is given is not kept.";
+    "surface, collisions, blank views, speed, acceleration, optical flow. Each frame sees the "
+    "scene\n"
+    "as it is then: a collision is also where a moving thing runs into the camera. Flow is the\n"
+    "camera's own. Exit code 4 where a limit that is given is not kept.";
 
 constexpr const char* kExamples =
     "Examples:\n"
@@ -30,6 +31,7 @@ constexpr const char* kExamples =
 struct CheckArguments {
   CommonOptions common;
   std::string scene;
+  synth::GltfOptions file;
   CameraArguments camera;
   PathArguments path;
   PathLimits limits;
@@ -74,9 +76,9 @@ nlohmann::ordered_json to_json(const PathReport& report) {
 }
 
 void print(const PathReport& report) {
-  std::cout << std::setprecision(4) << report.frames.size() << " frames, " << report.duration
-            << " s, " << report.length << " m; " << report.collisions << " collisions, "
-            << report.blank_views << " blank views\n"
+  std::cout << std::fixed << std::setprecision(3) << report.frames.size() << " frames, "
+            << report.duration << " s, " << report.length << " m; " << report.collisions
+            << " collisions, " << report.blank_views << " blank views\n"
             << std::left << std::setw(16) << "" << std::right << std::setw(10) << "min"
             << std::setw(10) << "median" << std::setw(10) << "max"
             << "\n";
@@ -98,9 +100,9 @@ void check(const CheckArguments& arguments, int& exit_code) {
     camera.validate();
     arguments.limits.validate();
   });
-  const TimedPath timed = make_path(chosen_path(arguments.path), arguments.scene);
-  const synth::Scene scene = synth::load_gltf(arguments.scene);
-  const PathReport report = check_path(scene, camera.pinhole, timed, arguments.limits);
+  const SceneFile file(arguments.scene, arguments.file);
+  const TimedPath timed = make_path(chosen_path(arguments.path), file);
+  const PathReport report = check_path(file.scene(), camera.pinhole, timed, arguments.limits);
   if (arguments.common.json) {
     std::cout << to_json(report).dump(2) << "\n";
   } else {
@@ -122,6 +124,7 @@ void add_path_command(CLI::App& program, int& exit_code) {
   command.add_option("SCENE", arguments->scene, "glTF 2.0 file, .gltf or .glb")->required();
   add_camera_options(command, arguments->camera);
   add_path_options(command, arguments->path);
+  add_field_options(command, vo::fields_of(arguments->file), "Scene");
   add_field_options(command, vo::fields_of(arguments->limits, "limit."), "Limits, 0 = none");
   add_common_options(command, arguments->common);
   command.callback([arguments, &exit_code] { check(*arguments, exit_code); });

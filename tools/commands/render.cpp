@@ -16,6 +16,7 @@
 #include "tools/pipeline/render_plan.h"
 #include "tools/pipeline/render_sequence.h"
 #include "vo/core/error.h"
+#include "vo/io/depth_units.h"
 
 namespace tools {
 namespace {
@@ -50,6 +51,7 @@ constexpr const char* kExamples =
 struct RenderArguments {
   CommonOptions common;
   std::string scene;
+  synth::GltfOptions file;
   CameraArguments camera;
   PathArguments path;
   std::string frames;
@@ -81,7 +83,16 @@ std::string summary(const RenderArguments& arguments, const RenderOutcome& outco
 }
 
 void print(const RenderArguments& arguments, const RenderOutcome& outcome) {
-  print_notes(arguments, outcome.notes);
+  std::vector<std::string> notes = outcome.notes;
+  if (outcome.depth_beyond_16_bit > 0) {
+    const double units = arguments.job.recipe.camera.depth_units_per_m;
+    notes.push_back(vo::concat(outcome.depth_beyond_16_bit, " depth pixels are beyond ",
+                               vo::farthest_in_16_bit(units), " m, which 16 bit cannot hold at ",
+                               units,
+                               " units per m, and became 0; --float-depth has "
+                               "them, and a camera with fewer depth_units_per_m"));
+  }
+  print_notes(arguments, notes);
   if (!arguments.common.json) {
     std::cout << summary(arguments, outcome) << "\n";
     return;
@@ -94,6 +105,7 @@ void print(const RenderArguments& arguments, const RenderOutcome& outcome) {
       {"missing", outcome.missing},
       {"path_length_m", vo::path_length(arguments.job.recipe.truth)},
       {"was_there", outcome.was_there},
+      {"depth_beyond_16_bit", outcome.depth_beyond_16_bit},
       {"notes", outcome.notes}};
   std::cout << result.dump(2) << "\n";
 }
@@ -118,7 +130,7 @@ void print(const RenderArguments& arguments, const RenderPlan& plan) {
 
 RenderJob chosen_job(const RenderArguments& arguments) {
   RenderJob job = arguments.job;
-  job.scene = arguments.scene;
+  job.scene = SceneFile(arguments.scene, arguments.file);
   check_usage([&] {
     job.recipe.camera = chosen_camera(arguments.camera);
     job.recipe.camera.validate();
@@ -203,7 +215,7 @@ void add_render_command(CLI::App& program, int& /*exit_code*/) {
   synth::TruthOptions& truth = arguments->job.recipe.channels;
   add_field_options(command, vo::fields_of(truth.edges, "edges."), "Ground truth");
   add_field_options(command, vo::fields_of(truth.imu, "imu."), "Ground truth");
-  add_field_options(command, vo::fields_of(arguments->job.file), "Scene");
+  add_field_options(command, vo::fields_of(arguments->file), "Scene");
   add_field_options(command, render_fields(arguments->job), "Rendering");
   add_field_options(command, sensor_fields(arguments->job.recipe.sensor), "Sensor");
   add_common_options(command, arguments->common);

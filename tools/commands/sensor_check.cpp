@@ -14,10 +14,10 @@
 #include "tools/commands/commands.h"
 #include "tools/pipeline/path_options.h"
 #include "tools/pipeline/result_files.h"
+#include "tools/report/webp.h"
 #include "tools/sensor_check/contact_sheet.h"
 #include "tools/sensor_check/noise_table.h"
 #include "vo/core/error.h"
-#include "vo/io/png.h"
 
 namespace tools {
 namespace {
@@ -25,7 +25,7 @@ namespace {
 constexpr const char* kHelp =
     "Measures the noise of the sensor presets on planes and greys and compares it with their\n"
     "formulas: depth_noise.csv, image_noise.csv and noise.svg. With --scene also "
-    "contact_sheet.png:\n"
+    "contact_sheet.webp:\n"
     "one frame of a path as each preset takes it.";
 
 constexpr const char* kExamples =
@@ -63,14 +63,16 @@ double worst_share(const std::vector<GreyNoise>& samples) {
 }
 
 std::string contact_sheet(const SensorCheckArguments& arguments) {
-  const synth::Scene scene = synth::load_gltf(arguments.scene, nullptr);
+  const SceneFile file(arguments.scene);
+  const synth::Scene& scene = file.scene();
   const auto renderer = synth::make_renderer(scene, {.samples = arguments.samples});
   const auto [width, height] = parse_size(arguments.size);
-  const TimedPath timed = make_path(arguments.path, arguments.scene);
+  const TimedPath timed = make_path(arguments.path, file);
   const synth::SensorMotion motion{synth::sample(timed.path, timed.times), timed.path};
   const auto camera = vo::PinholeCamera::from_horizontal_fov(width, height, arguments.fov_deg);
-  return vo::encode_png(
-      draw_contact_sheet(scene, *renderer, camera, motion, motion.truth.size() / 2));
+  constexpr double kQuality = 88;  // of 100; noise makes a lossless file five times as large
+  return encode_webp(draw_contact_sheet(scene, *renderer, camera, motion, motion.truth.size() / 2),
+                     kQuality);
 }
 
 void print(const SensorCheckArguments& arguments, double depth, double image) {
@@ -97,7 +99,7 @@ void sensor_check(const SensorCheckArguments& arguments) {
                                        {"image_noise.csv", format_grey_csv(image)},
                                        {"noise.svg", plot_noise(depth, image)}};
   if (!arguments.scene.empty()) {
-    files.push_back({"contact_sheet.png", contact_sheet(arguments)});
+    files.push_back({"contact_sheet.webp", contact_sheet(arguments)});
   }
   make_folder(arguments.out);
   write_results(arguments.out, files, arguments.common.existing());

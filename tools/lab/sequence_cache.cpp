@@ -34,7 +34,7 @@ EntryPlaces places_of(const fs::path& cache, const std::string& key) {
 std::string key_of(const RenderJob& job) {
   vo::ContentHash hash;
   hash.add(generator_hash());
-  hash.add(vo::to_hex(scene_files_hash(job.scene)));
+  hash.add(vo::to_hex(scene_files_hash(job.scene.path())));
   hash.add(format_recipe(job));
   return vo::to_hex(hash.value());
 }

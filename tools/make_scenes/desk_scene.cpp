@@ -4,6 +4,7 @@
 #include "tools/make_scenes/clutter.h"
 #include "tools/make_scenes/decoration.h"
 #include "tools/make_scenes/desk_things.h"
+#include "tools/make_scenes/fixtures.h"
 #include "tools/make_scenes/lamps.h"
 #include "tools/make_scenes/model_builder.h"
 #include "tools/make_scenes/noise.h"
@@ -14,8 +15,6 @@
 namespace scenes {
 namespace {
 
-using Eigen::Vector3d;
-
 constexpr double kHalfX = 1.7;     // m
 constexpr double kHalfZ = 1.5;     // m
 constexpr double kCeiling = 2.45;  // m
@@ -23,18 +22,9 @@ constexpr double kTop = 0.741;     // m, the worktop
 constexpr double kGap = 0.001;     // m
 
 Mesh study_shell() {
-  Mesh mesh = {"shell", {}};
-  const Vector3d x(2 * kHalfX, 0, 0);
-  const Vector3d y(0, kCeiling, 0);
-  const Vector3d z(0, 0, 2 * kHalfZ);
-  const Vector3d corner(-kHalfX, 0, -kHalfZ);
-  add(mesh, Finish::floor, rectangle(corner, x, z));
-  add(mesh, Finish::ceiling, rectangle(corner + y + z, x, -z));
-  add(mesh, Finish::plain_wall, rectangle(corner + y, x, -y));
-  add(mesh, Finish::wallpaper, rectangle(corner + x + y, z, -y));
-  add(mesh, Finish::brick, rectangle(corner + x + y + z, -x, -y));
-  add(mesh, Finish::plain_wall, rectangle(corner + y + z, -z, -y));
-  return mesh;
+  return plain_shell({2 * kHalfX, kCeiling, 2 * kHalfZ},
+                     {Finish::floor, Finish::ceiling, Finish::plain_wall, Finish::wallpaper,
+                      Finish::brick, Finish::plain_wall});
 }
 
 void scatter_papers(ModelBuilder& scene, int desk) {

@@ -41,6 +41,23 @@ void add_door_panel(Mesh& mesh, double y, double height) {
 
 }  // namespace
 
+Mesh plain_shell(const Vector3d& size, const ShellFinishes& finishes) {
+  Mesh mesh = {"shell", {}};
+  const Vector3d x(size.x(), 0, 0);
+  const Vector3d y(0, size.y(), 0);
+  const Vector3d z(0, 0, size.z());
+  const Vector3d corner(-size.x() / 2, 0, -size.z() / 2);
+  add(mesh, finishes.floor, rectangle(corner, x, z));
+  add(mesh, finishes.ceiling, rectangle(corner + y + z, x, -z));
+  if (finishes.north) {
+    add(mesh, *finishes.north, rectangle(corner + y, x, -y));
+  }
+  add(mesh, finishes.east, rectangle(corner + x + y, z, -y));
+  add(mesh, finishes.south, rectangle(corner + x + y + z, -x, -y));
+  add(mesh, finishes.west, rectangle(corner + y + z, -z, -y));
+  return mesh;
+}
+
 Mesh shell() {
   Mesh mesh = {"shell", {}};
   const Vector3d x(2 * kHalfWidth, 0, 0);

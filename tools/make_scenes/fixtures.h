@@ -1,5 +1,9 @@
 #pragma once
 
+#include <optional>
+
+#include <Eigen/Core>
+
 #include "tools/make_scenes/model.h"
 
 /// What belongs to the building. Things on a wall have it as the plane z = 0, facing +z.
@@ -15,7 +19,17 @@ inline constexpr double kWindowWidth = 1.6;   ///< m
 inline constexpr double kWindowSill = 0.95;   ///< m above the floor
 inline constexpr double kWindowHeight = 1.3;  ///< m
 
-Mesh shell();    ///< floor, walls, ceiling and beams
+/// What a plain room is made of. A wall without a finish is left out.
+struct ShellFinishes {
+  Finish floor, ceiling;
+  std::optional<Finish> north;  ///< z < 0
+  Finish east, south, west;     ///< x > 0, z > 0, x < 0
+};
+
+/// Floor, ceiling and walls around the origin, x and z to both sides, y = 0 the floor, m.
+Mesh plain_shell(const Eigen::Vector3d& size, const ShellFinishes& finishes);
+
+Mesh shell();    ///< floor, walls, ceiling and beams of the furnished room
 Mesh window();   ///< frame and sill; y = 0 is the sill, z = 0 the wall's inner face
 Mesh curtain();  ///< 0.5 m wide, y = 0 at its top
 Mesh curtain_rod();

@@ -52,16 +52,12 @@ void add_doorway_wall(Mesh& mesh) {
 }
 
 Mesh hall_shell() {
-  Mesh mesh = {"shell", {}};
-  const Vector3d x(2 * kHalfX, 0, 0);
-  const Vector3d y(0, kCeiling, 0);
-  const Vector3d z(0, 0, 2 * kHalfZ);
-  const Vector3d corner(-kHalfX, 0, -kHalfZ);
-  add(mesh, Finish::floor, rectangle(corner, x, z));
-  add(mesh, Finish::ceiling, rectangle(corner + y + z, x, -z));
-  add(mesh, Finish::plain_wall, rectangle(corner + x + y, z, -y));
-  add(mesh, Finish::brick, rectangle(corner + x + y + z, -x, -y));
-  add(mesh, Finish::plain_wall, rectangle(corner + y + z, -z, -y));
+  Mesh mesh = plain_shell({2 * kHalfX, kCeiling, 2 * kHalfZ}, {.floor = Finish::floor,
+                                                               .ceiling = Finish::ceiling,
+                                                               .north = std::nullopt,
+                                                               .east = Finish::plain_wall,
+                                                               .south = Finish::brick,
+                                                               .west = Finish::plain_wall});
   add_doorway_wall(mesh);
   return mesh;
 }

@@ -6,26 +6,15 @@
 namespace scenes {
 namespace {
 
-using Eigen::Vector3d;
-
 constexpr double kHalfX = 2.0;       // m
 constexpr double kHalfZ = 1.75;      // m
 constexpr double kCeiling = 2.5;     // m
 constexpr double kDoorWidth = 0.95;  // m, with its frame
 
 Mesh white_shell() {
-  Mesh mesh = {"shell", {}};
-  const Vector3d x(2 * kHalfX, 0, 0);
-  const Vector3d y(0, kCeiling, 0);
-  const Vector3d z(0, 0, 2 * kHalfZ);
-  const Vector3d corner(-kHalfX, 0, -kHalfZ);
-  add(mesh, Finish::white_floor, rectangle(corner, x, z));
-  add(mesh, Finish::white_wall, rectangle(corner + y + z, x, -z));
-  add(mesh, Finish::white_wall, rectangle(corner + y, x, -y));
-  add(mesh, Finish::white_wall, rectangle(corner + x + y, z, -y));
-  add(mesh, Finish::white_wall, rectangle(corner + x + y + z, -x, -y));
-  add(mesh, Finish::white_wall, rectangle(corner + y + z, -z, -y));
-  return mesh;
+  return plain_shell({2 * kHalfX, kCeiling, 2 * kHalfZ},
+                     {Finish::white_floor, Finish::white_wall, Finish::white_wall,
+                      Finish::white_wall, Finish::white_wall, Finish::white_wall});
 }
 
 Mesh white_table() {

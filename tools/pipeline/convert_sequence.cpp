@@ -71,6 +71,7 @@ std::vector<vo::NamedBytes> encode_tum_lists(const vo::SequenceSource& source) {
   }
   if (!source.imu.samples.empty()) {
     files.push_back({"imu.csv", vo::format_imu(source.imu.samples)});
+    files.push_back({"imu.toml", vo::format_imu_noise(source.imu.noise)});
   }
   if (!source.imu.states.empty()) {
     files.push_back({"truth/imu_states.csv", vo::format_states(source.imu.states)});

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <numbers>
+#include <utility>
 
 #include "synth/free_space.h"
+#include "synth/moving_obstacles.h"
 #include "synth/renderer.h"
+#include "synth/scene_motion.h"
 #include "synth/surface_tracer.h"
 #include "synth/view_content.h"
 #include "vo/core/error.h"
@@ -19,6 +23,16 @@ constexpr int kBetweenFrames = 8;
 constexpr double kTouch = 1e-3;        // m, from where on it is a collision
 constexpr double kBlank = 0.05;        // share of textured tiles
 constexpr double kDifference = 0.005;  // s, to either side
+
+/// The scene at an instant. What is in it refers to itself.
+struct Instant {
+  explicit Instant(synth::Scene now)
+      : scene(std::move(now)), tracer(scene, synth::RenderOptions{}.ambient), space(tracer) {}
+
+  synth::Scene scene;
+  synth::SurfaceTracer tracer;
+  synth::FreeSpace space;
+};
 
 double clearance_between(const synth::FreeSpace& space, const synth::CameraPath& path, double from,
                          double to) {
@@ -44,7 +58,7 @@ void measure_motion(const synth::CameraPath& path, FrameCheck& frame) {
       (kDifference * kDifference);
 }
 
-/// Of a scene at rest.
+/// Of the camera's motion alone.
 double median_flow(const synth::SurfaceTracer& tracer, const vo::PinholeCamera& camera,
                    const vo::SE3& T_world_cur, const vo::SE3& T_world_next) {
   const vo::PinholeCamera small = synth::thumbnail(camera, 64);
@@ -120,18 +134,28 @@ Range range_of(const std::vector<FrameCheck>& frames, double FrameCheck::*value)
 PathReport check_path(const synth::Scene& scene, const vo::PinholeCamera& camera,
                       const TimedPath& timed, const PathLimits& limits) {
   limits.validate();
-  const synth::SurfaceTracer tracer(scene, synth::RenderOptions{}.ambient);
-  const synth::FreeSpace space(tracer);
+  const bool moves = synth::moves(scene);
+  const std::vector<bool> moving = synth::moving_instances(scene);
   PathReport report;
+  auto now = std::make_unique<const Instant>(synth::scene_at(scene, 0));
   for (std::size_t i = 0; i < timed.times.size(); ++i) {
     FrameCheck frame{.time = timed.times[i]};
     const double next = timed.times[std::min(i + 1, timed.times.size() - 1)];
     const vo::SE3 T_world_cur = timed.path(frame.time);
     const vo::SE3 T_world_next = timed.path(next);
     measure_motion(timed.path, frame);
-    measure_view(tracer, camera, T_world_cur, frame);
-    frame.clearance = clearance_between(space, timed.path, frame.time, next);
-    frame.flow_px = median_flow(tracer, camera, T_world_cur, T_world_next);
+    measure_view(now->tracer, camera, T_world_cur, frame);
+    frame.clearance = clearance_between(now->space, timed.path, frame.time, next);
+    frame.flow_px = median_flow(now->tracer, camera, T_world_cur, T_world_next);
+    if (moves) {
+      auto then =
+          std::make_unique<const Instant>(synth::scene_at(scene, next - timed.times.front()));
+      if (synth::is_struck(now->scene, then->scene, moving,
+                           {T_world_cur.translation(), T_world_next.translation()})) {
+        frame.clearance = 0;
+      }
+      now = std::move(then);
+    }
     report.length += (T_world_next.translation() - T_world_cur.translation()).norm();
     report.collisions += frame.clearance < kTouch ? 1 : 0;
     report.blank_views += frame.textured_share < kBlank ? 1 : 0;

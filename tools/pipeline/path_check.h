@@ -36,7 +36,7 @@ void visit_fields(Visitor& visit, PathLimits& limits) {
 /// A frame, and the way from it to the next one.
 struct FrameCheck {
   double time = 0;            ///< s
-  double clearance = 0;       ///< m, least on the way; 0 where a surface is crossed
+  double clearance = 0;       ///< m, least on the way; 0 where a surface is met
   double speed = 0;           ///< m/s
   double turn_deg = 0;        ///< deg/s
   double acceleration = 0;    ///< m/s^2
@@ -54,7 +54,7 @@ struct Range {
 struct PathReport {
   double duration = 0;  ///< s, from the first to the last frame
   double length = 0;    ///< m
-  int collisions = 0;   ///< ways between frames that cross or touch a surface
+  int collisions = 0;   ///< ways between frames that cross or touch a surface, moving or not
   int blank_views = 0;  ///< frames with contrast in fewer than a twentieth of their tiles
   std::vector<FrameCheck> frames;
   std::vector<std::string> violations;  ///< a sentence for each limit that is not kept
@@ -63,9 +63,10 @@ struct PathReport {
 /// The range of one of a frame's values.
 Range range_of(const std::vector<FrameCheck>& frames, double FrameCheck::*value);
 
-/// The scene is at rest. Clearance is looked at eight times between frames; speeds and acceleration
-/// are central differences over 10 ms; the flow is that of pixels of a view 64 pixels wide, in
-/// pixels of `camera`.
+/// Each frame sees the scene as it is then, its animations starting with the first frame. Clearance
+/// is looked at eight times between frames; speeds and acceleration are central differences over 10
+/// ms; the flow is that of pixels of a view 64 pixels wide by the camera's motion alone, in pixels
+/// of `camera`.
 PathReport check_path(const synth::Scene& scene, const vo::PinholeCamera& camera,
                       const TimedPath& timed, const PathLimits& limits);
 

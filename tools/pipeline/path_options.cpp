@@ -1,6 +1,6 @@
 #include "tools/pipeline/path_options.h"
 
-#include "synth/gltf.h"
+#include "synth/moving_obstacles.h"
 #include "synth/renderer.h"
 #include "synth/surface_tracer.h"
 #include "vo/core/error.h"
@@ -59,15 +59,15 @@ TimedPath as_recorded(const vo::Trajectory& poses) {
   return result;
 }
 
-TimedPath explored(const PathOptions& options, const std::filesystem::path& file) {
-  const synth::Scene scene = synth::load_gltf(file);
+TimedPath explored(const PathOptions& options, const SceneFile& file) {
+  const synth::Scene scene = synth::with_traces(file.scene(), options.duration);
   const synth::SurfaceTracer tracer(scene, synth::RenderOptions{}.ambient);
   const synth::ExploredPath found = synth::explore(tracer, options.duration, options.explore);
   const double duration = options.explore.length > 0 ? found.duration : options.duration;
   return {found.path, synth::sample_times(options.rate, duration)};
 }
 
-TimedPath steady_path(const PathOptions& options, const std::filesystem::path& scene) {
+TimedPath steady_path(const PathOptions& options, const SceneFile& scene) {
   const auto timed = [&](synth::CameraPath path) {
     return TimedPath{std::move(path), synth::sample_times(options.rate, options.duration)};
   };
@@ -134,7 +134,7 @@ void PathOptions::validate() const {
   validate_kind(*this);
 }
 
-TimedPath make_path(const PathOptions& options, const std::filesystem::path& scene) {
+TimedPath make_path(const PathOptions& options, const SceneFile& scene) {
   options.validate();
   TimedPath result = steady_path(options, scene);
   if (options.shake.moves()) {
@@ -143,7 +143,7 @@ TimedPath make_path(const PathOptions& options, const std::filesystem::path& sce
   return result;
 }
 
-vo::Trajectory make_trajectory(const PathOptions& options, const std::filesystem::path& scene) {
+vo::Trajectory make_trajectory(const PathOptions& options, const SceneFile& scene) {
   const TimedPath timed = make_path(options, scene);
   return synth::sample(timed.path, timed.times);
 }

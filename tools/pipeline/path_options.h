@@ -10,6 +10,7 @@
 #include "synth/explore.h"
 #include "synth/hand_shake.h"
 #include "synth/recorded_path.h"
+#include "tools/pipeline/scene_file.h"
 #include "vo/core/trajectory.h"
 
 namespace tools {
@@ -75,10 +76,11 @@ struct TimedPath {
   std::vector<double> times;
 };
 
-/// `scene` is the glTF file, which is read where the camera explores it.
-TimedPath make_path(const PathOptions& options, const std::filesystem::path& scene);
+/// `scene` is read where the camera explores it; there it keeps clear of all places that moving
+/// things come by.
+TimedPath make_path(const PathOptions& options, const SceneFile& scene);
 
 /// T_world_camera of each frame.
-vo::Trajectory make_trajectory(const PathOptions& options, const std::filesystem::path& scene);
+vo::Trajectory make_trajectory(const PathOptions& options, const SceneFile& scene);
 
 }  // namespace tools

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "synth/gltf.h"
 #include "tools/pipeline/processor_time.h"
 
 namespace tools {
@@ -21,8 +20,8 @@ void measure(const synth::Scene& scene, const RenderJob& job,
   plan.measured = std::min(kMeasured, frames.size());
   double bytes = 0;
   for (std::size_t i = 0; i < plan.measured; ++i) {
-    for (const vo::NamedBytes& file :
-         generator.make(frames[(2 * i + 1) * frames.size() / (2 * plan.measured)])) {
+    const std::size_t frame = frames[(2 * i + 1) * frames.size() / (2 * plan.measured)];
+    for (const vo::NamedBytes& file : generator.make(frame).files) {
       bytes += static_cast<double>(file.bytes.size());
     }
   }
@@ -35,7 +34,7 @@ void measure(const synth::Scene& scene, const RenderJob& job,
 
 RenderPlan plan_sequence(const RenderJob& job, const std::filesystem::path& folder) {
   const double start_ms = processor_ms();
-  const synth::Scene scene = synth::load_gltf(job.scene, job.file);
+  const synth::Scene& scene = job.scene.scene();
   const double loading_s = kSecondsPerMs * (processor_ms() - start_ms);
   const std::size_t frames = frames_of(job.share, job.recipe.truth.size()).size();
   const std::vector<std::size_t> missing = frames_to_render(job, scene, folder);

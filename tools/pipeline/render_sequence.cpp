@@ -8,6 +8,7 @@
 #include "vo/core/fields.h"
 #include "vo/core/hash.h"
 #include "vo/io/camera_file.h"
+#include "vo/io/depth_units.h"
 #include "vo/io/toml_file.h"
 #include "vo/io/trajectory_file.h"
 
@@ -66,7 +67,11 @@ std::string format_manifest(const RenderJob& job, const synth::Scene& scene) {
   std::string text =
       "# Frames: T_world_camera in groundtruth.txt, camera x right, y down, z forward;"
       " world is the scene's.\n"
-      "# Depth: along the optical axis at the pixel's centre, 0 = none.\n"
+      "# Depth: along the optical axis at the pixel's centre, 0 = none.";
+  text +=
+      vo::concat(" 16 bit hold up to ", vo::farthest_in_16_bit(job.recipe.camera.depth_units_per_m),
+                 " m; beyond, 0.\n");
+  text +=
       "# Colour: sRGB unless sensor.response says otherwise, mean over the pixel's area.\n"
       "# Stamps: the middle of the exposure of the middle row, (height - 1) / 2, and the pose is\n"
       "# that of this instant; row v is exposed readout_time (v - (height - 1) / 2) / height "
@@ -74,7 +79,7 @@ std::string format_manifest(const RenderJob& job, const synth::Scene& scene) {
       "# its depth is that of the middle of its exposure. Depth is stamped depth.delay later, its\n"
       "# poses are in groundtruth_depth.txt then.\n";
   text += vo::concat("generator = \"edvo ", version(), "\"\n");
-  text += "scene = " + vo::quoted_toml(job.scene.filename().string()) + "\n";
+  text += "scene = " + vo::quoted_toml(job.scene.path().filename().string()) + "\n";
   text += "scene_hash = \"" + vo::to_hex(synth::content_hash(scene)) + "\"\n";
   return text + format_recipe(job);
 }
@@ -101,7 +106,7 @@ void render_share(const RenderJob& job, const synth::Scene& scene, vo::StagedFol
                   const vo::Progress& progress, RenderOutcome& outcome) {
   const fs::path& folder = staged.staging();
   const std::vector<std::size_t> frames = synth::missing_frames(job.recipe, share_of(job), folder);
-  synth::generate_frames(scene, job.recipe, frames, folder, progress);
+  outcome.depth_beyond_16_bit = synth::generate_frames(scene, job.recipe, frames, folder, progress);
   outcome.rendered = frames.size();
   outcome.missing = synth::missing_frames(job.recipe, all_frames(job), folder).size();
   if (outcome.missing == 0) {
@@ -158,7 +163,8 @@ RenderOutcome render_sequence(const RenderJob& job, const fs::path& folder,
   job.recipe.camera.validate();
   share_of(job);  // throws before any work
   RenderOutcome outcome{.folder = folder};
-  const synth::Scene scene = synth::load_gltf(job.scene, job.file, &outcome.notes);
+  const synth::Scene& scene = job.scene.scene();
+  outcome.notes = job.scene.notes();
   const std::string manifest = format_manifest(job, scene);
   if (holds(folder, manifest, job)) {
     outcome.was_there = true;

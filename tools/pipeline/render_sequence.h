@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "synth/generate.h"
-#include "synth/gltf.h"
 #include "tools/pipeline/frame_share.h"
+#include "tools/pipeline/scene_file.h"
 #include "vo/core/progress.h"
 #include "vo/io/output.h"
 
@@ -15,8 +15,7 @@ namespace tools {
 
 /// All that determines a synthetic sequence, and how much of it to render now.
 struct RenderJob {
-  std::filesystem::path scene;
-  synth::GltfOptions file;  ///< which part of the scene's file
+  SceneFile scene;
   synth::SequenceRecipe recipe;
   FrameShare share;
 };
@@ -25,11 +24,12 @@ struct RenderJob {
 std::string format_recipe(const RenderJob& job);
 
 struct RenderOutcome {
-  bool was_there = false;          ///< the folder held the same sequence already
-  std::filesystem::path folder;    ///< where the frames are
-  std::size_t rendered = 0;        ///< frames
-  std::size_t missing = 0;         ///< frames, of the whole sequence; 0 = it is complete
-  std::vector<std::string> notes;  ///< what the scene file holds that was left out
+  bool was_there = false;               ///< the folder held the same sequence already
+  std::filesystem::path folder;         ///< where the frames are
+  std::size_t rendered = 0;             ///< frames
+  std::size_t missing = 0;              ///< frames, of the whole sequence; 0 = it is complete
+  std::vector<std::string> notes;       ///< what the scene file holds that was left out
+  std::size_t depth_beyond_16_bit = 0;  ///< pixels of the frames rendered that became 0
 };
 
 /// Renders into a folder that appears when the sequence is complete. Its sequence.toml records the

@@ -77,8 +77,9 @@ std::vector<BoundCheck> check_bounds(const Metrics& metrics,
 }
 
 RenderJob render_job(const Scenario& scenario) {
-  const TimedPath timed = make_path(scenario.resolved_path(), scenario.scene_file());
-  return {.scene = scenario.scene_file(),
+  const SceneFile scene(scenario.scene_file());
+  const TimedPath timed = make_path(scenario.resolved_path(), scene);
+  return {.scene = scene,
           .recipe = {.truth = synth::sample(timed.path, timed.times),
                      .path = timed.path,
                      .camera = scenario.camera.camera(),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
 #include <opencv2/imgproc.hpp>
 
 #include "synth/sensor/preset.h"
@@ -53,11 +54,32 @@ Picture error_picture(const vo::DepthImage& measured, const vo::DepthImage& exac
   return result;
 }
 
+/// The measured surface in a light from the upper left: steps and noise that colours hide.
+Picture relief(const vo::DepthImage& depth, const vo::PinholeCamera& camera) {
+  const Eigen::Vector3d to_light = Eigen::Vector3d(-1, -1, -1).normalized();
+  Picture result(depth.size(), cv::Vec3b(0, 0, 0));
+  for (int v = 0; v + 1 < depth.rows; ++v) {
+    for (int u = 0; u + 1 < depth.cols; ++u) {
+      if (!vo::has_depth(depth(v, u)) || !vo::has_depth(depth(v, u + 1)) ||
+          !vo::has_depth(depth(v + 1, u))) {
+        continue;
+      }
+      const Eigen::Vector3d p = camera.unproject({u, v}, depth(v, u));
+      const Eigen::Vector3d right = camera.unproject({u + 1, v}, depth(v, u + 1)) - p;
+      const Eigen::Vector3d down = camera.unproject({u, v + 1}, depth(v + 1, u)) - p;
+      const double light = std::max(0.0, down.cross(right).normalized().dot(to_light));
+      result(v, u) = cv::Vec3b::all(cv::saturate_cast<uchar>(40 + 215 * light));
+    }
+  }
+  return result;
+}
+
 std::vector<Picture> row_of(std::string_view name, const vo::RgbdFrame& frame,
-                            const vo::DepthImage& exact) {
+                            const vo::PinholeCamera& camera, const vo::DepthImage& exact) {
   return {titled(frame.image.clone(), std::string(name)),
           titled(enlarged_middle(frame.image), vo::concat("x", kEnlargement)),
           titled(colored(frame.depth), vo::concat("depth, 0 to ", kFar, " m")),
+          titled(relief(frame.depth, camera), "depth, lit"),
           titled(error_picture(frame.depth, exact), vo::concat("error, +-", 1000 * kError, " mm"))};
 }
 
@@ -72,7 +94,7 @@ cv::Mat_<cv::Vec3b> draw_contact_sheet(const synth::Scene& scene, const synth::R
     const synth::RgbdSensor sensor(scene, renderer, camera, motion, synth::preset_options(preset));
     const vo::RgbdFrame taken = sensor.take(frame);
     exact = exact.empty() ? taken.depth : exact;
-    rows.push_back(row_of(name, taken, exact));
+    rows.push_back(row_of(name, taken, camera, exact));
   }
   return montage(rows);
 }

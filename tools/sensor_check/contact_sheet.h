@@ -12,7 +12,8 @@
 namespace tools {
 
 /// A row per preset, of one frame of a motion: image | its middle enlarged | depth, red far, black
-/// none | depth less the perfect one, red too far, blue too near.
+/// none | the surface that it describes, lit | depth less the perfect one, red too far, blue too
+/// near.
 cv::Mat_<cv::Vec3b> draw_contact_sheet(const synth::Scene& scene, const synth::Renderer& renderer,
                                        const vo::PinholeCamera& camera,
                                        const synth::SensorMotion& motion, std::size_t frame);

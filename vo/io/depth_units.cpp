@@ -25,6 +25,10 @@ cv::Mat_<std::uint16_t> to_depth_units(const DepthImage& depth, double units_per
   return units;
 }
 
+double farthest_in_16_bit(double units_per_m) {
+  return kMaxUnits / units_per_m;
+}
+
 std::size_t count_beyond_16_bit(const DepthImage& depth, double units_per_m) {
   return static_cast<std::size_t>(std::count_if(depth.begin(), depth.end(), [&](float metres) {
     return std::round(metres * units_per_m) > kMaxUnits;

@@ -14,6 +14,9 @@ namespace vo {
 /// Depth as 16 bit; what they cannot hold is 0, no measurement.
 cv::Mat_<std::uint16_t> to_depth_units(const DepthImage& depth, double units_per_m);
 
+/// m
+double farthest_in_16_bit(double units_per_m);
+
 /// The pixels that `to_depth_units` loses: farther than 65534 units.
 std::size_t count_beyond_16_bit(const DepthImage& depth, double units_per_m);
 

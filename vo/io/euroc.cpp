@@ -35,9 +35,10 @@ std::string yaml_value(const std::string& text, const std::string& key) {
   }
   const std::size_t begin = text.find(':', at) + 1;
   const std::size_t line_end = std::min(text.find('\n', begin), text.size());
+  const std::size_t value_end = std::min(text.find('#', begin), line_end);
   const std::size_t bracket = text.find('[', begin);
-  if (bracket > line_end) {
-    return text.substr(begin, std::min(text.find('#', begin), line_end) - begin);
+  if (bracket > value_end) {
+    return text.substr(begin, value_end - begin);
   }
   return text.substr(bracket + 1, text.find(']', bracket) - bracket - 1);
 }
@@ -132,6 +133,44 @@ std::string format_sensor(const SequenceSource& source, const char* comment) {
                 ", ", format_real(lens.p1), ", ", format_real(lens.p2), "]\n");
 }
 
+/// EuRoC's names of the noise and its units.
+struct NoiseKey {
+  const char* key;
+  const char* unit;
+  double ImuNoise::*value;
+};
+
+constexpr std::array kNoiseKeys = {
+    NoiseKey{"rate_hz", "Hz", &ImuNoise::rate},
+    NoiseKey{"gyroscope_noise_density", "rad/s/sqrt(Hz)", &ImuNoise::gyro_noise},
+    NoiseKey{"gyroscope_random_walk", "rad/s^2/sqrt(Hz)", &ImuNoise::gyro_bias_walk},
+    NoiseKey{"accelerometer_noise_density", "m/s^2/sqrt(Hz)", &ImuNoise::accel_noise},
+    NoiseKey{"accelerometer_random_walk", "m/s^3/sqrt(Hz)", &ImuNoise::accel_bias_walk}};
+
+std::string format_imu_sensor(const ImuNoise& noise) {
+  std::string text =
+      "#Default imu sensor yaml file\nsensor_type: imu\ncomment: body\n" + format_matrix({});
+  for (const NoiseKey& key : kNoiseKeys) {
+    text += concat(key.key, ": ", format_real(noise.*key.value), " # [", key.unit, "]\n");
+  }
+  return text;
+}
+
+/// What is not there is unknown.
+ImuNoise read_imu_sensor(const fs::path& path) {
+  ImuNoise noise;
+  if (!fs::exists(path)) {
+    return noise;
+  }
+  const std::string text = read_file(path);
+  for (const NoiseKey& key : kNoiseKeys) {
+    if (!yaml_value(text, key.key).empty()) {
+      noise.*key.value = yaml_numbers(path, text, key.key, 1)[0];
+    }
+  }
+  return noise;
+}
+
 std::string format_list(const std::vector<double>& timestamps) {
   std::string text = "#timestamp [ns],filename\n";
   for (const double timestamp : timestamps) {
@@ -191,6 +230,7 @@ SequenceSource open_euroc(const fs::path& folder, const std::optional<RgbdCamera
   }
   if (fs::exists(folder / kImu / "data.csv")) {
     source.imu.samples = read_imu(folder / kImu / "data.csv");
+    source.imu.noise = read_imu_sensor(folder / kImu / "sensor.yaml");
     source.imu.states = read_states(folder / kTruth / "data.csv");
   }
   return source;
@@ -228,9 +268,7 @@ std::vector<NamedBytes> encode_euroc_lists(const SequenceSource& source, bool ha
   }
   if (!source.imu.samples.empty()) {
     files.push_back({std::string(kImu) + "/data.csv", format_imu(source.imu.samples)});
-    files.push_back(
-        {std::string(kImu) + "/sensor.yaml",
-         "#Default imu sensor yaml file\nsensor_type: imu\ncomment: body\n" + format_matrix({})});
+    files.push_back({std::string(kImu) + "/sensor.yaml", format_imu_sensor(source.imu.noise)});
   }
   return files;
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 
 #include "vo/core/error.h"
@@ -111,14 +112,19 @@ std::string format_vector(const char* key, const Eigen::Vector3d& v) {
   return line.data();
 }
 
-std::string format_scene_pose(const SE3& T_world_camera) {
+/// POV-Ray's camera: `right` and `up` are as long as the image is wide and high at the end of
+/// `dir`, from which the data set's own programs find the focal lengths. The rest is constant
+/// there.
+std::string format_scene_pose(const PinholeCamera& camera, const SE3& T_world_camera) {
   const Eigen::Matrix3d R = T_world_camera.rotation_matrix();
-  const Eigen::Vector3d& eye = T_world_camera.translation();
-  return format_vector("cam_pos", eye) + format_vector("cam_dir", R.col(2)) +
-         format_vector("cam_up", R.col(1)) + format_vector("cam_lookat", eye + R.col(2)) +
+  const double width = camera.width / camera.fx;
+  const double height = camera.height / std::abs(camera.fy);
+  return format_vector("cam_pos", T_world_camera.translation()) +
+         format_vector("cam_dir", R.col(2)) + format_vector("cam_up", height * R.col(1)) +
+         format_vector("cam_lookat", Eigen::Vector3d::UnitZ()) +
          format_vector("cam_sky", Eigen::Vector3d::UnitY()) +
-         format_vector("cam_right", Eigen::Vector3d::UnitX()) +
-         format_vector("cam_fpoint", Eigen::Vector3d::UnitZ());
+         format_vector("cam_right", width * R.col(0)) +
+         format_vector("cam_fpoint", 10 * Eigen::Vector3d::UnitZ()) + "cam_angle    = 90;\n";
 }
 
 fs::path find_trajectory(const fs::path& folder) {
@@ -203,7 +209,7 @@ std::vector<NamedBytes> encode_icl_nuim_frame(const RgbdCamera& camera, std::siz
   require(!frame.depth.empty(), "ICL-NUIM: expected frames with depth");
   return {{scene_file(index, "png"), encode_png(frame.image)},
           {scene_file(index, "depth"), format_distances(frame.depth, camera.pinhole)},
-          {scene_file(index, "txt"), format_scene_pose(mirrored(T_world_camera))}};
+          {scene_file(index, "txt"), format_scene_pose(camera.pinhole, mirrored(T_world_camera))}};
 }
 
 std::vector<NamedBytes> encode_icl_tum_frame(const RgbdCamera& camera, std::size_t index,

@@ -5,7 +5,9 @@
 #include <cstdio>
 
 #include "vo/core/error.h"
+#include "vo/core/fields.h"
 #include "vo/io/text_lines.h"
+#include "vo/io/toml_file.h"
 #include "vo/io/trajectory_file.h"
 
 namespace vo {
@@ -63,6 +65,18 @@ std::vector<ImuSample> read_imu(const std::filesystem::path& path) {
     samples.push_back({values[0], vector_at(values, 1), vector_at(values, 4)});
   }
   return samples;
+}
+
+std::string format_imu_noise(const ImuNoise& noise) {
+  ImuNoise copy = noise;
+  return format_toml(fields_of(copy));
+}
+
+ImuNoise read_imu_noise(const std::filesystem::path& path) {
+  ImuNoise noise;
+  std::vector<Field> fields = fields_of(noise);
+  assign_fields(read_toml(path), fields);
+  return noise;
 }
 
 std::string format_states(const std::vector<BodyState>& states) {

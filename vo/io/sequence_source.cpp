@@ -25,6 +25,9 @@ SequenceSource open_tum(const fs::path& folder, const std::optional<RgbdCamera>&
   if (fs::exists(folder / "imu.csv")) {
     source.imu.samples = read_imu(folder / "imu.csv");
   }
+  if (fs::exists(folder / "imu.toml")) {
+    source.imu.noise = read_imu_noise(folder / "imu.toml");
+  }
   if (fs::exists(folder / "truth/imu_states.csv")) {
     source.imu.states = read_states(folder / "truth/imu_states.csv");
   }

@@ -1,9 +1,13 @@
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/error_text.h"
 #include "tests/support/example_trajectory.h"
 #include "tests/support/temp_folder.h"
+#include "vo/core/fields.h"
+#include "vo/io/camera_file.h"
 #include "vo/io/depth_units.h"
 #include "vo/io/euroc.h"
 #include "vo/io/icl_nuim.h"
@@ -64,6 +68,7 @@ void expect_same(const vo::SequenceSource& copy, const vo::SequenceSource& sourc
 TEST(Euroc, ReadsBackWithDepthPosesAndImu) {
   vo::SequenceSource source = example();
   source.imu.samples = {{0, {1, 2, 3}, {4, 5, 6}}, {0.005, {1, 2, 3}, {4, 5, 7}}};
+  source.imu.noise = {200, 1.7e-4, 1.9e-5, 2e-3, 3e-3};
   for (const vo::StampedPose& pose : source.truth) {
     source.imu.states.push_back({pose.timestamp, pose.T_world_camera, {1, 2, 3}, {}, {}});
   }
@@ -78,6 +83,11 @@ TEST(Euroc, ReadsBackWithDepthPosesAndImu) {
   EXPECT_EQ(copy.imu.samples.size(), 2U);
   EXPECT_EQ(copy.imu.states.size(), 3U);
   EXPECT_NEAR(copy.imu.samples[1].specific_force.z(), 7, 1e-12);
+  EXPECT_EQ(copy.imu.noise.rate, 200);
+  EXPECT_EQ(copy.imu.noise.gyro_noise, 1.7e-4);
+  EXPECT_EQ(copy.imu.noise.gyro_bias_walk, 1.9e-5);
+  EXPECT_EQ(copy.imu.noise.accel_noise, 2e-3);
+  EXPECT_EQ(copy.imu.noise.accel_bias_walk, 3e-3);
 }
 
 TEST(Euroc, PosesAreTheBodysAndTheCameraHasItsPlaceOnIt) {
@@ -155,6 +165,44 @@ TEST(IclNuim, DistanceIsAlongTheRay) {
             1e-12);
   folder.write("scene_00_0000.depth", "3 x ");
   EXPECT_THAT(error_text([&] { source.read(0); }), HasSubstr("column 1, row 0"));
+}
+
+/// From a frame of the data set's trajectory at 200 frames a second: `right` is 4/3 long.
+TEST(IclNuim, ReadsTheCameraAsPovRayWritesIt) {
+  const TempFolder folder;
+  folder.write("camera.toml", "width = 1\nheight = 1\nfx = 1.0\nfy = -1.0\ncx = 0.0\ncy = 0.0\n");
+  folder.write("scene_00_0000.depth", "3 ");
+  folder.write("scene_00_0000.txt",
+               "cam_pos      = [149.376, 451.41, -285.9]';\n"
+               "cam_dir      = [0.421738, -0.409407, 0.809026]';\n"
+               "cam_up       = [-0.0482194, 0.880868, 0.470899]';\n"
+               "cam_lookat   = [0, 0, 1]';\ncam_sky      = [0, 1, 0]';\n"
+               "cam_right    = [1.20423, 0.316017, -0.467833]';\n"
+               "cam_fpoint   = [0, 0, 10]';\ncam_angle    = 90;\n");
+  const vo::RgbdFrame frame{0, cv::Mat(1, 1, CV_8UC3, cv::Scalar(1, 2, 3)),
+                            vo::DepthImage(1, 1, 1.F)};
+  write(folder, {vo::encode_icl_nuim_frame({{1, 1, 1, 1, 0, 0, {}}}, 0, frame, {})[0]});
+  const auto source = vo::open_sequence(folder.path(), vo::SequenceFormat::icl_nuim);
+  const vo::SE3 T_theirs = vo::mirrored(source.truth[0].T_world_camera);
+  const Eigen::Vector3d right = Eigen::Vector3d(1.20423, 0.316017, -0.467833).normalized();
+  EXPECT_LT((T_theirs.rotation_matrix().col(0) - right).norm(), 1e-5);
+}
+
+/// As the data set's getcamK finds K: f = pixels / |right| and pixels / |up| at |dir| = 1.
+TEST(IclNuim, WritesTheFocalLengthsIntoTheCameraVectors) {
+  const vo::SequenceSource source = example();
+  const TempFolder folder;
+  write(folder, vo::encode_icl_nuim_frame(source.camera, 0, source.read(0),
+                                          source.truth[0].T_world_camera));
+  const std::string text = vo::read_file(folder.path() / "scene_00_0000.txt");
+  const auto length = [&](const char* key) {
+    const std::size_t begin = text.find('[', text.find(key)) + 1;
+    const auto values = vo::parse_reals(text.substr(begin, text.find(']', begin) - begin), 3);
+    return std::hypot(values[0], values[1], values[2]);
+  };
+  const vo::PinholeCamera& camera = source.camera.pinhole;
+  EXPECT_NEAR(camera.width * length("cam_dir") / length("cam_right"), camera.fx, 1e-9);
+  EXPECT_NEAR(camera.height * length("cam_dir") / length("cam_up"), camera.fy, 1e-9);
 }
 
 TEST(IclNuim, TumCompatibleReadsBack) {
