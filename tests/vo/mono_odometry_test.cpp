@@ -103,6 +103,48 @@ TEST(MonoOdometry, WantsTheFirstDepthOnlyWhereItIsAskedFor) {
   EXPECT_EQ(flat.track(frame).state, MonoState::tracking);
 }
 
+TEST(MonoOdometry, WithoutParallaxItWaitsForIt) {
+  vo::MonoOdometry odometry(small_camera(), options_with(MonoBootstrap::automatic));
+  for (int i = 0; i < 15; ++i) {
+    const vo::MonoResult result = odometry.track(support::plane_frame(small_camera(), SE3(), i));
+    EXPECT_EQ(result.state, MonoState::initialising);
+    EXPECT_EQ(result.tracking.status, vo::TrackingStatus::lost);
+    EXPECT_EQ(result.initialiser.verdict, vo::InitialiserVerdict::waiting);
+  }
+  EXPECT_TRUE(odometry.trajectory().empty());
+}
+
+/// A tenth of a pixel is 0.7 mm on the plane.
+TEST(MonoOdometry, WithKnownDepthsItFollowsACameraThatOnlyTurns) {
+  vo::MonoOdometry odometry(small_camera(), options_with(MonoBootstrap::rgbd));
+  for (int i = 0; i < 10; ++i) {
+    const SE3 turn = SE3::exp((vo::Vector6d() << 0, 0, 0, 0, 0.008 * i, 0).finished());
+    const vo::MonoResult result = odometry.track(support::plane_frame(small_camera(), turn, i));
+    EXPECT_EQ(result.state, MonoState::tracking);
+    EXPECT_LT(result.tracking.T_world_camera.translation().norm(), 0.002);
+  }
+}
+
+/// From its own depth image: half the plane stands still, the other half moves with the camera.
+TEST(MonoOdometry, WhenHalfTheImageMovesPosesAreFiniteOrLost) {
+  for (const MonoBootstrap bootstrap :
+       {MonoBootstrap::rgbd, MonoBootstrap::automatic, MonoBootstrap::random}) {
+    vo::MonoOdometry odometry(small_camera(), options_with(bootstrap));
+    for (int i = 0; i < 20; ++i) {
+      vo::RgbdFrame frame = support::plane_frame(small_camera(), walk(i), i);
+      const vo::RgbdFrame moving = support::plane_frame(small_camera(), walk(-2 * i), i);
+      moving.image.colRange(0, 160).copyTo(frame.image.colRange(0, 160));
+      const vo::MonoResult result = odometry.track(frame);
+      const bool is_lost = result.tracking.status == vo::TrackingStatus::lost;
+      EXPECT_EQ(is_lost, result.tracking.reason != vo::LostReason::none) << "frame " << i;
+    }
+    for (const vo::StampedPose& pose : odometry.trajectory()) {
+      EXPECT_TRUE(pose.T_world_camera.translation().allFinite());
+      EXPECT_LT(pose.T_world_camera.translation().norm(), 10);
+    }
+  }
+}
+
 TEST(MonoOdometry, AWallWithoutTextureIsNotTracked) {
   for (const MonoBootstrap bootstrap : {MonoBootstrap::rgbd, MonoBootstrap::automatic}) {
     vo::MonoOdometry odometry(small_camera(), options_with(bootstrap));

@@ -11,6 +11,41 @@
 
 namespace vo {
 
+namespace {
+
+/// Depth of an edge pixel in a depth image, m, and its relative standard deviation.
+struct EdgeDepth {
+  float depth = 0;
+  float relative_sigma = 0;
+};
+
+/// At a step the edge is mostly the near surface's, whichever of the two its pixel lies on; but
+/// texture of the far one ends there, too. 0 where the pixel has no depth.
+EdgeDepth depth_of_edge(const DepthImage& depth, cv::Point pixel, float relative_sigma) {
+  constexpr float kStep = 1.05F;
+  if (!has_depth(depth(pixel))) {
+    return {};
+  }
+  float nearest = depth(pixel);
+  float farthest = depth(pixel);
+  for (int dv = -1; dv <= 1; ++dv) {
+    for (int du = -1; du <= 1; ++du) {
+      const float z = depth(pixel + cv::Point(du, dv));
+      if (has_depth(z)) {
+        nearest = std::min(nearest, z);
+        farthest = std::max(farthest, z);
+      }
+    }
+  }
+  const float half_step = 0.5F * (1 - nearest / farthest);
+  if (farthest <= kStep * nearest || half_step <= relative_sigma) {
+    return {depth(pixel), relative_sigma};
+  }
+  return {nearest, half_step};
+}
+
+}  // namespace
+
 DepthMap::DepthMap(const DepthMapOptions& options) : options_(options) {
   options_.validate();
 }
@@ -25,10 +60,11 @@ void DepthMap::start(const FramePyramid& anchor, double guessed_depth) {
 void DepthMap::take_depth(const DepthImage& depth, double relative_sigma) {
   assert(depth.size() == anchor_.levels.front().intensity.size());
   for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
-    const float z = depth(hypotheses_.pixel[i]);
-    if (has_depth(z)) {
-      const float sigma = static_cast<float>(relative_sigma) / z;
-      hypotheses_.set(i, 1 / z, sigma * sigma);
+    const EdgeDepth edge =
+        depth_of_edge(depth, hypotheses_.pixel[i], static_cast<float>(relative_sigma));
+    if (has_depth(edge.depth)) {
+      const float sigma = edge.relative_sigma / edge.depth;
+      hypotheses_.set(i, 1 / edge.depth, sigma * sigma);
     }
   }
 }

@@ -31,15 +31,15 @@ struct LinePixels {
   Eigen::Vector2f direction;
   float start;
 
-  LinePixels(const PinholeCamera& camera, const Eigen::Vector2f& q, const Eigen::Vector2f& dq_ds,
-             float s)
-      : start(s) {
-    const ImagedRay imaged = image_ray(camera, q + s * dq_ds);
-    pixel = imaged.pixel;
-    direction = imaged.J * dq_ds;
-  }
+  LinePixels(const ImagedRay& imaged, const Eigen::Vector2f& dq_ds, float s)
+      : pixel(imaged.pixel), direction(imaged.J * dq_ds), start(s) {}
 
   Eigen::Vector2f at(float s) const { return pixel + (s - start) * direction; }
+
+  /// A straight line is inside where its ends are.
+  bool can_be_sampled(const GrayImage& image, float first, float last) const {
+    return vo::can_be_sampled(image, at(first)) && vo::can_be_sampled(image, at(last));
+  }
 };
 
 }  // namespace
@@ -51,6 +51,7 @@ struct EpipolarSearch::Line {
   Eigen::Vector3f R_ray;         ///< R ray: the point at inverse depth d is along R_ray + d t
   Eigen::Vector2f q;             ///< ray coordinates of the expected place
   Eigen::Vector2f dq_ds;         ///< of one px along the line
+  ImagedRay imaged;              ///< of q
   float step = 1;                ///< px per sample of the anchor
   float s_min = 0;               ///< px
   float s_max = 0;               ///< px
@@ -96,7 +97,8 @@ bool EpipolarSearch::make_line(const SearchTarget& target, Line& line) const {
   }
   line.q = P.hnormalized();
   const Eigen::Vector2f step_q = next.hnormalized() - line.q;
-  line.step = (image_ray(pair_.current.camera, line.q).J * step_q).norm();
+  line.imaged = image_ray(pair_.current.camera, line.q);
+  line.step = (line.imaged.J * step_q).norm();
   const auto limit = static_cast<float>(options_.max_scale_change);
   if (!(line.step * limit >= 1 && line.step <= limit)) {
     return false;
@@ -107,13 +109,15 @@ bool EpipolarSearch::make_line(const SearchTarget& target, Line& line) const {
 
 /// False where the samples leave the anchor. Also finds the ends of the searched interval.
 bool EpipolarSearch::sample_anchor(const SearchTarget& target, Line& line) const {
+  const Eigen::Vector2f centre(static_cast<float>(target.pixel.x),
+                               static_cast<float>(target.pixel.y));
+  const Eigen::Vector2f reach = static_cast<float>(kReach + 1) * line.along_anchor;
+  if (!can_be_sampled(pair_.anchor.intensity, centre - reach) ||
+      !can_be_sampled(pair_.anchor.intensity, centre + reach)) {
+    return false;
+  }
   for (int k = 0; k < kSampled; ++k) {
-    const Eigen::Vector2f at =
-        Eigen::Vector2f(static_cast<float>(target.pixel.x), static_cast<float>(target.pixel.y)) +
-        static_cast<float>(k - kReach - 1) * line.along_anchor;
-    if (!can_be_sampled(pair_.anchor.intensity, at)) {
-      return false;
-    }
+    const Eigen::Vector2f at = centre + static_cast<float>(k - kReach - 1) * line.along_anchor;
     line.anchor[static_cast<std::size_t>(k)] =
         pair_.gain * sample_bilinear(pair_.anchor.intensity, at) + pair_.offset;
   }
@@ -131,6 +135,26 @@ bool EpipolarSearch::sample_anchor(const SearchTarget& target, Line& line) const
   return true;
 }
 
+/// Intensities of the current image along the searched interval and what is compared beside it.
+void EpipolarSearch::sample_line(const Line& line) {
+  constexpr float kStraight = 8;  // px; a lens bends a line of this length by less than 0.05 px
+  const GrayImage& image = pair_.current.intensity;
+  const float first = line.s_min - static_cast<float>(kReach) * line.step;
+  const float last = first + static_cast<float>(samples_.size() - 1) * line.step;
+  const bool is_straight = pair_.current.camera.distortion.is_zero() || last - first <= kStraight;
+  const LinePixels pixels(line.imaged, line.dq_ds, 0);
+  const bool is_inside = is_straight && pixels.can_be_sampled(image, first, last);
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    const float at = first + static_cast<float>(i) * line.step;
+    const Eigen::Vector2f pixel =
+        is_straight ? pixels.at(at)
+                    : image_ray(pair_.current.camera, line.q + at * line.dq_ds).pixel;
+    samples_[i] = is_inside || can_be_sampled(image, pixel)
+                      ? sample_bilinear(image, pixel)
+                      : std::numeric_limits<float>::quiet_NaN();
+  }
+}
+
 /// The place on the line, in steps of a sample, with the least sum of squared differences.
 SearchOutcome EpipolarSearch::coarse_match(const Line& line, float& s) {
   constexpr float kNoSearch = 1.5F;  // px; the slope leads there from anywhere in it
@@ -141,18 +165,7 @@ SearchOutcome EpipolarSearch::coarse_match(const Line& line, float& s) {
   const int shifts = 1 + static_cast<int>(std::ceil((line.s_max - line.s_min) / line.step));
   samples_.resize(static_cast<std::size_t>(shifts + 2 * kReach));
   differences_.assign(static_cast<std::size_t>(shifts), kUnseen);
-  const float first = line.s_min - static_cast<float>(kReach) * line.step;
-  const bool is_straight = pair_.current.camera.distortion.is_zero();
-  const LinePixels pixels(pair_.current.camera, line.q, line.dq_ds, 0);
-  for (std::size_t i = 0; i < samples_.size(); ++i) {
-    const float at = first + static_cast<float>(i) * line.step;
-    const Eigen::Vector2f pixel =
-        is_straight ? pixels.at(at)
-                    : image_ray(pair_.current.camera, line.q + at * line.dq_ds).pixel;
-    samples_[i] = can_be_sampled(pair_.current.intensity, pixel)
-                      ? sample_bilinear(pair_.current.intensity, pixel)
-                      : std::numeric_limits<float>::quiet_NaN();
-  }
+  sample_line(line);
   std::size_t best = 0;
   for (std::size_t i = 0; i < differences_.size(); ++i) {
     float sum = 0;
@@ -189,17 +202,22 @@ bool EpipolarSearch::refine(const Line& line, float& s, float& information) cons
   constexpr float kMaxStep = 0.5F;
   constexpr float kConverged = 0.01F;
   const float start = s;
-  const LinePixels pixels(pair_.current.camera, line.q, line.dq_ds, start);
+  const bool is_straight = pair_.current.camera.distortion.is_zero();
+  const LinePixels pixels(
+      is_straight
+          ? ImagedRay{line.imaged.pixel + start * (line.imaged.J * line.dq_ds), line.imaged.J}
+          : image_ray(pair_.current.camera, line.q + start * line.dq_ds),
+      line.dq_ds, start);
+  const float reach = static_cast<float>(kReach + 1) * line.step;
   float squares = 0;
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+    if (!pixels.can_be_sampled(pair_.current.intensity, s - reach, s + reach)) {
+      return false;
+    }
     std::array<float, kSampled> current{};
     for (std::size_t k = 0; k < kSampled; ++k) {
       const float offset = (static_cast<float>(k) - kReach - 1) * line.step;
-      const Eigen::Vector2f pixel = pixels.at(s + offset);
-      if (!can_be_sampled(pair_.current.intensity, pixel)) {
-        return false;
-      }
-      current[k] = sample_bilinear(pair_.current.intensity, pixel);
+      current[k] = sample_bilinear(pair_.current.intensity, pixels.at(s + offset));
     }
     float right = 0;
     information = 0;

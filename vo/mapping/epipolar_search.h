@@ -66,6 +66,7 @@ class EpipolarSearch {
   struct Line;
   bool make_line(const SearchTarget& target, Line& line) const;
   bool sample_anchor(const SearchTarget& target, Line& line) const;
+  void sample_line(const Line& line);
   SearchOutcome coarse_match(const Line& line, float& s);
   bool refine(const Line& line, float& s, float& information) const;
   float pose_variance(const Line& line, const Eigen::Vector3f& P, float inverse_depth) const;

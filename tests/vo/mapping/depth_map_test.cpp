@@ -76,6 +76,25 @@ TEST(DepthMap, PointsAreThoseOfTheDepthItWasGiven) {
   }
 }
 
+/// The near side's depth, and half the step between 1/2 and 1/3 as its standard deviation.
+TEST(DepthMap, AtAStepOfTheDepthTheNearSideIsTakenForLessCertain) {
+  constexpr int kStep = 160;  // px, first column of the far side
+  vo::DepthImage depth(small_camera().height, small_camera().width, 3.0F);
+  depth.colRange(0, kStep).setTo(2);
+  vo::DepthMap map({});
+  map.start(grey_frame(small_camera(), SE3()), 1);
+  map.take_depth(depth, 0.01);
+  std::size_t at_step = 0;
+  for (std::size_t i = 0; i < map.hypotheses().size(); ++i) {
+    const int u = map.hypotheses().pixel[i].x;
+    const bool is_at_step = u == kStep - 1 || u == kStep;
+    at_step += is_at_step ? 1 : 0;
+    EXPECT_FLOAT_EQ(map.hypotheses().inverse_depth[i], u <= kStep ? 1 / 2.0F : 1 / 3.0F);
+    EXPECT_NEAR(map.hypotheses().relative_sigma(i), is_at_step ? 0.5 * (1 - 2.0 / 3) : 0.01, 1e-6);
+  }
+  EXPECT_GT(at_step, 0U);
+}
+
 TEST(DepthMap, AStationaryCameraLeavesItAsItIs) {
   const vo::RgbdFrame frame = support::plane_frame(small_camera(), SE3(), 0);
   vo::DepthMap map({});
