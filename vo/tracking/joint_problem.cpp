@@ -31,6 +31,10 @@ void place_at_pixels(const std::vector<cv::Point>& pixels, PointScores& scores) 
   }
 }
 
+RowMotion row_motion(const FrameVelocity& velocity, double doubts, double readout) {
+  return {velocity.twist + doubts * velocity.doubt, readout};
+}
+
 /// Sums over points.
 struct CurvatureSums {
   double weight = 0;
@@ -48,11 +52,13 @@ struct CurvatureSums {
 
 }  // namespace
 
-Vector6d AlignCurrent::velocity(const SE3& T_cur_first) const {
+FrameVelocity AlignCurrent::velocity(const SE3& T_cur_first) const {
   if (!previous) {
-    return Vector6d::Zero();
+    return {};
   }
-  return (previous->T_last_first * T_cur_first.inverse()).log() / previous->seconds_ago;
+  const SE3 T_last_cur = previous->T_last_first * T_cur_first.inverse();
+  return velocity_at_end({T_last_cur.log() / previous->seconds_ago, previous->seconds_ago},
+                         previous->before);
 }
 
 double JointSystem::least_loss() const {
@@ -80,9 +86,10 @@ JointProblem::JointProblem(std::span<const AlignReference> references, const Ali
 PointView JointProblem::view(const ImagePair& pair, const SE3& T_cur_first) const {
   const AlignReference& reference = *pair.reference;
   const SE3 T_cur_ref = T_cur_first * reference.T_first_ref;
-  const RowMotion ref_motion(reference.velocity, readout_);
+  const RowMotion ref_motion = row_motion(reference.velocity, reference_doubt_, readout_);
   const RowMotion cur_motion =
-      readout_ != 0 ? RowMotion(current_.velocity(T_cur_first), readout_) : RowMotion();
+      readout_ != 0 ? row_motion(current_.velocity(T_cur_first), current_doubt_, readout_)
+                    : RowMotion();
   if (pair.backward) {
     return {current_.points->levels[level_], reference.frame->levels[level_], T_cur_ref.inverse(),
             cur_motion, ref_motion};

@@ -6,6 +6,7 @@
 
 #include "vo/tracking/cell_scores.h"
 #include "vo/tracking/depth_term.h"
+#include "vo/tracking/frame_velocity.h"
 #include "vo/tracking/linearize.h"
 
 namespace vo {
@@ -13,9 +14,9 @@ namespace vo {
 /// A frame of known pose that the current one is aligned to.
 struct AlignReference {
   const EdgePoints& points;
-  SE3 T_first_ref;                       ///< first: the first reference
-  const FramePyramid* frame = nullptr;   ///< where the current frame's points are looked up, if any
-  Vector6d velocity = Vector6d::Zero();  ///< of the camera in its own frame, m/s and rad/s
+  SE3 T_first_ref;                      ///< first: the first reference
+  const FramePyramid* frame = nullptr;  ///< where the current frame's points are looked up, if any
+  FrameVelocity velocity;
   const SurfacePoints* surface = nullptr;  ///< where depth is compared, too: its own surfaces
 };
 
@@ -23,6 +24,7 @@ struct AlignReference {
 struct PreviousFrame {
   SE3 T_last_first;  ///< first: the first reference
   double seconds_ago = 0;
+  std::optional<MeanVelocity> before;  ///< until then
 };
 
 /// The frame whose pose is sought.
@@ -31,8 +33,8 @@ struct AlignCurrent {
   const EdgePoints* points = nullptr;     ///< of its own edges, if references are looked up at them
   std::optional<PreviousFrame> previous;  ///< for a rolling shutter
 
-  /// Of the camera in its own frame, m/s and rad/s; 0 when it is not known where it came from.
-  Vector6d velocity(const SE3& T_cur_first) const;
+  /// 0 when it is not known where the camera came from.
+  FrameVelocity velocity(const SE3& T_cur_first) const;
 };
 
 /// Normal equations of one left increment of T_cur_first, summed over pairs of images with the
@@ -82,6 +84,13 @@ class JointProblem {
   const std::vector<ResidualModel>& models() const { return models_; }
   void set_models(std::vector<ResidualModel> models) { models_ = std::move(models); }
   void set_readout(double readout) { readout_ = readout; }  ///< s
+  double readout() const { return readout_; }
+
+  /// Takes velocities as off by their doubt, times these.
+  void set_doubts(double current, double references) {
+    current_doubt_ = current;
+    reference_doubt_ = references;
+  }
   const AlignOptions& options() const { return options_; }
   std::size_t level() const { return level_; }
   const PinholeCamera& camera() const { return current_.frame.levels[level_].camera; }
@@ -107,6 +116,8 @@ class JointProblem {
   std::size_t level_;
   const AlignOptions& options_;
   double readout_;
+  double current_doubt_ = 0;
+  double reference_doubt_ = 0;
   std::vector<ImagePair> pairs_;
   std::vector<ResidualModel> models_;
   const AlignReference& first_;

@@ -57,7 +57,7 @@ std::size_t LocalMap::memory_bytes() const {
   return bytes;
 }
 
-void LocalMap::set_last_velocity(const Vector6d& velocity) {
+void LocalMap::set_last_velocity(const FrameVelocity& velocity) {
   Keyframe keyframe = *keyframes_.back();
   keyframe.velocity = velocity;
   keyframes_.back() = std::make_shared<const Keyframe>(std::move(keyframe));

@@ -9,6 +9,7 @@
 #include "vo/core/se3.h"
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
+#include "vo/tracking/frame_velocity.h"
 #include "vo/tracking/linearize.h"
 #include "vo/tracking/surface_points.h"
 
@@ -19,7 +20,8 @@ struct Keyframe {
   FramePyramid pyramid;
   std::shared_ptr<const EdgePoints> points;  ///< of its own edges
   SE3 T_world_keyframe;
-  std::optional<Vector6d> velocity;  ///< of the camera in its own frame, m/s and rad/s; if known
+  std::optional<FrameVelocity>
+      velocity;  ///< of the camera in its own frame, m/s and rad/s; if known
   std::shared_ptr<const SurfacePoints> surface;  ///< where depth is aligned, too
 };
 
@@ -59,7 +61,7 @@ class LocalMap {
   const std::deque<std::shared_ptr<const Keyframe>>& keyframes() const { return keyframes_; }
   std::size_t memory_bytes() const;  ///< of the images and points of all keyframes
   void add(Keyframe keyframe);
-  void set_last_velocity(const Vector6d& velocity);                ///< once the next frame has told
+  void set_last_velocity(const FrameVelocity& velocity);           ///< once the next frame has told
   void set_last_points(std::shared_ptr<const EdgePoints> points);  ///< as far as they are known now
 
   /// The keyframe that the camera sees most alike, then the next, at most `references`; the last

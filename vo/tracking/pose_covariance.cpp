@@ -62,6 +62,24 @@ double bias_variance(const Matrix6d& H, const PinholeCamera& camera) {
   return kBiasPx * kBiasPx * squared_gradients / 2;
 }
 
+/// By how much a pose moves when the velocities are off by what is in doubt, to first order.
+Vector6d shift_by_doubts(JointProblem problem, const JointSystem& system, const SE3& T_cur_first,
+                         double current, double references) {
+  problem.set_doubts(current, references);
+  return system.H.ldlt().solve(problem.linearize(T_cur_first).b - system.b);
+}
+
+/// Of the velocities that rows are moved with.
+Matrix6d shutter_covariance(const JointProblem& problem, const JointSystem& system,
+                            const SE3& T_cur_first) {
+  if (problem.readout() == 0) {
+    return Matrix6d::Zero();
+  }
+  const Vector6d by_current = shift_by_doubts(problem, system, T_cur_first, 1, 0);
+  const Vector6d by_references = shift_by_doubts(problem, system, T_cur_first, 0, 1);
+  return by_current * by_current.transpose() + by_references * by_references.transpose();
+}
+
 }  // namespace
 
 Matrix6d sandwich_covariance(const JointProblem& problem, const JointSystem& system,
@@ -79,6 +97,7 @@ Matrix6d pose_covariance(const JointProblem& problem, const JointSystem& system,
                          const SE3& T_cur_first) {
   const Matrix6d H_inverse = system.H.ldlt().solve(Matrix6d::Identity());
   return sandwich_covariance(problem, system, T_cur_first) +
+         shutter_covariance(problem, system, T_cur_first) +
          bias_variance(system.H, problem.camera()) * (H_inverse + H_inverse.transpose()) / 2;
 }
 

@@ -24,9 +24,11 @@ Matrix6d sandwich_covariance(const JointProblem& problem, const JointSystem& sys
 /// The same, and 0.005 px of interpolation bias that all pixels share: as if H knew of one pixel
 /// only. Found on rendered sequences with perfect depth, where it brings NEES to 0.5 to 1.5.
 ///
-/// What all references share is in neither: depth that lags behind the image, a rolling shutter
-/// that is not compensated. The errors of such data are underestimated, by 2 to 5 standard
-/// deviations in rendered sequences with a Kinect's faults.
+/// With a rolling shutter also what the pose would move by if the velocities that its rows are moved
+/// with were off by their doubt, the current frame's and the references' each as one direction.
+///
+/// What all references share is in none of them: depth that lags behind the image, a read-out time
+/// that is not found yet.
 Matrix6d pose_covariance(const JointProblem& problem, const JointSystem& system,
                          const SE3& T_cur_first);
 

@@ -92,7 +92,7 @@ Tracker::References Tracker::references_for(const FramePyramid& current,
     references.views.push_back(
         {*references.points.back(), T_first_world * keyframe->T_world_keyframe,
          options_.symmetric ? &keyframe->pyramid : nullptr,
-         keyframe->velocity.value_or(Vector6d::Zero()), keyframe->surface.get()});
+         keyframe->velocity.value_or(FrameVelocity()), keyframe->surface.get()});
   }
   return references;
 }
@@ -110,7 +110,7 @@ TrackingResult Tracker::aligned_from(const FramePyramid& current, const SE3& T_w
   AlignCurrent frame{current, current_points_.get(), {}};
   const double seconds = current.timestamp - last_timestamp_;
   if (!was_lost_ && tells_velocity(seconds)) {
-    frame.previous = {T_world_last_.inverse() * T_world_first, seconds};
+    frame.previous = {T_world_last_.inverse() * T_world_first, seconds, mean_velocity_};
   }
   TrackingResult result{.timestamp = current.timestamp, .T_world_camera = T_world_last_};
   result.readout_s = options_.align.readout;
@@ -180,11 +180,13 @@ void Tracker::accept(const FramePyramid& current, TrackingResult& result) {
   constexpr double kForgetting = 0.1;
   const SE3 T_last_cur = T_world_last_.inverse() * result.T_world_camera;
   const double seconds = current.timestamp - last_timestamp_;
+  const std::optional<MeanVelocity> before = std::exchange(mean_velocity_, std::nullopt);
   velocity_.reset();
   if (!was_lost_ && tells_velocity(seconds)) {
-    velocity_ = T_last_cur.log() / seconds;
+    mean_velocity_ = {T_last_cur.log() / seconds, seconds};
+    velocity_ = velocity_at_end(*mean_velocity_, before);
     if (frames_since_keyframe_ == 1 && !map_.last()->velocity) {
-      map_.set_last_velocity(*velocity_);
+      map_.set_last_velocity({mean_velocity_->twist, Vector6d::Zero()});
     }
   }
   if (options_.motion_model != MotionModel::stationary && !was_lost_) {

@@ -105,9 +105,10 @@ class Tracker {
   int frames_since_keyframe_ = 0;
   double last_timestamp_ = 0;  ///< s, of the last tracked frame
   SE3 T_world_last_;
-  SE3 T_last_predicted_;              ///< motion since the last frame, by the motion model
-  std::optional<Vector6d> velocity_;  ///< of the last frame, m/s and rad/s; if known
-  double mean_sharpness_ = 0;         ///< intensity per px
+  SE3 T_last_predicted_;                       ///< motion since the last frame, by the motion model
+  std::optional<MeanVelocity> mean_velocity_;  ///< between the last two frames, if known
+  std::optional<FrameVelocity> velocity_;      ///< of the last frame, if known
+  double mean_sharpness_ = 0;                  ///< intensity per px
   bool was_lost_ = false;
 };
 

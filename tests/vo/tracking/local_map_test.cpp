@@ -142,8 +142,9 @@ TEST(LocalMap, AVelocityThatIsKnownLaterIsTheLastKeyframes) {
   vo::LocalMap map = map_of({.references = 2}, {0, 0.1});
   EXPECT_FALSE(map.last()->velocity.has_value());
   const vo::Vector6d velocity = vo::Vector6d::Constant(0.3);
-  map.set_last_velocity(velocity);
-  EXPECT_EQ(map.last()->velocity, velocity);
+  map.set_last_velocity({velocity, vo::Vector6d::Zero()});
+  ASSERT_TRUE(map.last()->velocity.has_value());
+  EXPECT_EQ(map.last()->velocity->twist, velocity);
   EXPECT_FALSE(map.keyframes().front()->velocity.has_value());
   EXPECT_EQ(positions_of(map.references_for(moved_by(0.1))), (std::vector{0.1, 0.0}));
 }

@@ -32,6 +32,13 @@ vo::FramePyramid noisy_pyramid(vo::RgbdFrame frame, std::mt19937& random) {
   return pyramid;
 }
 
+vo::FramePyramid pyramid_at(const SE3& T_world_camera) {
+  vo::FramePyramid pyramid = vo::build_pyramid(
+      support::TexturedPlane().render(small_camera(), T_world_camera), small_camera(), {});
+  vo::add_edges(pyramid, {});
+  return pyramid;
+}
+
 SE3 motion() {
   Vector6d xi;
   xi << 0.01, -0.008, 0.012, 0.005, 0.006, -0.01;
@@ -114,6 +121,28 @@ TEST(PoseCovariance, CellsOfAllReferencesSumToTheSystemsRightSide) {
     }
   }
   EXPECT_LT((sum - system.b).norm(), 1e-4 * system.b.norm());
+}
+
+/// A rolling shutter whose velocity is in doubt adds the square of what that velocity would change.
+TEST(PoseCovariance, HoldsWhatDoubtfulVelocitiesWouldChange) {
+  const vo::FramePyramid first = pyramid_at(SE3());
+  const vo::FramePyramid current = pyramid_at(motion());
+  const vo::EdgePoints points = vo::edge_points(first, first, {});
+  const vo::AlignOptions options{
+      .min_translation = 1e-9, .min_rotation_deg = 1e-7, .readout = 0.02};
+  const Vector6d doubt = (Vector6d() << 0.002, 0.001, -0.002, 0.005, 0.008, -0.006).finished();
+  const auto aligned = [&](const vo::FrameVelocity& velocity) {
+    const std::array references{vo::AlignReference{points, SE3(), nullptr, velocity}};
+    return vo::align(references, vo::AlignCurrent{current}, motion().inverse(), options);
+  };
+  const vo::AlignResult certain = aligned({});
+  const vo::AlignResult doubtful = aligned({Vector6d::Zero(), doubt});
+  const Vector6d change =
+      (aligned({doubt, Vector6d::Zero()}).T_cur_ref * certain.T_cur_ref.inverse()).log();
+  const vo::Matrix6d expected = change * change.transpose();
+  const vo::Matrix6d added = doubtful.covariance - certain.covariance;
+  EXPECT_GT(change.norm(), 1e-5);
+  EXPECT_LT((added - expected).norm(), 0.1 * expected.norm());
 }
 
 }  // namespace
