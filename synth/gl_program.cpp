@@ -9,17 +9,25 @@ namespace {
 
 constexpr GLsizei kLongestLog = 2048;
 
+/// Throws with the log that `get_log` gives of an object unless its status is good.
+template <typename GetStatus, typename GetLog>
+void require_good(GLuint object, GLenum status, GetStatus get_status, GetLog get_log,
+                  const char* complaint) {
+  GLint is_good = 0;
+  get_status(object, status, &is_good);
+  if (is_good == 0) {
+    std::array<char, kLongestLog> log{};
+    get_log(object, kLongestLog, nullptr, log.data());
+    vo::fail("OpenGL: ", complaint, ": ", log.data());
+  }
+}
+
 GLuint compile(const GlFunctions& gl, GLenum kind, const char* source) {
   const GLuint shader = gl.CreateShader(kind);
   gl.ShaderSource(shader, 1, &source, nullptr);
   gl.CompileShader(shader);
-  GLint is_good = 0;
-  gl.GetShaderiv(shader, GL_COMPILE_STATUS, &is_good);
-  if (is_good == 0) {
-    std::array<char, kLongestLog> log{};
-    gl.GetShaderInfoLog(shader, kLongestLog, nullptr, log.data());
-    vo::fail("OpenGL: a shader does not compile: ", log.data());
-  }
+  require_good(shader, GL_COMPILE_STATUS, gl.GetShaderiv, gl.GetShaderInfoLog,
+               "a shader does not compile");
   return shader;
 }
 
@@ -34,13 +42,8 @@ GlProgram::GlProgram(const GlFunctions& gl, const char* vertex_shader,
     gl.DeleteShader(shader);
   }
   gl.LinkProgram(program_);
-  GLint is_good = 0;
-  gl.GetProgramiv(program_, GL_LINK_STATUS, &is_good);
-  if (is_good == 0) {
-    std::array<char, kLongestLog> log{};
-    gl.GetProgramInfoLog(program_, kLongestLog, nullptr, log.data());
-    vo::fail("OpenGL: the shaders do not link: ", log.data());
-  }
+  require_good(program_, GL_LINK_STATUS, gl.GetProgramiv, gl.GetProgramInfoLog,
+               "the shaders do not link");
 }
 
 GLint GlProgram::place_of(const std::string& name) const {

@@ -27,6 +27,9 @@ GlMesh upload(const GlFunctions& gl, const FlatMesh& flat) {
   GlMesh made;
   made.flat = &flat;
   const Mesh& mesh = *flat.mesh;
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    made.bounds.extend(flat.positions[i]);
+  }
   gl.GenVertexArrays(1, &made.vertices);
   gl.BindVertexArray(made.vertices);
   add_attribute(gl, 0, flat.positions);

@@ -3,6 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "synth/flat_scene.h"
 #include "synth/gl_functions.h"
 
@@ -15,6 +17,7 @@ struct GlMesh {
   GLuint vertices = 0;  ///< vertex array object
   GLsizei indices = 0;
   const FlatMesh* flat = nullptr;
+  Eigen::AlignedBox3f bounds;  ///< m, in the flat scene's coordinates
 };
 
 /// A flat scene in the context that is current; gone when the context is.

@@ -44,20 +44,12 @@ void GlTarget::clear() const {
   gl_.ClearBufferfv(GL_DEPTH, 0, kZero.data());
 }
 
-cv::Mat_<cv::Vec4f> GlTarget::read_color() const {
-  return read(GL_COLOR_ATTACHMENT0);
-}
-
-cv::Mat_<cv::Vec4f> GlTarget::read_surface() const {
-  return read(GL_COLOR_ATTACHMENT1);
-}
-
-cv::Mat_<cv::Vec4f> GlTarget::read(GLenum attachment) const {
-  cv::Mat_<cv::Vec4f> image(size_);
+const cv::Mat_<cv::Vec4f>& GlTarget::read(GLenum attachment) {
+  image_.create(size_);
   gl_.ReadBuffer(attachment);
-  gl_.ReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_FLOAT, image.data);
+  gl_.ReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_FLOAT, image_.data);
   vo::require(gl_.GetError() == GL_NO_ERROR, "OpenGL: the picture was not drawn");
-  return image;
+  return image_;
 }
 
 }  // namespace synth

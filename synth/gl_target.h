@@ -16,14 +16,16 @@ class GlTarget {
   void bind(const cv::Size& size);  ///< px
   void clear() const;               ///< to zero: nothing, infinitely far
 
-  cv::Mat_<cv::Vec4f> read_color() const;    ///< the shaders' output 0
-  cv::Mat_<cv::Vec4f> read_surface() const;  ///< output 1
+  /// The shaders' output 0 or 1; good until the next is read.
+  const cv::Mat_<cv::Vec4f>& read_color() { return read(GL_COLOR_ATTACHMENT0); }
+  const cv::Mat_<cv::Vec4f>& read_surface() { return read(GL_COLOR_ATTACHMENT1); }
 
  private:
-  cv::Mat_<cv::Vec4f> read(GLenum attachment) const;
+  const cv::Mat_<cv::Vec4f>& read(GLenum attachment);
 
   const GlFunctions& gl_;
   cv::Size size_;
+  cv::Mat_<cv::Vec4f> image_;  ///< read last
   GLuint frame_buffer_ = 0;
   std::array<GLuint, 3> buffers_{};  ///< colour, surface, depth
 };

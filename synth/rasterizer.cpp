@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -58,6 +60,12 @@ Eigen::Matrix4f projection(const vo::PinholeCamera& camera, const Eigen::Vector2
   return P.cast<float>();
 }
 
+/// As the shader numbers them.
+std::array<const TextureSlot*, kTextureSlots> texture_slots(const Material& material) {
+  return {&material.base_color_texture, &material.metallic_roughness_texture,
+          &material.normal_texture, &material.occlusion_texture, &material.emissive_texture};
+}
+
 void require_drawable(const Shot& shot) {
   shot.camera.validate();
   shot.shutter.validate();
@@ -77,11 +85,13 @@ class Rasterizer final : public Renderer {
   RenderedFrame render(const Shot& shot) const override;
 
  private:
+  std::string fragment_shader(const GlMesh& mesh) const;
   void set_view(const GlProgram& program, const Camera& camera, const Pass& pass) const;
   void set_lights(const GlProgram& program, const Camera& camera) const;
   void set_textures(const GlProgram& program, const GlMesh& mesh) const;
   void set_material(const GlProgram& program, const GlMesh& mesh, double threshold) const;
   void set_mesh(const GlProgram& program, const GlMesh& mesh, const Camera& camera) const;
+  std::vector<std::size_t> nearest_first(const Camera& camera) const;
   void draw(const Camera& camera, const Pass& pass) const;
   void draw_color(const Camera& camera, RenderedFrame& frame) const;
   void read_surface(RenderedFrame& frame) const;
@@ -95,8 +105,8 @@ class Rasterizer final : public Renderer {
   std::unique_ptr<GlContext> context_;
   GlFunctions gl_;
   GlScene drawn_;
-  std::unique_ptr<GlProgram> solid_;  ///< for opaque materials
-  std::unique_ptr<GlProgram> holes_;  ///< for those with alpha
+  std::map<std::string, std::unique_ptr<GlProgram>> programs_;  ///< by fragment shader
+  std::vector<const GlProgram*> program_of_mesh_;
   std::unique_ptr<GlTarget> target_;
   mutable std::mutex mutex_;  ///< of the context
 };
@@ -114,8 +124,14 @@ Rasterizer::Rasterizer(const Scene& scene, const RenderOptions& options)
               " lights, expected at most ", kMaxLights, " or render.kind = ray_tracer");
   const GlContext::Current current(*context_);
   drawn_ = upload(gl_, flat_);
-  solid_ = std::make_unique<GlProgram>(gl_, kVertexShader, std::string(kSolid) + kFragmentShader);
-  holes_ = std::make_unique<GlProgram>(gl_, kVertexShader, std::string(kHoles) + kFragmentShader);
+  for (const GlMesh& mesh : drawn_.meshes) {
+    const std::string shader = fragment_shader(mesh);
+    std::unique_ptr<GlProgram>& program = programs_[shader];
+    if (program == nullptr) {
+      program = std::make_unique<GlProgram>(gl_, kVertexShader, shader);
+    }
+    program_of_mesh_.push_back(program.get());
+  }
   target_ = std::make_unique<GlTarget>(gl_);
 }
 
@@ -175,19 +191,31 @@ void Rasterizer::set_lights(const GlProgram& program, const Camera& camera) cons
   program.set("ambient_axis", Eigen::Vector3f(camera.R_camera_world * ambient_.sky_axis));
 }
 
-void Rasterizer::set_textures(const GlProgram& program, const GlMesh& mesh) const {
+/// With what the mesh needs and no more.
+std::string Rasterizer::fragment_shader(const GlMesh& mesh) const {
   const Material& material = *mesh.flat->material;
-  const std::array slots = {&material.base_color_texture, &material.metallic_roughness_texture,
-                            &material.normal_texture, &material.occlusion_texture,
-                            &material.emissive_texture};
-  std::array<float, kTextureSlots> has{};
+  const bool is_solid = material.alpha_mode == AlphaMode::opaque;
+  const bool is_lit = !material.unlit && mode_ == RenderMode::direct;
+  const bool is_colored = mode_ != RenderMode::depth || !is_solid;
+  const std::array slots = texture_slots(material);
+  std::string shader = std::string(kVersion) + (is_solid ? kSolid : kHoles) + (is_lit ? kLit : "");
+  for (std::size_t i = 0; i < kTextureSlots; ++i) {
+    const bool is_there = slots[i]->texture != kNone && drawn_.textures[slots[i]->texture] != 0 &&
+                          !mesh.flat->mesh->texcoords[slots[i]->texcoord_set].empty();
+    if (is_there && (i == 0 ? is_colored : is_lit)) {
+      shader += kTexture + std::to_string(i) + "\n";
+    }
+  }
+  return shader + kFragmentShader;
+}
+
+void Rasterizer::set_textures(const GlProgram& program, const GlMesh& mesh) const {
+  const std::array slots = texture_slots(*mesh.flat->material);
   std::vector<Eigen::Vector4f> rows;
   for (std::size_t i = 0; i < kTextureSlots; ++i) {
     const TextureSlot& slot = *slots[i];
-    const GLuint texture = slot.texture == kNone ? 0 : drawn_.textures[slot.texture];
-    has[i] = texture != 0 && !mesh.flat->mesh->texcoords[slot.texcoord_set].empty() ? 1.0F : 0.0F;
     gl_.ActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + i));
-    gl_.BindTexture(GL_TEXTURE_2D, texture);
+    gl_.BindTexture(GL_TEXTURE_2D, slot.texture == kNone ? 0 : drawn_.textures[slot.texture]);
     for (int row = 0; row < 2; ++row) {
       const Eigen::RowVector3f transform = slot.T_image_texcoord.matrix().row(row);
       rows.emplace_back(transform.x(), transform.y(), transform.z(),
@@ -195,8 +223,6 @@ void Rasterizer::set_textures(const GlProgram& program, const GlMesh& mesh) cons
     }
   }
   program.set("texture_rows", rows);
-  program.set("has_texture_low", Eigen::Vector4f(has[0], has[1], has[2], has[3]));
-  program.set("has_emissive_texture", has[4]);
 }
 
 void Rasterizer::set_material(const GlProgram& program, const GlMesh& mesh,
@@ -212,7 +238,6 @@ void Rasterizer::set_material(const GlProgram& program, const GlMesh& mesh,
                                 ? material.alpha_cutoff
                                 : static_cast<float>(threshold);
   program.set("least_alpha", least_alpha);
-  program.set("is_unlit", material.unlit || mode_ == RenderMode::unlit ? 1.0F : 0.0F);
 }
 
 void Rasterizer::set_view(const GlProgram& program, const Camera& camera, const Pass& pass) const {
@@ -236,23 +261,35 @@ void Rasterizer::set_mesh(const GlProgram& program, const GlMesh& mesh,
   program.set("tangent_side", mesh.flat->side);
 }
 
+/// Meshes by their distance from the eye: what they hide need not be shaded.
+std::vector<std::size_t> Rasterizer::nearest_first(const Camera& camera) const {
+  std::vector<float> distances2;
+  for (const GlMesh& mesh : drawn_.meshes) {
+    distances2.push_back(mesh.bounds.squaredExteriorDistance(camera.eye));
+  }
+  std::vector<std::size_t> order(distances2.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return distances2[a] < distances2[b]; });
+  return order;
+}
+
 void Rasterizer::draw(const Camera& camera, const Pass& pass) const {
   target_->clear();
   gl_.VertexAttrib4f(kColorAttribute, 1, 1, 1, 1);
-  for (const GlProgram* program : {solid_.get(), holes_.get()}) {
+  for (const auto& [shader, program] : programs_) {
     program->use();
     set_view(*program, camera, pass);
-    for (std::size_t i = 0; i < drawn_.meshes.size(); ++i) {
-      const GlMesh& mesh = drawn_.meshes[i];
-      const bool is_solid = mesh.flat->material->alpha_mode == AlphaMode::opaque;
-      if (is_solid == (program == solid_.get())) {
-        set_textures(*program, mesh);
-        set_material(*program, mesh, pass.threshold(i));
-        set_mesh(*program, mesh, camera);
-        gl_.BindVertexArray(mesh.vertices);
-        gl_.DrawElements(GL_TRIANGLES, mesh.indices, GL_UNSIGNED_INT, nullptr);
-      }
-    }
+  }
+  for (const std::size_t i : nearest_first(camera)) {
+    const GlMesh& mesh = drawn_.meshes[i];
+    const GlProgram& program = *program_of_mesh_[i];
+    program.use();
+    set_textures(program, mesh);
+    set_material(program, mesh, pass.threshold(i));
+    set_mesh(program, mesh, camera);
+    gl_.BindVertexArray(mesh.vertices);
+    gl_.DrawElements(GL_TRIANGLES, mesh.indices, GL_UNSIGNED_INT, nullptr);
   }
 }
 
@@ -263,7 +300,7 @@ void Rasterizer::draw_color(const Camera& camera, RenderedFrame& frame) const {
     draw(camera,
          {cells_[i].offset,
           count > 1 ? std::optional((static_cast<double>(i) + 0.5) / count) : std::nullopt});
-    const cv::Mat_<cv::Vec4f> drawn = target_->read_color();
+    const cv::Mat_<cv::Vec4f>& drawn = target_->read_color();
     std::transform(frame.radiance.begin(), frame.radiance.end(), drawn.begin(),
                    frame.radiance.begin(), [](const cv::Vec3f& sum, const cv::Vec4f& color) {
                      return sum + cv::Vec3f(color[0], color[1], color[2]);
@@ -274,17 +311,14 @@ void Rasterizer::draw_color(const Camera& camera, RenderedFrame& frame) const {
 
 /// Of what was drawn last, through the pixels' centres.
 void Rasterizer::read_surface(RenderedFrame& frame) const {
-  const cv::Mat_<cv::Vec4f> drawn = target_->read_surface();
-  for (int v = 0; v < drawn.rows; ++v) {
-    for (int u = 0; u < drawn.cols; ++u) {
-      const cv::Vec4f& texel = drawn(v, u);
-      if (!frame.depth.empty()) {
-        frame.depth(v, u) = texel[3];
-      }
-      if (!frame.normal.empty()) {
-        frame.normal(v, u) = {texel[0], texel[1], texel[2]};
-      }
-    }
+  const cv::Mat_<cv::Vec4f>& drawn = target_->read_surface();
+  if (!frame.depth.empty()) {
+    std::transform(drawn.begin(), drawn.end(), frame.depth.begin(),
+                   [](const cv::Vec4f& texel) { return texel[3]; });
+  }
+  if (!frame.normal.empty()) {
+    std::transform(drawn.begin(), drawn.end(), frame.normal.begin(),
+                   [](const cv::Vec4f& texel) { return cv::Vec3f(texel[0], texel[1], texel[2]); });
   }
 }
 

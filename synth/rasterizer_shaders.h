@@ -33,9 +33,14 @@ void main() {
 }
 )";
 
-/// Before the fragment shader: what has no holes need not be shaded where it is hidden.
-inline constexpr const char* kSolid = "#version 450 core\nlayout(early_fragment_tests) in;\n";
-inline constexpr const char* kHoles = "#version 450 core\n#define HAS_HOLES\n";
+/// The fragment shader starts with a version and what a material needs of it, as llvmpipe works out
+/// both sides of a branch: kHoles or kSolid (what has no holes need not be shaded where it is
+/// hidden), IS_LIT, and HAS_TEXTURE_N for each of its slots.
+inline constexpr const char* kVersion = "#version 450 core\n";
+inline constexpr const char* kSolid = "layout(early_fragment_tests) in;\n";
+inline constexpr const char* kHoles = "#define HAS_HOLES\n";
+inline constexpr const char* kLit = "#define IS_LIT\n";
+inline constexpr const char* kTexture = "#define HAS_TEXTURE_";  // and the slot
 
 /// surface.cpp and shading.cpp again, of the triangle's own plane by its derivatives. Texture
 /// slots: 0 base colour, 1 metallic-roughness, 2 normal, 3 occlusion, 4 emission.
@@ -53,13 +58,10 @@ const float kPi = 3.14159265358979;
 const int kMaxLights = 64;
 uniform sampler2D textures[5];
 uniform vec4 texture_rows[10];  // two of T_image_texcoord each, and then the coordinates' set
-uniform vec4 has_texture_low;   // of slots 0 to 3
-uniform float has_emissive_texture;
 uniform vec4 base_color;
 uniform vec4 factors;     // metallic, roughness, specular, normal scale
 uniform vec4 emission;    // and occlusion strength
 uniform float least_alpha;  // less is not there
-uniform float is_unlit;
 uniform float log2_sample_width;  // of a colour sample, px
 uniform float front_is_ccw;  // in clip space
 uniform float has_normals;
@@ -93,6 +95,7 @@ vec4 texel(int slot, float cosine) {
   return textureLod(textures[slot], uv, lod);
 }
 
+#ifdef IS_LIT
 vec3 mapped_normal(vec3 n, vec3 front, float cosine) {
   vec2 uv = uv_of(2);
   vec3 t = vertex_tangent.xyz;
@@ -117,17 +120,18 @@ vec3 mapped_normal(vec3 n, vec3 front, float cosine) {
 }
 
 vec3 reflectance(vec3 base, vec3 surface, vec3 n, vec3 v, vec3 l) {
-  vec3 h = normalize(l + v);
+  float v_h = sqrt(clamp(0.5 + 0.5 * dot(l, v), 0.0, 1.0));
+  float n_h = clamp((dot(n, l) + dot(n, v)) * 0.5 / max(1e-4, v_h), 0.0, 1.0);
   float n_l = max(1e-4, dot(n, l));
   float n_v = max(1e-4, dot(n, v));
-  float n_h = max(0.0, dot(n, h));
   float alpha = max(1e-3, surface.y * surface.y);
   float alpha2 = alpha * alpha;
   float spread = n_h * n_h * (alpha2 - 1) + 1;
   float D = alpha2 / (kPi * spread * spread);
   float V = 0.5 / (n_l * sqrt(n_v * n_v * (1 - alpha2) + alpha2) +
                    n_v * sqrt(n_l * n_l * (1 - alpha2) + alpha2));
-  float grazing = pow(1 - max(0.0, dot(v, h)), 5.0);
+  float m = 1 - v_h;
+  float grazing = m * m * m * m * m;
   float glass = surface.z * (0.04 + 0.96 * grazing);
   vec3 metal = (base + (1 - base) * grazing) * (D * V);
   vec3 dielectric = base * ((1 - glass) / kPi) + glass * D * V;
@@ -155,39 +159,51 @@ vec3 light_from(int i, vec3 face, vec3 n, vec3 v, vec3 base, vec3 surface) {
   return reflectance(base, surface, n, v, normalize(to_light)) * irradiance;
 }
 
+#endif
+
 void main() {
   vec3 v = -normalize(p_camera);
   vec3 face = normalize(cross(dFdx(p_camera), dFdy(p_camera)));
   if (dot(face, v) < 0) face = -face;
   float cosine = dot(face, v);
   vec4 color = base_color * vertex_color;
-  if (has_texture_low.x > 0.5) color *= texel(0, cosine);
+#ifdef HAS_TEXTURE_0
+  color *= texel(0, cosine);
+#endif
 #ifdef HAS_HOLES
   if (color.a < least_alpha) discard;
 #endif
   out_surface = vec4(face, p_camera.z);
-  if (is_unlit > 0.5) {
-    out_color = vec4(color.rgb, 1);
-    return;
-  }
+#ifndef IS_LIT
+  out_color = vec4(color.rgb, 1);
+#else
   bool is_front = gl_FrontFacing == (front_is_ccw > 0.5);
   vec3 front = is_front ? face : -face;
   vec3 n = has_normals > 0.5 && length(vertex_normal) > 1e-3 ? normalize(vertex_normal) : front;
   if (dot(n, front) < 0) n = -n;
-  if (has_texture_low.z > 0.5) n = mapped_normal(n, front, cosine);
-  if (!is_front) n = -n;
   vec3 surface = factors.xyz;
-  if (has_texture_low.y > 0.5) surface.xy *= texel(1, cosine).zy;
   vec3 shine = emission.rgb;
-  if (has_emissive_texture > 0.5) shine *= texel(4, cosine).rgb;
   float openness = 1;
-  if (has_texture_low.w > 0.5) openness += emission.a * (texel(3, cosine).r - 1);
+#ifdef HAS_TEXTURE_1
+  surface.xy *= texel(1, cosine).zy;
+#endif
+#ifdef HAS_TEXTURE_2
+  n = mapped_normal(n, front, cosine);
+#endif
+#ifdef HAS_TEXTURE_3
+  openness += emission.a * (texel(3, cosine).r - 1);
+#endif
+#ifdef HAS_TEXTURE_4
+  shine *= texel(4, cosine).rgb;
+#endif
+  if (!is_front) n = -n;
   vec3 ambient = ambient_uniform + ambient_sky * (0.5 + 0.5 * dot(n, ambient_axis));
   vec3 radiance = shine + openness * color.rgb * ambient / kPi;
   for (int i = 0; i < light_count; ++i) {
     radiance += light_from(i, face, n, v, color.rgb, surface);
   }
   out_color = vec4(radiance, 1);
+#endif
 }
 )";
 

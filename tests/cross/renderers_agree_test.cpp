@@ -142,6 +142,19 @@ TEST(RenderersAgree, OnDirectLightWhereNothingCastsAShadow) {
   EXPECT_LT(worst.depth.back(), 1e-5);
 }
 
+/// Where light, viewer and normal are one direction, cosines rounded beyond 1 must do no harm.
+TEST(RenderersAgree, OnALampAtTheCamera) {
+  Scene scene;
+  Material glossy = diffuse({0.8F, 0.5F, 0.3F});
+  glossy.specular = 1;
+  glossy.roughness = 0.3F;
+  add(scene, square_at(2, 2), glossy);
+  scene.lights.push_back(point_light({0, 0, 0}, {5, 5, 5}));
+  const Disagreement worst = compare(render_both(scene, {.samples = 1}, {}));
+  EXPECT_GT(worst.compared, kSize * kSize / 2);
+  EXPECT_LT(worst.color.back(), 1e-3);
+}
+
 TEST(RenderersAgree, OnMaskedAndBlendedSurfaces) {
   for (const AlphaMode mode : {AlphaMode::mask, AlphaMode::blend}) {
     for (const float alpha : {0.25F, 0.75F}) {

@@ -18,7 +18,8 @@ struct RenderCost {
   int width = 0;   ///< px
   int height = 0;  ///< px
   std::size_t triangles = 0;
-  double cpu_s = 0;  ///< of all threads, mean over the poses
+  double cpu_s = 0;   ///< of all threads, mean over the poses
+  double wall_s = 0;  ///< likewise, by the clock on the wall: what else runs counts, too
 };
 
 struct RenderBench {

@@ -14,7 +14,8 @@ namespace {
 constexpr const char* kHelp =
     "CPU seconds that a frame of a scene costs: depth alone, base colour with 16 samples, direct\n"
     "light with shadows and 16 samples (one thread), the rasterizer with one (all its threads);\n"
-    "and how the cost grows with samples, resolution and triangles.";
+    "frames per second by the clock on the wall; and how the cost grows with samples, resolution\n"
+    "and triangles.";
 
 constexpr const char* kExamples =
     "Examples:\n"
