@@ -84,9 +84,9 @@ int run(int argc, char** argv) {
 /// which would hand it out again page by page, each cleared.
 void keep_freed_memory() {
 #if defined(__GLIBC__)
-  constexpr int kLargestBlock = 32 << 20;  // bytes, the most that glibc takes
-  mallopt(M_MMAP_THRESHOLD, kLargestBlock);
-  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+  constexpr int kLargestBlock = 32 << 20;    // bytes, the most that glibc takes
+  mallopt(M_MMAP_THRESHOLD, kLargestBlock);  // NOLINT(concurrency-mt-unsafe): no threads yet
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());  // NOLINT(concurrency-mt-unsafe)
 #endif
 }
 

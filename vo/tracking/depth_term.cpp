@@ -22,12 +22,14 @@ struct Placed {
 class Placement {
  public:
   explicit Placement(const DepthView& view)
-      : view_(view), R_(view.T_cur_ref.rotation_matrix()), t_(view.T_cur_ref.translation()) {}
+      : view_(view),
+        R_cur_ref_(view.T_cur_ref.rotation_matrix()),
+        t_cur_ref_(view.T_cur_ref.translation()) {}
 
   /// Nothing where no depth is measured, or one of another surface.
   std::optional<Placed> of(std::size_t i) const {
     constexpr double kMaxStep = 0.1;  // of the depth
-    const Eigen::Vector3d p = R_ * view_.surface.position[i].cast<double>() + t_;
+    const Eigen::Vector3d p = R_cur_ref_ * view_.surface.position[i].cast<double>() + t_cur_ref_;
     if (!(p.z() > 0)) {
       return {};
     }
@@ -35,22 +37,22 @@ class Placement {
     if (!view_.image.camera.contains(pixel)) {
       return {};
     }
-    const auto u = static_cast<int>(pixel.x() + 0.5);
-    const auto v = static_cast<int>(pixel.y() + 0.5);
+    const auto u = static_cast<int>(std::lround(pixel.x()));
+    const auto v = static_cast<int>(std::lround(pixel.y()));
     const auto depth = static_cast<double>(view_.image.depth(v, u));
     if (!(depth > 0) || std::abs(depth - p.z()) > kMaxStep * p.z()) {
       return {};
     }
     const cv::Vec2f ray = view_.image.rays(v, u);
     const Eigen::Vector3d measured = depth * Eigen::Vector3d(ray[0], ray[1], 1);
-    const Eigen::Vector3d normal = R_ * view_.surface.normal[i].cast<double>();
+    const Eigen::Vector3d normal = R_cur_ref_ * view_.surface.normal[i].cast<double>();
     return Placed{p, normal, normal.dot(p - measured), pixel};
   }
 
  private:
   const DepthView& view_;
-  Eigen::Matrix3d R_;
-  Eigen::Vector3d t_;
+  Eigen::Matrix3d R_cur_ref_;
+  Eigen::Vector3d t_cur_ref_;
 };
 
 struct Term {
