@@ -37,8 +37,8 @@ class Placement {
     if (!view_.image.camera.contains(pixel)) {
       return {};
     }
-    const auto u = static_cast<int>(std::lround(pixel.x()));
-    const auto v = static_cast<int>(std::lround(pixel.y()));
+    const auto u = static_cast<int>(std::floor(pixel.x() + 0.5));
+    const auto v = static_cast<int>(std::floor(pixel.y() + 0.5));
     const auto depth = static_cast<double>(view_.image.depth(v, u));
     if (!(depth > 0) || std::abs(depth - p.z()) > kMaxStep * p.z()) {
       return {};
