@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <random>
+#include <cstdint>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/error_text.h"
 #include "tools/lab/comparison.h"
+#include "tools/lab/self_comparison.h"
+#include "tools/pipeline/random.h"
 
 namespace {
 
@@ -90,19 +92,15 @@ TEST(Comparison, SequencesThatChangedAreSaid) {
   EXPECT_THAT(found[0].note, HasSubstr("the sequence is another one"));
 }
 
-/// Five seeds of three scenarios whose errors spread by a factor, as those of trackers do.
-TestResults random_results(std::mt19937& random, int first_seed) {
-  const auto uniform = [&random] { return (static_cast<double>(random()) + 0.5) / 4294967296.0; };
-  const auto factor = [&](double spread) {  // by Box and Muller
-    return std::exp(spread * std::sqrt(-2 * std::log(uniform())) *
-                    std::cos(2 * std::numbers::pi * uniform()));
-  };
+/// Seeds of three scenarios whose errors spread by a factor, as those of trackers do.
+TestResults random_results(tools::Random& random, int first_seed, int seeds) {
+  const auto factor = [&random](double spread) { return std::exp(spread * random.normal()); };
   TestResults results{.tracker = "edvo", .scenarios = {}};
   for (const char* name : {"still", "orbit", "fast"}) {
     ScenarioResult scenario{.name = name};
-    for (int seed = 0; seed < 5; ++seed) {
+    for (int seed = first_seed; seed < first_seed + seeds; ++seed) {
       scenario.trials.push_back(
-          {.seed = first_seed + seed,
+          {.seed = seed,
            .metrics = errors_of(0.005 * factor(0.3), 0.008 * factor(0.2), 0.2 * factor(0.4))});
     }
     results.scenarios.push_back(scenario);
@@ -110,14 +108,17 @@ TestResults random_results(std::mt19937& random, int first_seed) {
   return results;
 }
 
-int count_alarms(int comparisons, int seed_of_second, unsigned first_random) {
-  std::mt19937 random(first_random);
-  const tools::ComparisonOptions every_size{.level = 0.01, .worse_percent = 0, .better_percent = 0};
+constexpr tools::ComparisonOptions kEverySize{
+    .level = 0.01, .worse_percent = 0, .better_percent = 0};
+
+int count_alarms(int comparisons, int seed_of_second, std::uint64_t first_random) {
+  constexpr int kSeeds = 5;
+  tools::Random random(first_random);
   int count = 0;
   for (int i = 0; i < comparisons; ++i) {
-    const TestResults before = random_results(random, 0);
-    const TestResults after = random_results(random, seed_of_second);
-    count += alarms(before, after, every_size).empty() ? 0 : 1;
+    const TestResults before = random_results(random, 0, kSeeds);
+    const TestResults after = random_results(random, seed_of_second, kSeeds);
+    count += alarms(before, after, kEverySize).empty() ? 0 : 1;
   }
   return count;
 }
@@ -125,8 +126,20 @@ int count_alarms(int comparisons, int seed_of_second, unsigned first_random) {
 TEST(Comparison, ABuildAgainstItselfRaisesFalseAlarmsAtTheStatedRate) {
   EXPECT_LE(count_alarms(200, 5, 1), 2) << "other seeds, 1 %";
   EXPECT_LE(count_alarms(200, 0, 2), 2) << "the same seeds, 1 %";
-  EXPECT_NEAR(count_alarms(5000, 5, 3), 50, 22) << "three standard deviations of a count of 50";
-  EXPECT_NEAR(count_alarms(5000, 0, 4), 50, 22);
+  EXPECT_NEAR(count_alarms(1000, 5, 3), 10, 9.5) << "three standard deviations of a count of 10";
+  EXPECT_NEAR(count_alarms(1000, 0, 4), 10, 9.5);
+}
+
+TEST(Comparison, HalvesOfOneResultRaiseNoMoreAlarmsThanTheLevelAllows) {
+  tools::Random random(5);
+  EXPECT_LE(tools::count_false_alarms(random_results(random, 0, 12), 200, kEverySize), 2);
+}
+
+TEST(Comparison, HalvesNeedSeeds) {
+  EXPECT_THAT(support::error_text([] {
+                tools::count_false_alarms(results_of({0.1, 0.2, 0.3}), 1, kEverySize);
+              }),
+              HasSubstr("orbit: has 3 seeds, expected 4 to split"));
 }
 
 }  // namespace

@@ -62,6 +62,16 @@ TEST_F(OutsideTracker, IsGivenTheCameraAndMaySayThatItWasLost) {
   EXPECT_EQ(result.frames.back().status, vo::TrackingStatus::lost);
 }
 
+TEST_F(OutsideTracker, MaySayThatItWasLostFromTheFirstFrameOn) {
+  for (const char* command : {"true {sequence} {output}; exit 5",
+                              "true {sequence}; echo '# no pose' > {output}; exit 5"}) {
+    const tools::SequenceResult result = track(command);
+    EXPECT_EQ(result.frames.size(), 6U);
+    EXPECT_EQ(result.tracked_fraction(), 0);
+    EXPECT_TRUE(result.trajectory.empty());
+  }
+}
+
 TEST_F(OutsideTracker, ThatFailsIsASentence) {
   EXPECT_THAT(error("echo {sequence} {output} >/dev/null; kill -SEGV $$"),
               HasSubstr("the tracker crashed (signal 11)"));

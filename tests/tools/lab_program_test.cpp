@@ -182,6 +182,30 @@ TEST_F(LabProgram, AnOutsideTrackerIsJudgedByTheSameBounds) {
   EXPECT_THAT(broken.out, HasSubstr("good: the tracker wrote no trajectory to {output}"));
 }
 
+TEST_F(LabProgram, BytesThatATrackerPrintsDoNotBreakTheResults) {
+  const ProgramResult result = test(path("scenarios") + " --json " + path("r.json") + " --junit " +
+                                    path("r.xml") + " --report " + path("r.html") +
+                                    R"( --tracker "printf '\\377<\\001' # {sequence} {output}")");
+  EXPECT_EQ(result.exit_code, 4) << result.out << result.err;
+  EXPECT_THAT(result.out, HasSubstr("it last said: ?<?\n"));
+  EXPECT_EQ(json::parse(read("r.json"))["scenarios"].size(), 1U);
+  EXPECT_THAT(read("r.xml"), HasSubstr("it last said: ?&lt;?\""));
+  EXPECT_THAT(read("r.html"), HasSubstr("it last said: ?"));
+}
+
+TEST_F(LabProgram, OneReportShowsEveryScenario) {
+  write_bad();
+  folder_.write("scenarios/odd.toml", kScenario + std::string("1\n[sensor]\nexposre = 1\n"));
+  const ProgramResult result = test(path("scenarios") + " --seeds 2 --report " + path("r.html"));
+  EXPECT_EQ(result.exit_code, 3) << result.out << result.err;
+  const std::string html = read("r.html");
+  EXPECT_THAT(html, HasSubstr("<title>edvo report: 1 of 3 scenarios passed</title>"));
+  EXPECT_THAT(html, HasSubstr("metrics are means over 2 seeds"));
+  EXPECT_THAT(html, HasSubstr("unknown key 'sensor.exposre'"));
+  EXPECT_EQ(test(path("scenarios/good.toml") + " --report " + path("none/r.html")).exit_code, 3)
+      << "found before anything is rendered";
+}
+
 #ifdef EDVO_OPENCV_TRACKER
 TEST_F(LabProgram, OpencvsOdometryIsTestedAsAnOutsideTracker) {
   const ProgramResult result = test(path("scenarios") + " --tracker \"'" EDVO_OPENCV_TRACKER
@@ -207,6 +231,36 @@ TEST_F(LabProgram, ResultsAreComparedSideBySide) {
   folder_.write("c.json", "{}");
   EXPECT_EQ(run_program("compare " + a + " " + path("c.json")).exit_code, 3);
   EXPECT_EQ(run_program("compare " + a).exit_code, 2);
+}
+
+TEST_F(LabProgram, BuildsAreComparedByWhatTheyMeasure) {
+  const std::string cache = "export XDG_CACHE_HOME=" + path("") + "; ";
+  const fs::path worse =
+      folder_.write("worse", std::string("#!/bin/sh\nexec '") + EDVO_PROGRAM +
+                                 "' \"$@\" --tracker \"'" EDVO_PROGRAM
+                                 "' track {sequence} --preset paper --quiet"
+                                 " --set align.max_iterations=1 --out {output}\"\n");
+  fs::permissions(worse, fs::perms::owner_all);
+  const auto compare = [&](const std::string& build_b) {
+    return run_program(
+        "compare --build-a '" EDVO_PROGRAM "' --build-b " + build_b + " " + path("scenarios"),
+        cache);
+  };
+  EXPECT_EQ(compare("'" EDVO_PROGRAM "'").exit_code, 0);
+  const ProgramResult found = compare(path("worse"));
+  EXPECT_EQ(found.exit_code, 4) << found.err;
+  EXPECT_THAT(found.out, HasSubstr("ALARM: worse"));
+  EXPECT_EQ(compare("/bin/true").exit_code, 3);
+  EXPECT_EQ(compare("no_such_build").exit_code, 3);
+}
+
+TEST_F(LabProgram, AResultIsComparedWithItself) {
+  ASSERT_EQ(test(path("scenarios") + " --seeds 4 --json " + path("a.json")).exit_code, 0);
+  const ProgramResult result = run_program("compare --halves 50 " + path("a.json"));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("0 of 50 comparisons with itself raise an alarm, 0.5 are"))
+      << "no noise, no difference";
+  EXPECT_EQ(run_program("compare --halves 50").exit_code, 2);
 }
 
 /// The rows of a CSV file without quotes, the first one its titles.

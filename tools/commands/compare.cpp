@@ -13,6 +13,7 @@
 #include "tools/lab/child_process.h"
 #include "tools/lab/comparison.h"
 #include "tools/lab/results_json.h"
+#include "tools/lab/self_comparison.h"
 #include "tools/lab/verdict_table.h"
 #include "vo/core/error.h"
 
@@ -25,18 +26,23 @@ constexpr const char* kHelp =
     "Two results of `edvo test --json`, or two builds of edvo, side by side: every metric of "
     "every\n"
     "scenario with the probability that its change is chance. Exit code 4 when a change is\n"
-    "significant over all of them and larger than the tolerance.";
+    "significant over all of them and larger than the tolerance.\n"
+    "With --halves N a single result is compared with itself, N times one random half of its "
+    "seeds\n"
+    "with the other: how often that is an alarm is the rate of false alarms.";
 
 constexpr const char* kExamples =
     "Examples:\n"
     "  edvo compare before.json after.json\n"
-    "  edvo compare --build-a old/edvo --build-b build/release/edvo --seeds 5 scenarios";
+    "  edvo compare --build-a old/edvo --build-b build/release/edvo --seeds 5 scenarios\n"
+    "  edvo compare results.json --halves 200 --worse-percent 0 --better-percent 0";
 
 struct CompareArguments {
   std::vector<std::string> inputs;
   std::string build_a;
   std::string build_b;
   int seeds = 1;
+  int halves = 0;
   ComparisonOptions options;
 };
 
@@ -72,8 +78,22 @@ void name_missing(const TestResults& a, const TestResults& b) {
   }
 }
 
+int compare_halves(const CompareArguments& arguments) {
+  if (arguments.inputs.size() != 1) {
+    vo::fail_as(vo::ErrorKind::usage, "compare: expected one result with --halves");
+  }
+  const TestResults results = read_results(arguments.inputs[0]);
+  const int alarms = count_false_alarms(results, arguments.halves, arguments.options);
+  std::cout << alarms << " of " << arguments.halves << " comparisons with itself raise an alarm, "
+            << arguments.options.level * arguments.halves << " are expected at most\n";
+  return exit_code::kOk;
+}
+
 int compare(const CompareArguments& arguments) {
   check_usage([&] { arguments.options.validate(); });
+  if (arguments.halves > 0) {
+    return compare_halves(arguments);
+  }
   const bool has_builds = !arguments.build_a.empty() && !arguments.build_b.empty();
   if (!has_builds && arguments.inputs.size() != 2) {
     vo::fail_as(vo::ErrorKind::usage,
@@ -103,6 +123,8 @@ void add_compare_command(CLI::App& program, int& exit_code) {
   command.add_option("--build-a", arguments->build_a, "an edvo program");
   command.add_option("--build-b", arguments->build_b, "another");
   command.add_option("--seeds", arguments->seeds, "of the builds [1]")->check(CLI::PositiveNumber);
+  command.add_option("--halves", arguments->halves, "compare one result with itself so often")
+      ->check(CLI::PositiveNumber);
   add_field_options(command, vo::fields_of(arguments->options), "Alarms");
   command.callback([arguments, &exit_code] { exit_code = compare(*arguments); });
 }

@@ -17,8 +17,10 @@
 #include "tools/lab/junit.h"
 #include "tools/lab/results_json.h"
 #include "tools/lab/sequence_cache.h"
+#include "tools/lab/test_report.h"
 #include "tools/lab/test_run.h"
 #include "tools/lab/verdict_table.h"
+#include "tools/report/html_report.h"
 #include "vo/core/error.h"
 #include "vo/io/output.h"
 
@@ -49,6 +51,7 @@ constexpr const char* kFooter =
     "of edvo alone (keyframes, covariances) is not judged.\n\n"
     "Examples:\n"
     "  edvo test scenarios --junit junit.xml --baseline baseline.json\n"
+    "  edvo test scenarios --report report.html\n"
     "  edvo test scenarios/room_orbit.toml --seeds 5 --json results.json\n"
     "  edvo test scenarios --tracker 'my_vo --in {sequence} --camera {camera} --out {output}'\n"
     "  edvo test scenarios --tracker 'edvo track {sequence} --preset paper --out {output}'\n\n"
@@ -65,6 +68,7 @@ struct TestArguments {
   double time_limit = OutsideTracker{}.time_limit;
   std::string junit;
   std::string json;
+  std::string report;
   std::string baseline;
   bool update_baseline = false;
   RunSettings run;
@@ -84,7 +88,7 @@ void complete(TestArguments& arguments) {
     vo::fail_as(vo::ErrorKind::usage, "--update-baseline: expected --baseline FILE with it");
   }
   run.trial.cache = arguments.cache.empty() ? default_cache_folder() : fs::path(arguments.cache);
-  for (const std::string& file : {arguments.junit, arguments.json}) {
+  for (const std::string& file : {arguments.junit, arguments.json, arguments.report}) {
     if (!file.empty()) {
       vo::require_writable(file);
     }
@@ -112,7 +116,7 @@ TestResults updated(const fs::path& baseline, const TestResults& results) {
 }
 
 /// Replaced, whatever was there: it has times, or is asked for by name.
-void write_report(const std::string& file, const std::string& bytes) {
+void write_asked(const std::string& file, const std::string& bytes) {
   if (!file.empty()) {
     vo::write_file(file, bytes, vo::ExistingOutput::replace);
   }
@@ -164,15 +168,21 @@ int test(TestArguments& arguments) {
   const std::vector<fs::path> files =
       find_scenarios({arguments.paths.begin(), arguments.paths.end()},
                      arguments.slow ? SlowScenarios::include : SlowScenarios::leave_out);
+  if (!arguments.report.empty()) {
+    arguments.run.trial.pictures = pictures_of_each(files.size());
+  }
   ProgressBar bar("testing", arguments.quiet ? Verbosity::quiet : Verbosity::normal);
   const TestResults results = run_tests(files, arguments.run, bar.callback(), throw_if_interrupted);
   const std::vector<Change> changes = changes_from_baseline(arguments, results);
   std::cout << format_verdicts(results, changes);
-  write_report(arguments.json, results_json(results).dump(2) + "\n");
-  write_report(arguments.junit, format_junit(results, changes));
+  write_asked(arguments.json, results_json(results).dump(2) + "\n");
+  write_asked(arguments.junit, format_junit(results, changes));
+  if (!arguments.report.empty()) {
+    write_asked(arguments.report, html_report(test_reports(results, changes)));
+  }
   if (arguments.update_baseline) {
-    write_report(arguments.baseline,
-                 results_json(updated(arguments.baseline, results)).dump(1) + "\n");
+    write_asked(arguments.baseline,
+                results_json(updated(arguments.baseline, results)).dump(1) + "\n");
   }
   return worst_code(results, changes);
 }
@@ -203,6 +213,8 @@ void add_test_command(CLI::App& program, int& exit_code) {
   add_run_options(command, *arguments);
   command.add_option("--junit", arguments->junit, "write JUnit XML; replaces the file");
   command.add_option("--json", arguments->json, "write the results; replaces the file");
+  command.add_option("--report", arguments->report,
+                     "write an HTML report of all scenarios, tracked for it; replaces the file");
   command.add_option("--baseline", arguments->baseline, "results to compare with");
   command.add_flag("--update-baseline", arguments->update_baseline,
                    "write the baseline instead of comparing with it");

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "tools/ablate/statistics.h"
 #include "tools/ablate/table.h"
 #include "tools/report/report.h"
 #include "vo/core/error.h"
@@ -57,19 +59,43 @@ ScenarioResult common_trials(const ScenarioResult& scenario, const ScenarioResul
   return common;
 }
 
-Samples samples_of(const ScenarioResult& before, const ScenarioResult& after,
-                   const std::string& metric) {
-  Samples samples{values_of(common_trials(before, after), metric),
-                  values_of(common_trials(after, before), metric)};
-  if (samples.before.empty() || samples.before.size() != samples.after.size()) {
-    samples = {values_of(before, metric), values_of(after, metric), false};
+/// A scenario in two results, with the trials that are compared.
+struct Pair {
+  ScenarioResult before;
+  ScenarioResult after;
+  bool paired = true;          ///< trials in the same place have the same seed
+  bool same_sequences = true;  ///< of those that have
+};
+
+bool is_measured(const TrialResult& trial) {
+  return trial.problem.empty();
+}
+
+Pair pair_of(const ScenarioResult& before, const ScenarioResult& after) {
+  Pair pair{common_trials(before, after), common_trials(after, before)};
+  pair.same_sequences = std::equal(
+      pair.before.trials.begin(), pair.before.trials.end(), pair.after.trials.begin(),
+      pair.after.trials.end(),
+      [](const TrialResult& x, const TrialResult& y) { return x.sequence == y.sequence; });
+  const auto count = [](const ScenarioResult& scenario) {
+    return std::count_if(scenario.trials.begin(), scenario.trials.end(), is_measured);
+  };
+  if (count(pair.before) == 0 || count(pair.before) != count(pair.after)) {
+    pair.before = before;
+    pair.after = after;
+    pair.paired = false;
   }
-  return samples;
+  return pair;
 }
 
 bool all_finite(const std::vector<double>& values) {
   return !values.empty() &&
          std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+}
+
+/// NaN without values or where one is none.
+double mean_of(const std::vector<double>& values) {
+  return all_finite(values) ? spread(values).mean : std::numeric_limits<double>::quiet_NaN();
 }
 
 bool all_positive(const std::vector<double>& values) {
@@ -121,13 +147,13 @@ void judge_missing(Change& change, const Samples& samples) {
   change.note = was == is ? "" : was ? "it can no longer be measured" : "it could not be measured";
 }
 
-Change compare_metric(const ScenarioResult& before, const ScenarioResult& after,
-                      const std::string& metric, const ComparisonOptions& options) {
-  const Samples samples = samples_of(before, after, metric);
-  Change change{.scenario = after.name,
+Change compare_metric(const Pair& pair, const std::string& metric,
+                      const ComparisonOptions& options) {
+  const Samples samples{values_of(pair.before, metric), values_of(pair.after, metric), pair.paired};
+  Change change{.scenario = pair.after.name,
                 .metric = metric,
-                .before = estimate_mean(samples.before).mean,
-                .after = estimate_mean(samples.after).mean};
+                .before = mean_of(samples.before),
+                .after = mean_of(samples.after)};
   if (all_finite(samples.before) && all_finite(samples.after)) {
     judge_size(change, traits_of(metric), options);
     change.p_value = p_value_of(samples);
@@ -135,14 +161,6 @@ Change compare_metric(const ScenarioResult& before, const ScenarioResult& after,
     judge_missing(change, samples);
   }
   return change;
-}
-
-bool same_sequences(const ScenarioResult& before, const ScenarioResult& after) {
-  const ScenarioResult a = common_trials(before, after);
-  const ScenarioResult b = common_trials(after, before);
-  return std::equal(
-      a.trials.begin(), a.trials.end(), b.trials.begin(), b.trials.end(),
-      [](const TrialResult& x, const TrialResult& y) { return x.sequence == y.sequence; });
 }
 
 const ScenarioResult* find_scenario(const TestResults& results, const std::string& name) {
@@ -182,13 +200,13 @@ std::vector<Change> compare_results(const TestResults& before, const TestResults
     if (was == nullptr) {
       continue;
     }
-    const bool same = same_sequences(*was, now);
+    const Pair pair = pair_of(*was, now);
     for (const auto& [metric, unused] : metric_values({})) {
-      Change change = compare_metric(*was, now, metric, options);
+      Change change = compare_metric(pair, metric, options);
       if (std::isnan(change.before) && std::isnan(change.after)) {
         continue;
       }
-      if (!same && change.note.empty()) {
+      if (!pair.same_sequences && change.note.empty()) {
         change.note = "the sequence is another one, too";
       }
       changes.push_back(std::move(change));

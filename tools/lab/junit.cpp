@@ -1,19 +1,16 @@
 #include "tools/lab/junit.h"
 
-#include <algorithm>
-
 #include "tools/ablate/table.h"
+#include "tools/lab/readable_text.h"
 #include "tools/report/escaped_markup.h"
 #include "vo/core/error.h"
 
 namespace tools {
 namespace {
 
-/// As the value of an attribute or as text. Characters that XML does not have become '?'.
-std::string escaped(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c >= 0 && c < ' '; }, '?');
-  return escaped_markup(text);
+/// As the value of an attribute.
+std::string escaped(const std::string& text) {
+  return escaped_markup(readable_text(text));
 }
 
 std::vector<std::string> alarms_of(const std::string& scenario,

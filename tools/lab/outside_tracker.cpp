@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
+#include <string>
 #include <system_error>
 
 #include "tools/lab/child_process.h"
@@ -16,6 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int kLost = 5;                     // exit code
 constexpr double kMaxTimeDifference = 0.02;  // s, of a pose and the frame that it is of
 
 /// An empty folder that is gone, with all it holds, when the object is.
@@ -64,7 +67,6 @@ std::string last_words(const fs::path& printed) {
 }
 
 void require_good_end(const ChildEnd& end, const OutsideTracker& tracker, const fs::path& printed) {
-  constexpr int kLost = 5;
   vo::require(!end.timed_out, "the tracker was ended after ", tracker.time_limit,
               " s, its time limit", last_words(printed));
   vo::require(end.signal == 0, "the tracker crashed (signal ", end.signal, ")",
@@ -74,6 +76,25 @@ void require_good_end(const ChildEnd& end, const OutsideTracker& tracker, const 
               end.exit_code - kShellSignal, ")", last_words(printed));
   vo::require(end.exit_code == 0 || end.exit_code == kLost, "the tracker ended with exit code ",
               end.exit_code, ", expected 0", last_words(printed));
+}
+
+/// Of a tracker that was lost from the first frame on: no file, or one of comments alone.
+bool has_no_pose(const fs::path& output) {
+  std::istringstream lines(fs::is_regular_file(output) ? vo::read_file(output) : "");
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty() && line.front() != '#') {
+      return false;
+    }
+  }
+  return true;
+}
+
+SequenceResult all_lost(const vo::SequenceReader& sequence) {
+  SequenceResult result;
+  for (std::size_t i = 0; i < sequence.size(); ++i) {
+    result.frames.push_back({.timestamp = sequence.timestamp(i)});
+  }
+  return result;
 }
 
 /// In the words of a user who does not know the temporary file.
@@ -137,7 +158,11 @@ SequenceResult track_outside(const OutsideTracker& tracker, const fs::path& fold
   std::string command = replaced(tracker.command, "{sequence}", folder);
   command = replaced(command, "{camera}", folder / "camera.toml");
   command = replaced(command, "{output}", output);
-  require_good_end(run_child(command, printed, tracker.time_limit, waiting), tracker, printed);
+  const ChildEnd end = run_child(command, printed, tracker.time_limit, waiting);
+  require_good_end(end, tracker, printed);
+  if (end.exit_code == kLost && has_no_pose(output)) {
+    return all_lost(sequence);
+  }
 
   const vo::Trajectory estimate = read_output(output, printed);
   vo::require(!estimate.empty(), "the tracker's trajectory has no pose");

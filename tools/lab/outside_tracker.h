@@ -13,7 +13,8 @@ namespace tools {
 
 /// A program that tracks: a command of the shell in which {sequence} stands for the folder of an
 /// RGB-D sequence, {camera} for its camera.toml and {output} for the TUM trajectory to write. Exit
-/// code 0 says that it is done, 5 (as of `edvo track`) that frames are missing because it was lost.
+/// code 0 says that it is done, 5 (as of `edvo track`) that frames, or all, are missing because it
+/// was lost.
 struct OutsideTracker {
   std::string command;
   double time_limit = 600;  ///< s, for one sequence

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "tools/scenario/run_scenario.h"
 
 namespace tools {
+
+struct ScenarioReport;
 
 enum class ProblemKind {
   unusable,   ///< scenario, scene or place to write
@@ -25,9 +28,10 @@ struct TrialResult {
   Metrics metrics;      ///< NaN where nothing was measured
   std::string problem;  ///< one sentence on why nothing was measured; mostly empty
   std::string note;     ///< what should be known beside the result; mostly empty
-  ProblemKind kind = ProblemKind::unusable;  ///< of the problem. In no file, as what follows
-  bool was_kept = false;                     ///< measured by an earlier run of the same program
-  double time = 0;                           ///< s, diagnostic
+  ProblemKind kind = ProblemKind::unusable;      ///< of the problem. In no file, as what follows
+  bool was_kept = false;                         ///< measured by an earlier run of the same program
+  double time = 0;                               ///< s, diagnostic
+  std::shared_ptr<const ScenarioReport> report;  ///< where it was asked for
 };
 
 enum class Verdict {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "tools/lab/job_pool.h"
+#include "tools/lab/readable_text.h"
 #include "tools/version.h"
 #include "vo/core/error.h"
 #include "vo/io/toml_file.h"
@@ -54,7 +55,7 @@ LoadedScenario load(const fs::path& file) {
     loaded.result.why = scenario.why;
     loaded.scenario = std::move(scenario);
   } catch (const vo::Error& error) {
-    loaded.result.trials.push_back({.problem = error.what()});
+    loaded.result.trials.push_back({.problem = readable_text(error.what())});
   }
   return loaded;
 }

@@ -3,13 +3,17 @@
 #include <chrono>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "tools/lab/readable_text.h"
 #include "tools/lab/results_json.h"
 #include "tools/lab/sequence_cache.h"
 #include "tools/pipeline/result_files.h"
+#include "tools/report/scenario_report.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/core/hash.h"
@@ -62,22 +66,47 @@ std::optional<TrialResult> read_kept(const fs::path& file) {
 }
 
 void set_problem(TrialResult& trial, ProblemKind kind, const std::string& sentence) {
-  trial.problem = sentence;
+  trial.problem = readable_text(sentence);
   trial.kind = kind;
 }
 
-void measure_outside(const ScoreOptions& score, const OutsideTracker& tracker,
+bool is_reported(const TrialSettings& settings, const TrialResult& trial) {
+  return settings.pictures && trial.seed == 0;
+}
+
+void add_report(const Scenario& scenario, const Outcome& outcome, FrameGallery gallery,
+                TrialResult& trial) {
+  const auto report = std::make_shared<ScenarioReport>(scenario_report(scenario, outcome));
+  report->gallery = std::move(gallery);
+  trial.report = report;
+}
+
+void measure_outside(const Scenario& scenario, const TrialSettings& settings,
                      const fs::path& folder, const WaitObserver& waiting, TrialResult& trial) {
   const vo::SequenceReader sequence(folder);
+  Outcome outcome{.tracking = {}, .truth = sequence.ground_truth(), .metrics = {}};
   try {
-    const SequenceResult tracking = track_outside(tracker, folder, sequence, waiting);
-    trial.metrics = measure(sequence.ground_truth(), tracking, score);
-    trial.metrics.keyframes = kUnknown;
-    trial.metrics.nees_median = kUnknown;
+    outcome.tracking = track_outside(*settings.tracker, folder, sequence, waiting);
+    outcome.metrics = measure(outcome.truth, outcome.tracking, scenario.score);
+    outcome.metrics.keyframes = kUnknown;
+    outcome.metrics.nees_median = kUnknown;
+    trial.metrics = outcome.metrics;
+    if (is_reported(settings, trial)) {
+      add_report(scenario, outcome, FrameGallery(), trial);
+    }
   } catch (const vo::Error& error) {
     waiting();
     set_problem(trial, ProblemKind::tracker, error.what());
   }
+}
+
+/// Tracks as without a report, and draws what a report shows.
+Metrics reported(const Scenario& scenario, const vo::SequenceReader& sequence,
+                 const GalleryOptions& pictures, const vo::Progress& progress, TrialResult& trial) {
+  FrameGallery gallery(pictures);
+  const Outcome outcome = track_scenario(scenario, sequence, gallery.observer(), progress);
+  add_report(scenario, outcome, std::move(gallery), trial);
+  return outcome.metrics;
 }
 
 void measure_trial(const Scenario& scenario, const TrialSettings& settings,
@@ -93,19 +122,22 @@ void measure_trial(const Scenario& scenario, const TrialSettings& settings,
   const vo::SequenceReader sequence(cached.folder);
   trial.frames = sequence.size();
   if (settings.tracker) {
-    measure_outside(scenario.score, *settings.tracker, cached.folder, waiting, trial);
+    measure_outside(scenario, settings, cached.folder, waiting, trial);
     return;
   }
   const std::string key = kept_key(scenario, cached.content);
   const fs::path file = settings.cache / "results" / (key + ".json");
   const FileLock lock(settings.cache / "locks" / key, LockKind::exclusive, waiting);
-  const std::optional<TrialResult> kept = settings.measure_again ? std::nullopt : read_kept(file);
+  const bool again = settings.measure_again || is_reported(settings, trial);
+  const std::optional<TrialResult> kept = again ? std::nullopt : read_kept(file);
   if (kept) {
     trial.metrics = kept->metrics;
     trial.was_kept = true;
     return;
   }
-  trial.metrics = track_scenario(scenario, sequence, {}, progress).metrics;
+  trial.metrics = is_reported(settings, trial)
+                      ? reported(scenario, sequence, *settings.pictures, progress, trial)
+                      : track_scenario(scenario, sequence, {}, progress).metrics;
   make_folder(file.parent_path());
   vo::write_file(file, trial_json(trial).dump(2) + "\n", vo::ExistingOutput::replace);
 }

@@ -36,7 +36,7 @@ struct ScenarioReport {
   std::string name;
   std::string why;      ///< what would break the bounds
   std::string command;  ///< repeats the run
-  std::string problem;  ///< a sentence: why there is no result; such a scenario has failed
+  std::string problem;  ///< why there is no result, or what else is wrong: it has failed
   std::vector<ReportedMetric> metrics;
   std::vector<std::string> notes;
   std::vector<ReportedOption> options;

@@ -11,7 +11,7 @@ export interface Scenario {
   why: string; // what would break the bounds
   command: string; // repeats the run
   passed: boolean;
-  problem?: string; // why there is no result
+  problem?: string; // why there is no result, or what is wrong beside the bounds
   alignment: 'none' | 'se3' | 'sim3'; // fitted before the absolute error is taken
   metrics: Metric[];
   notes: string[];

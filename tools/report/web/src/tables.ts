@@ -40,7 +40,7 @@ export function verdictTable(
       { click: () => choose(i) },
       h('th', { scope: 'row' }, h('button', { class: 'link' }, scenario.name)),
       h('td', {}, badge(scenario.passed)),
-      h('td', { class: 'number' }, scenario.problem ? 'no result' : `${held} of ${bounded.length}`),
+      h('td', { class: 'number' }, bounded.length ? `${held} of ${bounded.length}` : 'no result'),
       ...columns.map((name) => metricCell(scenario.metrics.find((m) => m.name === name))),
     );
   });
