@@ -126,12 +126,12 @@ EDVO_INLINE Reflectance reflectance(const SurfaceFinish& finish, const LightCosi
   const float spread = n_h * n_h * (alpha2 - 1) + 1;
   const float smith = n_l * std::sqrt(n_v * n_v * (1 - alpha2) + alpha2) +
                       n_v * std::sqrt(n_l * n_l * (1 - alpha2) + alpha2);
-  const float DV = alpha2 * (0.5F * kInvPi) / (spread * spread * smith);
+  const float lobe = alpha2 * (0.5F * kInvPi) / (spread * spread * smith);
   const float m = 1 - v_h;
   const float grazing = m * m * m * m * m;
   const float glass = finish.specular * (kDielectric + (1 - kDielectric) * grazing);
-  const Reflectance dielectric{(1 - glass) * kInvPi, glass * DV};
-  const Reflectance metal{(1 - grazing) * DV, grazing * DV};
+  const Reflectance dielectric{(1 - glass) * kInvPi, glass * lobe};
+  const Reflectance metal{(1 - grazing) * lobe, grazing * lobe};
   return {dielectric.tint + finish.metallic * (metal.tint - dielectric.tint),
           dielectric.gloss + finish.metallic * (metal.gloss - dielectric.gloss)};
 }
