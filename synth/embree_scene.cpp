@@ -299,8 +299,12 @@ Eigen::Vector3d View::direction(const Eye& eye, const Eigen::Vector2d& pixel) co
 }
 
 Aim View::aim_from(const Eye& eye, const Eigen::Vector2d& pixel, float share) const {
-  return {(eye.position - flat_.origin).cast<float>(), direction(eye, pixel).cast<float>(), kNear,
-          kInfinity, share};
+  const Eigen::Vector3d along = direction(eye, pixel);
+  const Eigen::Vector3f from = (eye.position - flat_.origin).cast<float>();
+  if (!along.allFinite()) {  // the lens sees nothing there, and a ray without reach hits nothing
+    return {from, Eigen::Vector3f::UnitZ(), kNear, 0, share};
+  }
+  return {from, along.cast<float>(), kNear, kInfinity, share};
 }
 
 Aim View::aim_from_row(int v, const Eigen::Vector2d& pixel) const {

@@ -79,7 +79,11 @@ std::vector<TrianglePoint> PointTracer::trace(const std::vector<Eigen::Vector3d>
   const Eigen::Vector3f start = (eye - flat_.origin).cast<float>();
   std::vector<RTCRayHit> hits(directions.size());
   for (std::size_t i = 0; i < hits.size(); ++i) {
-    aim_along(hits[i], start, (R_world_camera * directions[i]).cast<float>());
+    const Eigen::Vector3d direction = R_world_camera * directions[i];
+    aim_along(hits[i], start, direction.cast<float>());
+    if (!direction.allFinite()) {  // the lens sees nothing there
+      hits[i].ray.tfar = 0;
+    }
   }
   embree_->intersect(hits);
   std::vector<TrianglePoint> points(directions.size());

@@ -24,6 +24,9 @@ double light_share(const vo::PinholeCamera& camera, const Eigen::Vector2d& pixel
   const double r2 = offset.squaredNorm() / (half_diagonal * half_diagonal);
   const double polynomial = 1 + r2 * (vignetting.k2 + r2 * (vignetting.k4 + r2 * vignetting.k6));
   const double cosine = 1 / camera.unproject(pixel, 1).norm();
+  if (std::isnan(cosine)) {
+    return 0;
+  }
   return std::max(0.0, polynomial) * std::pow(cosine, vignetting.cos_power);
 }
 

@@ -40,7 +40,7 @@ void visit_fields(Visitor& visit, LensOptions& options) {
   visit("vignetting", options.vignetting, "");
 }
 
-/// The share of the light that reaches a pixel.
+/// The share of the light that reaches a pixel; none does where the lens sees nothing.
 double light_share(const vo::PinholeCamera& camera, const Eigen::Vector2d& pixel,
                    const Vignetting& vignetting);
 

@@ -55,6 +55,27 @@ double depth_of_tilted_plane(const Vector3d& ray) {
   return 2 / normal.dot(ray);
 }
 
+/// 20 px a radian: its corners are 115 deg off the axis, where it sees nothing.
+TEST(RayTracer, DepthThroughAFisheyeIsExactAndNoneBeyondWhatItSees) {
+  vo::PinholeCamera camera = wide_camera();
+  camera.fx = camera.fy = 20;
+  camera.distortion = {.k1 = -0.01, .k2 = 0.003, .model = vo::DistortionModel::kannala_brandt};
+  Scene scene;
+  add(scene, square_at(2, 100), unlit(Vector3f::Ones()));
+  const RenderedFrame frame = render(scene, kOneSample, camera);
+  int unseen = 0;
+  for (int v = 0; v < camera.height; ++v) {
+    for (int u = 0; u < camera.width; ++u) {
+      const bool is_seen = camera.unproject(Vector2d(u, v), 1).allFinite();
+      EXPECT_NEAR(frame.depth(v, u), is_seen ? 2 : 0, kRounding) << u << " " << v;
+      EXPECT_EQ(frame.radiance(v, u)[0], is_seen ? 1 : 0) << u << " " << v;
+      unseen += is_seen ? 0 : 1;
+    }
+  }
+  EXPECT_GT(unseen, 50);
+  EXPECT_LT(unseen, 1000);
+}
+
 TEST(RayTracer, DepthOfATiltedPlaneIsExact) {
   const RenderedFrame frame = render(tilted_plane(), kOneSample);
   EXPECT_LT(max_depth_error(frame, wide_camera(), depth_of_tilted_plane), kRounding);

@@ -119,23 +119,33 @@ TEST(RgbdOdometry, AKeyframeEveryNFrames) {
   EXPECT_EQ(keyframes, "K--K--K-");
 }
 
+/// How far off the last pose is, m, after a sway before a plane, seen through the camera's lens.
+double error_through_lens(const vo::PinholeCamera& camera, vo::LensModel lens) {
+  vo::TrackerOptions options;
+  options.lens = lens;
+  vo::RgbdOdometry odometry(camera, options, sway(0));
+  for (int i = 0; i < 12; ++i) {
+    odometry.track(support::TexturedPlane().render(camera, sway(i), i / 30.0));
+  }
+  const SE3 last = odometry.trajectory().back().T_world_camera;
+  return (last.translation() - sway(11).translation()).norm();
+}
+
 /// The lens model makes a distorted camera as good as a perfect one; ignoring it does not.
 TEST(RgbdOdometry, TheLensModelCorrectsDistortion) {
   vo::PinholeCamera camera = small_camera();
   camera.distortion = {.k1 = 0.26, .k2 = -0.9, .p1 = -0.005, .p2 = 0.003, .k3 = 1.1};
-  const auto error_m = [&](vo::LensModel lens) {
-    vo::TrackerOptions options;
-    options.lens = lens;
-    vo::RgbdOdometry odometry(camera, options, sway(0));
-    for (int i = 0; i < 12; ++i) {
-      odometry.track(support::TexturedPlane().render(camera, sway(i), i / 30.0));
-    }
-    const SE3 last = odometry.trajectory().back().T_world_camera;
-    return (last.translation() - sway(11).translation()).norm();
-  };
-  const double with_model = error_m(vo::LensModel::distortion);
+  const double with_model = error_through_lens(camera, vo::LensModel::distortion);
   EXPECT_LT(with_model, 2e-3);
-  EXPECT_GT(error_m(vo::LensModel::ignore), 2 * with_model);
+  EXPECT_GT(error_through_lens(camera, vo::LensModel::ignore), 2 * with_model);
+}
+
+TEST(RgbdOdometry, TracksThroughAFisheye) {
+  vo::PinholeCamera camera = small_camera();
+  camera.distortion = {.k1 = -0.02, .k2 = 0.01, .model = vo::DistortionModel::kannala_brandt};
+  const double with_model = error_through_lens(camera, vo::LensModel::distortion);
+  EXPECT_LT(with_model, 2e-3);
+  EXPECT_GT(error_through_lens(camera, vo::LensModel::ignore), 2 * with_model);
 }
 
 }  // namespace

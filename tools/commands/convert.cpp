@@ -17,9 +17,12 @@ namespace {
 
 constexpr const char* kHelp =
     "Writes a sequence in another format, its poses, camera and IMU included:\n"
-    "  tum       rgb/, depth/ (16 bit), rgb.txt, depth.txt, groundtruth.txt, camera.toml, imu.csv\n"
-    "  euroc     mav0/cam0, imu0, state_groundtruth_estimate0 (ns, quaternion w first), and\n"
-    "            mav0/depth0 (16 bit, planar), which is ours\n"
+    "  tum       rgb/, depth/ (16 bit), rgb.txt, depth.txt, groundtruth.txt, camera.toml,\n"
+    "            imu.csv, imu.toml\n"
+    "  euroc     mav0/cam0, imu0, state_groundtruth_estimate0 (ns, quaternion w first; at the\n"
+    "            IMU's stamps if there is one, not the frames'), and mav0/depth0 (16 bit, "
+    "planar),\n"
+    "            which is ours\n"
     "  icl-nuim  scene_00_NNNN.png, .depth (text, m along the ray), .txt (POV-Ray's camera)\n"
     "  icl-tum   the \"TUM compatible\" form: rgb/N.png, depth/N.png, associations.txt,\n"
     "            *.gt.freiburg\n"

@@ -1,20 +1,24 @@
 #include "vo/core/camera.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 #include "vo/core/error.h"
 
 namespace vo {
 namespace {
 
-/// Whether the lens maps the direction that it images at a pixel there and nowhere else near it.
+/// Whether the lens maps the direction that it images at a pixel, if there is one, there and
+/// nowhere else near it.
 bool is_invertible_at(const PinholeCamera& camera, double u, double v) {
   constexpr double kSamePixel = 1e-6;  // px
   const Eigen::Vector3d direction = camera.unproject({u, v}, 1);
+  if (!direction.allFinite()) {
+    return true;
+  }
   if ((camera.project(direction) - Eigen::Vector2d(u, v)).norm() > kSamePixel) {
     return false;
   }
@@ -36,24 +40,14 @@ bool has_invertible_border(const PinholeCamera& camera) {
   return true;
 }
 
-}  // namespace
-
-Eigen::Vector2d Distortion::remove(const Eigen::Vector2d& distorted) const {
-  constexpr int kMaxIterations = 20;
-  constexpr double kConverged = 1e-14;
-  Eigen::Vector2d ideal = distorted;
-  for (int i = 0; i < kMaxIterations; ++i) {
-    const DistortedPoint<double> imaged = distort(*this, ideal.x(), ideal.y());
-    const Eigen::Vector2d error = Eigen::Vector2d(imaged.x, imaged.y) - distorted;
-    if (error.norm() < kConverged) {
-      break;
-    }
-    Eigen::Matrix2d J;
-    J << imaged.dx_dx, imaged.dx_dy, imaged.dx_dy, imaged.dy_dy;
-    ideal -= J.inverse() * error;
-  }
-  return ideal;
+/// Of the corner that is farthest from the principal point, at a focal length of 1.
+double image_radius(const PinholeCamera& camera) {
+  const double x = std::max(std::abs(camera.cx), std::abs(camera.width - 1 - camera.cx));
+  const double y = std::max(std::abs(camera.cy), std::abs(camera.height - 1 - camera.cy));
+  return std::hypot(x / camera.fx, y / camera.fy);
 }
+
+}  // namespace
 
 PinholeCamera PinholeCamera::from_horizontal_fov(int width, int height, double fov_deg) {
   require(fov_deg > 0 && fov_deg < 180,
@@ -115,6 +109,7 @@ void PinholeCamera::validate() const {
           "camera: expected fx above 0 and fy other than 0, got ", fx, ", ", fy);
   require(std::isfinite(cx) && std::isfinite(cy), "camera: expected finite cx and cy, got ", cx,
           ", ", cy);
+  distortion.validate(image_radius(*this));
   require(distortion.is_zero() || has_invertible_border(*this),
           "camera: the lens distortion folds over inside the image, expected coefficients that can "
           "be inverted up to its corners");

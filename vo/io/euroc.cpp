@@ -59,15 +59,17 @@ RgbdCamera read_sensor(const fs::path& path, const std::string& text) {
   const std::vector<double> k = yaml_numbers(path, text, "intrinsics", 4);
   const std::vector<double> d = yaml_numbers(path, text, "distortion_coefficients", 4);
   const std::string model = yaml_value(text, "distortion_model");
-  require(model.find("radial-tangential") != std::string::npos, path.string(),
-          ": distortion_model: expected radial-tangential, got", model);
-  RgbdCamera camera{{static_cast<int>(size[0]),
-                     static_cast<int>(size[1]),
-                     k[0],
-                     k[1],
-                     k[2],
-                     k[3],
-                     {d[0], d[1], d[2], d[3], 0}}};
+  const bool is_fisheye = model.find("equidistant") != std::string::npos;
+  require(is_fisheye || model.find("radial-tangential") != std::string::npos, path.string(),
+          ": distortion_model: expected radial-tangential or equidistant, got", model);
+  RgbdCamera camera{{static_cast<int>(size[0]), static_cast<int>(size[1]), k[0], k[1], k[2], k[3]}};
+  camera.pinhole.distortion = is_fisheye
+                                  ? Distortion{.k1 = d[0],
+                                               .k2 = d[1],
+                                               .k3 = d[2],
+                                               .k4 = d[3],
+                                               .model = DistortionModel::kannala_brandt}
+                                  : Distortion{.k1 = d[0], .k2 = d[1], .p1 = d[2], .p2 = d[3]};
   camera.validate();
   return camera;
 }
@@ -118,9 +120,21 @@ std::string format_matrix(const SE3& T) {
   return text + "]\n";
 }
 
+std::string format_lens(const Distortion& lens) {
+  const bool is_fisheye = lens.model == DistortionModel::kannala_brandt;
+  const std::array<double, 4> coefficients = is_fisheye
+                                                 ? std::array{lens.k1, lens.k2, lens.k3, lens.k4}
+                                                 : std::array{lens.k1, lens.k2, lens.p1, lens.p2};
+  std::string text = is_fisheye ? "distortion_model: equidistant\ndistortion_coefficients: ["
+                                : "distortion_model: radial-tangential\ndistortion_coefficients: [";
+  for (std::size_t i = 0; i < coefficients.size(); ++i) {
+    text += (i == 0 ? "" : ", ") + format_real(coefficients[i]);
+  }
+  return text + "]\n";
+}
+
 std::string format_sensor(const SequenceSource& source, const char* comment) {
   const PinholeCamera& camera = source.camera.pinhole;
-  const Distortion& lens = camera.distortion;
   const double span = source.timestamps.back() - source.timestamps.front();
   const double rate = span > 0 ? static_cast<double>(source.timestamps.size() - 1) / span : 0;
   return concat("#Default camera model\nsensor_type: camera\ncomment: ", comment, "\n",
@@ -128,9 +142,7 @@ std::string format_sensor(const SequenceSource& source, const char* comment) {
                 "\nresolution: [", camera.width, ", ", camera.height,
                 "]\ncamera_model: pinhole\nintrinsics: [", format_real(camera.fx), ", ",
                 format_real(camera.fy), ", ", format_real(camera.cx), ", ", format_real(camera.cy),
-                "] #fu, fv, cu, cv\ndistortion_model: radial-tangential\n",
-                "distortion_coefficients: [", format_real(lens.k1), ", ", format_real(lens.k2),
-                ", ", format_real(lens.p1), ", ", format_real(lens.p2), "]\n");
+                "] #fu, fv, cu, cv\n", format_lens(camera.distortion));
 }
 
 /// EuRoC's names of the noise and its units.
@@ -247,9 +259,10 @@ std::vector<NamedBytes> encode_euroc_frame(const RgbdCamera& camera, const RgbdF
 }
 
 std::vector<NamedBytes> encode_euroc_lists(const SequenceSource& source, bool has_depth) {
-  require(source.camera.pinhole.distortion.k3 == 0,
-          "EuRoC's sensor.yaml holds k1, k2, p1, p2, expected a lens without k3, got k3 = ",
-          source.camera.pinhole.distortion.k3);
+  const Distortion& lens = source.camera.pinhole.distortion;
+  require(
+      lens.model == DistortionModel::kannala_brandt || lens.k3 == 0,
+      "EuRoC's sensor.yaml holds k1, k2, p1, p2, expected a lens without k3, got k3 = ", lens.k3);
   const std::string camera = kCamera;
   const std::string list = format_list(source.timestamps);
   std::vector<NamedBytes> files = {{camera + "/data.csv", list},

@@ -22,7 +22,8 @@ SequenceSource open_euroc(const std::filesystem::path& folder,
 /// A frame's files.
 std::vector<NamedBytes> encode_euroc_frame(const RgbdCamera& camera, const RgbdFrame& frame);
 
-/// All other files. Throws Error for a lens with k3, which the format cannot hold.
+/// All other files; a lens of Kannala and Brandt is written as `equidistant`. Throws Error for one
+/// of Brown and Conrady with k3, which the format cannot hold.
 std::vector<NamedBytes> encode_euroc_lists(const SequenceSource& source, bool has_depth);
 
 }  // namespace vo

@@ -35,9 +35,10 @@ RgbdCamera camera_of(const fs::path& folder, const std::optional<RgbdCamera>& gi
   return camera.pinhole.fy < 0 ? mirrored(camera) : camera;
 }
 
-/// Planar depth over the distance along a pixel's ray.
+/// Planar depth over the distance along a pixel's ray; 1 where the lens sees nothing.
 double share_of_distance(const PinholeCamera& camera, int u, int v) {
-  return 1 / camera.unproject({u, v}, 1).norm();
+  const double share = 1 / camera.unproject({u, v}, 1).norm();
+  return std::isnan(share) ? 1 : share;
 }
 
 std::string format_distances(const DepthImage& depth, const PinholeCamera& camera) {

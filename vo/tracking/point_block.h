@@ -82,7 +82,9 @@ inline void load_points(const EdgePointLevel& points, std::size_t first, std::si
   load_row(points.intensity, first, count, block.intensity_ref);
 }
 
-EDVO_INLINE void distort_block(const PassWarp& warp, Block& block) {
+/// `distort` is the lens's.
+template <typename Distort>
+EDVO_INLINE void distort_block(const PassWarp& warp, const Distort& distort, Block& block) {
   for (std::size_t i = 0; i < kBlock; ++i) {
     const DistortedPoint<float> imaged =
         distort(warp.lens, block.x[i] * block.inverse_z[i], block.y[i] * block.inverse_z[i]);
@@ -146,10 +148,18 @@ EDVO_INLINE void warp_block(const PassWarp& warp, std::size_t count, Block& bloc
   for (std::size_t i = 0; i < kBlock; ++i) {
     block.inverse_z[i] = 1 / block.z[i];
   }
-  if (warp.distorted) {
-    distort_block(warp, block);
-  } else {
+  if (!warp.distorted) {
     project_block(warp, block);
+  } else if (warp.lens.model == DistortionModel::kannala_brandt) {
+    const auto fisheye = [](const Distortion& lens, float x, float y) {
+      return distort_kannala_brandt(lens, x, y);
+    };
+    distort_block(warp, fisheye, block);
+  } else {
+    const auto brown_conrady = [](const Distortion& lens, float x, float y) {
+      return distort_brown_conrady(lens, x, y);
+    };
+    distort_block(warp, brown_conrady, block);
   }
   for (std::size_t i = 0; i < kBlock; ++i) {
     const float u = block.u[i];

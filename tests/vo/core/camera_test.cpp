@@ -1,5 +1,7 @@
 #include "vo/core/camera.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "vo/core/error.h"
@@ -8,6 +10,21 @@
 namespace {
 
 using vo::PinholeCamera;
+
+/// The left camera of the TUM VI benchmark, whose corners the lens does not reach.
+PinholeCamera fisheye() {
+  return {512,
+          512,
+          190.97847715128717,
+          190.9733070521226,
+          254.93170605935475,
+          256.8974428996504,
+          {.k1 = 0.0034823894022493434,
+           .k2 = 0.0007150348452162257,
+           .k3 = -0.0020532361418706202,
+           .k4 = 0.00020293673591811182,
+           .model = vo::DistortionModel::kannala_brandt}};
+}
 
 std::vector<PinholeCamera> cameras() {
   std::vector<PinholeCamera> result;
@@ -41,22 +58,6 @@ TEST(PinholeCamera, ProjectsAsTheFormulaOfBrownAndConrady) {
   const double y = -0.2 * radial + -0.005358 * (0.13 + 2 * 0.04) + 2 * 0.002628 * 0.3 * -0.2;
   EXPECT_NEAR(pixel.x(), 517.306408 * x + 318.643040, 1e-9);
   EXPECT_NEAR(pixel.y(), 516.469215 * y + 255.313989, 1e-9);
-}
-
-TEST(Distortion, HasTheDerivativeOfItsDifferences) {
-  const vo::Distortion lens = vo::load_camera("tum-fr1").pinhole.distortion;
-  constexpr double kStep = 1e-6;
-  for (const auto& [x, y] : {std::pair{0.3, -0.2}, std::pair{-0.5, 0.4}}) {
-    const auto point = vo::distort(lens, x, y);
-    const auto right = vo::distort(lens, x + kStep, y);
-    const auto left = vo::distort(lens, x - kStep, y);
-    const auto below = vo::distort(lens, x, y + kStep);
-    const auto above = vo::distort(lens, x, y - kStep);
-    EXPECT_NEAR(point.dx_dx, (right.x - left.x) / (2 * kStep), 1e-8);
-    EXPECT_NEAR(point.dx_dy, (right.y - left.y) / (2 * kStep), 1e-8);
-    EXPECT_NEAR(point.dx_dy, (below.x - above.x) / (2 * kStep), 1e-8) << "symmetric";
-    EXPECT_NEAR(point.dy_dy, (below.y - above.y) / (2 * kStep), 1e-8);
-  }
 }
 
 TEST(PinholeCamera, HalvedSeesTheSamePointAtHalfTheResolution) {
@@ -99,6 +100,51 @@ TEST(PinholeCamera, RejectsALensThatFoldsOverInsideTheImage) {
   EXPECT_THROW(camera.validate(), vo::Error) << "the corners are at radius 1.0";
   camera.fx = camera.fy = 200;
   EXPECT_NO_THROW(camera.validate()) << "the corners are at radius 0.5";
+}
+
+TEST(Fisheye, UnprojectInvertsProjectWhereTheLensSees) {
+  const PinholeCamera camera = fisheye();
+  EXPECT_NO_THROW(camera.validate());
+  constexpr double kWidest = 85;  // deg
+  int seen = 0;
+  for (int v = 0; v < camera.height; v += 15) {
+    for (int u = 0; u < camera.width; u += 15) {
+      const Eigen::Vector2d pixel(u, v);
+      const Eigen::Vector3d p_camera = camera.unproject(pixel, 2.5);
+      // Its coefficients are small: the angle is the distance in focal lengths to a hundredth.
+      const double off_axis_deg =
+          std::hypot((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy) * 57.2957795;
+      EXPECT_TRUE(p_camera.allFinite() || off_axis_deg > 0.98 * kWidest) << u << " " << v;
+      if (p_camera.allFinite()) {
+        EXPECT_LT((camera.project(p_camera) - pixel).norm(), 1e-9) << u << " " << v;
+        EXPECT_LT(off_axis_deg, 1.02 * kWidest);
+        ++seen;
+      }
+    }
+  }
+  EXPECT_GT(seen, 800);
+}
+
+/// Without coefficients the distance from the principal point is f times the angle.
+TEST(Fisheye, IsEquidistantWithoutCoefficients) {
+  PinholeCamera camera{.width = 401, .height = 401, .fx = 100, .fy = 100, .cx = 200, .cy = 200};
+  camera.distortion.model = vo::DistortionModel::kannala_brandt;
+  for (const double angle : {0.0, 1e-9, 1e-4, 0.3, 0.9, 1.4}) {
+    const Eigen::Vector2d pixel = camera.project({2 * std::tan(angle), 0, 2});
+    EXPECT_NEAR(pixel.x(), 200 + 100 * angle, 1e-9);
+    EXPECT_NEAR(pixel.y(), 200, 1e-9);
+  }
+}
+
+TEST(Fisheye, RejectsWhatItsModelDoesNotHave) {
+  PinholeCamera camera = fisheye();
+  camera.distortion.p1 = 0.1;
+  EXPECT_THROW(camera.validate(), vo::Error);
+  camera = fisheye();
+  camera.distortion.k1 = -0.3;  // a (1 - 0.3 a^2) grows up to a = 1.05
+  EXPECT_THROW(camera.validate(), vo::Error);
+  camera.distortion = {.k4 = 0.1};
+  EXPECT_THROW(camera.validate(), vo::Error) << "Brown and Conrady have no k4";
 }
 
 }  // namespace

@@ -90,6 +90,23 @@ TEST(Euroc, ReadsBackWithDepthPosesAndImu) {
   EXPECT_EQ(copy.imu.noise.accel_bias_walk, 3e-3);
 }
 
+TEST(Euroc, HoldsAFisheyeAsEquidistant) {
+  vo::SequenceSource source = example();
+  source.camera.pinhole.distortion = {.k1 = -0.01,
+                                      .k2 = 0.02,
+                                      .k3 = -0.003,
+                                      .k4 = 0.004,
+                                      .model = vo::DistortionModel::kannala_brandt};
+  const TempFolder folder;
+  write(folder, vo::encode_euroc_frame(source.camera, source.read(0)));
+  write(folder, vo::encode_euroc_lists(source, true));
+  EXPECT_THAT(vo::read_file(folder.path() / "mav0/cam0/sensor.yaml"),
+              HasSubstr("distortion_model: equidistant\n"
+                        "distortion_coefficients: [-0.01, 0.02, -0.003, 0.004]"));
+  const auto copy = vo::open_sequence(folder.path(), vo::SequenceFormat::euroc);
+  EXPECT_EQ(vo::format_camera(copy.camera), vo::format_camera(source.camera));
+}
+
 TEST(Euroc, PosesAreTheBodysAndTheCameraHasItsPlaceOnIt) {
   vo::SequenceSource source = example();
   source.T_body_camera = support::example_pose(3);

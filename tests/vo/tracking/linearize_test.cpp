@@ -61,9 +61,14 @@ Vector6d numeric(const vo::PinholeCamera& camera, const Eigen::Vector3d& p_ref,
 
 /// The largest relative difference over a grid of points, for cameras with and without distortion.
 double worst_difference(const Perturbation& perturbed) {
-  double worst = 0;
+  std::vector<vo::PinholeCamera> cameras;
   for (const char* name : {"tum-fr1", "tum-default", "icl-nuim"}) {
-    const vo::PinholeCamera camera = vo::load_camera(name).pinhole;
+    cameras.push_back(vo::load_camera(name).pinhole);
+  }
+  cameras.push_back({640, 480, 250, 251, 320, 239, {.k1 = -0.01, .k2 = 0.004}});
+  cameras.back().distortion.model = vo::DistortionModel::kannala_brandt;
+  double worst = 0;
+  for (const vo::PinholeCamera& camera : cameras) {
     for (int v = 30; v < camera.height; v += 60) {
       for (int u = 30; u < camera.width; u += 60) {
         const Eigen::Vector3d p_ref = camera.unproject({u, v}, 1.0 + 0.003 * u);
