@@ -99,4 +99,32 @@ TEST(Scenario, ChangesComeAfterTheFileAndAPresetBeforeThem) {
               HasSubstr("the nearest known key is path.rate"));
 }
 
+constexpr const char* kMonoScenario = R"(why = "it would fail if"
+[scene]
+gltf = "room/room.gltf"
+[odometry]
+mono.bootstrap = "rgbd"
+mono.depth_map.anchor.every = 5
+mode = "mono"
+[expect]
+depth_error_percent = { max = 0.4 }
+)";
+
+TEST(Scenario, TheModeDecidesWhichOptionsThereAre) {
+  const tools::Scenario scenario = load(kMonoScenario);
+  EXPECT_EQ(scenario.odometry.mode, tools::OdometryMode::mono);
+  EXPECT_EQ(scenario.odometry.mono.bootstrap, vo::MonoBootstrap::rgbd);
+  EXPECT_EQ(scenario.odometry.mono.map.anchor.every, 5);
+  std::string text = kMonoScenario;
+  text.replace(text.find("mono.depth_map.anchor.every"), 27, "tracker.pyramid.levels");
+  EXPECT_THAT(error_text([&] { load(text); }),
+              HasSubstr("unknown key 'odometry.tracker.pyramid.levels'"));
+}
+
+TEST(Scenario, AMonocularOneHasNoDepthFileToStartFrom) {
+  std::string text = kMonoScenario;
+  text.replace(text.find("\"rgbd\""), 6, "\"file\"");
+  EXPECT_THAT(error_text([&] { load(text); }), HasSubstr("a scenario has no depth file"));
+}
+
 }  // namespace

@@ -42,6 +42,19 @@ vo::TrackerOptions StudySettings::options(const Assignments& held,
   return options;
 }
 
+vo::MonoOptions StudySettings::mono_options(const Assignments& varied) const {
+  vo::MonoOptions options = vo::mono_options();
+  options.bootstrap = vo::MonoBootstrap::rgbd;
+  std::vector<vo::Field> fields = vo::fields_of(options);
+  for (const Assignments* part : {&assignments, &varied}) {
+    for (const auto& [key, value] : *part) {
+      vo::set_field(fields, key, value);
+    }
+  }
+  options.validate();
+  return options;
+}
+
 std::string as_markdown(const StudyReport& report, const std::string& command) {
   std::string text = vo::concat("# ", report.title, "\n\n", report.method, "\n\n![", report.title,
                                 "](", report.name, ".svg)\n\n", as_markdown(report.table), "\n");

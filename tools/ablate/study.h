@@ -8,6 +8,7 @@
 #include "tools/pipeline/result_files.h"
 #include "tools/scenario/scenario.h"
 #include "vo/core/progress.h"
+#include "vo/mono_odometry.h"
 #include "vo/odometry.h"
 
 namespace tools {
@@ -32,6 +33,9 @@ struct StudySettings {
 
   /// The preset, then what the study holds fixed, then what the user set, then what it varies.
   vo::TrackerOptions options(const Assignments& held, const Assignments& varied) const;
+
+  /// Of `study_mono`, started from the first depth image: what the user set, then what is varied.
+  vo::MonoOptions mono_options(const Assignments& varied) const;
 };
 
 /// What a study found. Where it measures time, two runs differ in the columns that say `ms`.
@@ -65,6 +69,10 @@ StudyReport study_levels(const Clip& clip, const StudySettings& settings,
 
 /// Time of an alignment against its number of points.
 StudyReport study_time(const Clip& clip, const StudySettings& settings,
+                       const vo::Progress& progress);
+
+/// The ways of keeping a depth map, in the loop with the tracker.
+StudyReport study_mono(const Clip& clip, const StudySettings& settings,
                        const vo::Progress& progress);
 
 /// Pairs of a clip made by `pose_pairs`: accuracy and basin of variants of the alignment.

@@ -7,9 +7,12 @@
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/core/stopwatch.h"
+#include "vo/mono_odometry.h"
 
 namespace tools {
 namespace {
+
+constexpr const char* kMono = "mono";
 
 /// One of our own: a preset, and `key=value` of what differs from it.
 struct EdvoRow {
@@ -33,26 +36,47 @@ std::vector<EdvoRow> edvo_rows() {
 
 /// The only place that knows which stages the odometry tells of.
 StageCosts stage_costs(const vo::StageTimes& times, double total_ms) {
+  const double before_map_ms = times.pyramid_ms + times.edges_ms + times.alignment_ms;
   return {.pyramid_ms = times.pyramid_ms,
           .edges_ms = times.edges_ms,
           .alignment_ms = times.alignment_ms,
-          .map_ms = std::max(0.0, total_ms - times.total_ms())};
+          .map_ms = std::max(0.0, total_ms - before_map_ms)};
 }
 
-FrameSample track_frame(vo::RgbdOdometry& odometry, const vo::RgbdFrame& frame) {
+const vo::TrackingResult& tracking_of(const vo::TrackingResult& result) {
+  return result;
+}
+
+const vo::TrackingResult& tracking_of(const vo::MonoResult& result) {
+  return result.tracking;
+}
+
+template <typename Odometry>
+FrameSample track_frame(Odometry& odometry, const vo::RgbdFrame& frame) {
   const vo::CpuStopwatch cpu_watch;
   vo::Stopwatch watch;
-  const vo::TrackingResult result = odometry.track(frame);
+  const auto result = odometry.track(frame);
   const double total_ms = watch.lap_ms();
+  const vo::TrackingResult& tracking = tracking_of(result);
   FrameSample sample{.costs = stage_costs(odometry.stage_times(), total_ms),
                      .cpu_ms = cpu_watch.elapsed_ms(),
-                     .points = result.alignment.points,
-                     .is_keyframe = result.is_keyframe,
+                     .points = tracking.alignment.points,
+                     .is_keyframe = tracking.is_keyframe,
                      .map_bytes = odometry.tracker().map().memory_bytes()};
-  if (result.status != vo::TrackingStatus::lost) {
-    sample.T_world_camera = result.T_world_camera;
+  if (tracking.status != vo::TrackingStatus::lost) {
+    sample.T_world_camera = tracking.T_world_camera;
   }
   return sample;
+}
+
+/// The monocular odometry, which reads the first frame's depth alone.
+Contestant mono_contestant() {
+  return {kMono, [](const vo::PinholeCamera& camera) {
+            vo::MonoOptions options = vo::mono_options();
+            options.bootstrap = vo::MonoBootstrap::rgbd;
+            const auto odometry = std::make_shared<vo::MonoOdometry>(camera, options);
+            return [odometry](const vo::RgbdFrame& frame) { return track_frame(*odometry, frame); };
+          }};
 }
 
 /// Throws vo::Error when this program has no such option.
@@ -99,6 +123,7 @@ std::vector<std::string> peer_names() {
       names.push_back(row.peer);
     }
   }
+  names.emplace_back(kMono);
   for (const auto& [kind, name] : enum_names(OpencvOdometry{})) {
     names.emplace_back(name);
   }
@@ -114,6 +139,9 @@ LineUp line_up(const std::vector<std::string>& peers) {
     if (is_asked_for(row.peer)) {
       add(result, row);
     }
+  }
+  if (is_asked_for(kMono)) {
+    result.contestants.push_back(mono_contestant());
   }
   for (const auto& [kind, name] : enum_names(OpencvOdometry{})) {
     if (is_asked_for(name)) {

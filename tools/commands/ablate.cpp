@@ -37,6 +37,7 @@ constexpr const char* kHelp =
     "  residuals  residuals of all pixels before and after aligning edges only (Figure 4)\n"
     "  levels     depth of the pyramid against convergence from identity (Figure 3)\n"
     "  time       time of an alignment against its number of points, with a linear fit\n"
+    "  mono       one change at a time of how a monocular depth map is kept (docs/mono.md)\n"
     "  pairs      random pairs of views of a glTF scene: accuracy and basin of convergence\n"
     "Writes DIR/STUDY.csv, .svg and .md and prints the table. Columns in ms differ from run to "
     "run:\n"
@@ -47,6 +48,7 @@ constexpr const char* kExamples =
     "  edvo ablate scenarios/room_orbit.toml --study points --out ablation\n"
     "  edvo ablate rgbd_dataset_freiburg1_xyz --camera tum-fr1 --study levels \\\n"
     "       --max-error 0.02 --max-error-deg 1 --out ablation\n"
+    "  edvo ablate scenarios/mono_sideways.toml --mono --out ablation\n"
     "  edvo ablate --pairs --preset default --out ablation    # of assets/room/room.gltf";
 
 struct AblateArguments {
@@ -54,6 +56,7 @@ struct AblateArguments {
   std::string input;
   std::string study;
   bool pairs = false;
+  bool mono = false;
   std::string camera;
   std::string preset_name = "paper";
   std::vector<std::string> assignments;
@@ -65,11 +68,12 @@ struct AblateArguments {
 
 using Study = StudyReport (*)(const Clip&, const StudySettings&, const vo::Progress&);
 
-constexpr std::array<std::pair<const char*, Study>, 6> kStudies{{{"points", study_points},
+constexpr std::array<std::pair<const char*, Study>, 7> kStudies{{{"points", study_points},
                                                                  {"detectors", study_detectors},
                                                                  {"residuals", study_residuals},
                                                                  {"levels", study_levels},
                                                                  {"time", study_time},
+                                                                 {"mono", study_mono},
                                                                  {"pairs", study_pairs}}};
 
 std::vector<std::string> study_names() {
@@ -88,17 +92,20 @@ Study find_study(const std::string& name) {
 
 void complete(AblateArguments& arguments) {
   constexpr const char* kOurRoom = "assets/room/room.gltf";
-  if (arguments.pairs && !arguments.study.empty() && arguments.study != "pairs") {
-    vo::fail_as(vo::ErrorKind::usage, "--pairs: cannot be together with --study ", arguments.study);
-  }
-  if (arguments.pairs) {
-    arguments.study = "pairs";
+  for (const auto& [is_set, name] :
+       {std::pair{arguments.pairs, "pairs"}, std::pair{arguments.mono, "mono"}}) {
+    if (is_set && !arguments.study.empty() && arguments.study != name) {
+      vo::fail_as(vo::ErrorKind::usage, "--", name, ": cannot be together with --study ",
+                  arguments.study);
+    }
+    arguments.study = is_set ? name : arguments.study;
   }
   if (arguments.input.empty() && arguments.study == "pairs") {
     arguments.input = kOurRoom;
   }
   if (arguments.input.empty() || arguments.study.empty()) {
-    vo::fail_as(vo::ErrorKind::usage, "ablate: expected INPUT and --study NAME, or --pairs");
+    vo::fail_as(vo::ErrorKind::usage,
+                "ablate: expected INPUT and --study NAME or --mono, or --pairs");
   }
   StudySettings& settings = arguments.settings;
   settings.preset = vo::parse_enum<vo::TrackerPreset>(arguments.preset_name);
@@ -107,7 +114,11 @@ void complete(AblateArguments& arguments) {
   }
   check_usage([&] {
     settings.validate();
-    settings.options({}, {});
+    if (arguments.study == "mono") {
+      settings.mono_options({});
+    } else {
+      settings.options({}, {});
+    }
   });
 }
 
@@ -169,7 +180,8 @@ std::string command_line(const AblateArguments& arguments) {
   std::string text = "edvo ablate " + fs::path(arguments.input).filename().string();
   text += arguments.camera.empty() ? "" : " --camera " + arguments.camera;
   text += arguments.name.empty() ? "" : " --name '" + arguments.name + "'";
-  text += " --study " + arguments.study + " --preset " + arguments.preset_name;
+  text += " --study " + arguments.study;
+  text += arguments.study == "mono" ? "" : " --preset " + arguments.preset_name;
   for (const std::string& assignment : arguments.assignments) {
     text += " --set " + assignment;
   }
@@ -208,6 +220,7 @@ void add_ablate_command(CLI::App& program, int& /*exit_code*/) {
   command.add_option("--study", arguments->study, "what to measure, one of those above")
       ->check(CLI::IsMember(study_names()));
   command.add_flag("--pairs", arguments->pairs, "--study pairs");
+  command.add_flag("--mono", arguments->mono, "--study mono; --set then takes its keys");
   command.add_option("--out", arguments->out, "folder for all results")->required();
   command.add_option("--camera", arguments->camera,
                      "preset or FILE.toml; otherwise the sequence's camera.toml");

@@ -37,7 +37,8 @@ constexpr const char* kHelp =
 constexpr const char* kExamples =
     "Columns: median and 90th percentile of a frame; its CPU time, which is the same on an idle\n"
     "machine and which the ratios are of; medians of its stages (`map`: keeping frames for later\n"
-    "ones); points of the finest level; MiB of all keyframes after the last frame; RPE over 1 s; "
+    "ones, for mono the depth map); points of the finest level; MiB of all keyframes after the "
+    "last frame; RPE over 1 s; "
     "ATE.\n"
     "`ns for each` is of a whole frame: all iterations, all levels.\n\n"
     "Examples:\n"

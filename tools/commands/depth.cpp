@@ -1,6 +1,3 @@
-#include <array>
-#include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -14,7 +11,7 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
-#include "tools/depth/depth_pictures.h"
+#include "tools/depth/depth_output.h"
 #include "tools/depth/depth_table.h"
 #include "tools/depth/mapping_run.h"
 #include "tools/depth/mono_run.h"
@@ -23,8 +20,6 @@
 #include "tools/version.h"
 #include "vo/core/error.h"
 #include "vo/io/camera_file.h"
-#include "vo/io/output.h"
-#include "vo/io/png.h"
 
 namespace tools {
 namespace {
@@ -85,12 +80,6 @@ vo::MonoOptions tracking_options(const DepthArguments& arguments) {
   return options;
 }
 
-std::string frame_name(std::size_t frame) {
-  std::array<char, 32> name{};
-  std::snprintf(name.data(), name.size(), "%06zu.png", frame);
-  return name.data();
-}
-
 double median_ms(const std::vector<MappedFrame>& frames) {
   std::vector<double> times;
   for (const MappedFrame& frame : frames) {
@@ -123,45 +112,6 @@ void print(const DepthArguments& arguments, const nlohmann::ordered_json& option
             << format_decimals(median_ms(frames), 2) << " ms per frame (median)\n";
 }
 
-/// The folder of results, filled while the sequence runs.
-class DepthOutput {
- public:
-  explicit DepthOutput(const DepthArguments& arguments) : every_(arguments.every) {
-    if (!arguments.out.empty()) {
-      folder_ = std::make_unique<vo::OutputFolder>(arguments.out, "depth.csv",
-                                                   arguments.common.existing());
-    }
-  }
-
-  MapObserver observer(bool metric) {
-    if (folder_ == nullptr) {
-      return {};
-    }
-    return [this, metric](std::size_t frame, const vo::DepthMap& map, const vo::DepthImage& truth,
-                          const vo::SE3& T_world_anchor) {
-      if (frame % static_cast<std::size_t>(every_) == 0) {
-        const double scale = metric ? 1 : map_errors(map, truth, {}).scale;
-        vo::write_file(folder_->partial() / frame_name(frame),
-                       vo::encode_png(draw_depth_map(map, truth, scale)));
-        cloud_ = as_ply(map, T_world_anchor);
-      }
-    };
-  }
-
-  void commit(const std::vector<MappedFrame>& frames) {
-    if (folder_ != nullptr) {
-      vo::write_file(folder_->partial() / "depth.csv", as_csv(depth_table(frames)));
-      vo::write_file(folder_->partial() / "cloud.ply", cloud_);
-      folder_->commit();
-    }
-  }
-
- private:
-  int every_;
-  std::unique_ptr<vo::OutputFolder> folder_;
-  std::string cloud_;
-};
-
 int depth(const DepthArguments& arguments) {
   MappingOptions mapping;
   vo::MonoOptions tracking = vo::mono_options();
@@ -174,21 +124,30 @@ int depth(const DepthArguments& arguments) {
   if (!arguments.camera.empty()) {
     camera = vo::load_camera(arguments.camera);
   }
-  DepthOutput output(arguments);
+  std::optional<DepthOutput> output;
+  if (!arguments.out.empty()) {
+    output.emplace(arguments.out, arguments.every, arguments.common.existing());
+  }
+  const auto observer = [&](MapScale scale) {
+    return output ? output->observer(scale) : MapObserver();
+  };
   ProgressBar bar("mapping", arguments.common.verbosity());
   std::vector<MappedFrame> frames;
   if (arguments.track) {
     frames = track_and_judge(
         {arguments.sequence, camera, arguments.max_time_difference, arguments.depth_file}, tracking,
-        output.observer(is_metric(tracking.bootstrap)), bar.callback());
+        observer(is_metric(tracking.bootstrap) ? MapScale::metric : MapScale::arbitrary),
+        bar.callback());
   } else {
     const vo::SequenceReader sequence(arguments.sequence, camera, arguments.max_time_difference);
-    frames = map_sequence(sequence, mapping, output.observer(true), bar.callback());
+    frames = map_sequence(sequence, mapping, observer(MapScale::metric), bar.callback());
   }
   vo::require(frames.size() > 1, arguments.sequence,
               ": expected at least two frames that can be mapped and judged, found ",
               frames.size());
-  output.commit(frames);
+  if (output) {
+    output->commit(frames);
+  }
   print(arguments, fields_json(arguments.track ? vo::fields_of(tracking) : vo::fields_of(mapping)),
         frames);
   return exit_code::kOk;

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
+#include "tools/depth/depth_output.h"
+#include "tools/depth/depth_pictures.h"
 #include "tools/pipeline/result_files.h"
 #include "tools/report/frame_gallery.h"
 #include "tools/report/html_report.h"
@@ -39,6 +42,9 @@ constexpr const char* kHelp =
     "  trajectory.svg           truth and estimate, coloured by error, and the error over time\n"
     "  panels/                  image | edges | depth | residual before and after, every N-th "
     "frame\n"
+    "  maps/                    of a monocular scenario instead: depth.csv, true | estimated depth "
+    "| "
+    "error\n"
     "  trajectory.txt           the estimate; frames.csv: status and covariance of every frame\n"
     "  sequence/                the rendered sequence, used again when its inputs are the same";
 
@@ -107,10 +113,12 @@ void print(const RunArguments& arguments, const Scenario& scenario, const Outcom
     std::cout << report.dump(2) << "\n";
     return;
   }
+  const char* folder = scenario.odometry.mode == OdometryMode::rgbd ? "/panels/" : "/maps/";
   std::cout << report_table(scenario, outcome) << "report    " << arguments.out << "/report.html, "
             << arguments.out << "/report.md\n"
-            << "pictures  " << arguments.out << "/trajectory.svg"
-            << (arguments.debug_images > 0 ? ", " + arguments.out + "/panels/" : "") << "\n";
+            << "pictures  "
+            << (outcome.tracking.trajectory.empty() ? "" : arguments.out + "/trajectory.svg, ")
+            << (arguments.debug_images > 0 ? arguments.out + folder : "") << "\n";
 }
 
 /// Both are told of every frame; an empty one is left out.
@@ -125,6 +133,58 @@ FrameObserver in_turn(const FrameObserver& first, const FrameObserver& second) {
   };
 }
 
+/// What is drawn while a scenario runs: panels/ of a tracker with depth images, maps/ of one that
+/// makes its own, and what the browser's report shows.
+class RunPictures {
+ public:
+  RunPictures(const RunArguments& arguments, const Scenario& scenario) {
+    const fs::path folder = arguments.out;
+    const vo::ExistingOutput existing = arguments.common.existing();
+    if (scenario.odometry.mode == OdometryMode::rgbd) {
+      panels_.emplace(folder / "panels", arguments.debug_images, existing);
+    } else {
+      maps_.emplace(folder / "maps", arguments.debug_images, existing);
+      scale_ = map_scale(scenario.odometry);
+    }
+  }
+
+  ScenarioObservers observers() {
+    const FrameObserver remember = [this](const vo::RgbdFrame& frame, const vo::FramePyramid&,
+                                          const vo::Tracker&,
+                                          const vo::TrackingResult&) { time_ = frame.timestamp; };
+    return {.frame = in_turn(panels_ ? panels_->observer() : remember, gallery_.observer()),
+            .map = maps_ ? map_observer() : MapObserver()};
+  }
+
+  void commit(const Outcome& outcome) {
+    if (panels_) {
+      panels_->commit();
+    }
+    if (maps_) {
+      maps_->commit(outcome.maps);
+    }
+  }
+
+  const FrameGallery& gallery() const { return gallery_; }
+
+ private:
+  MapObserver map_observer() {
+    return [this, draw = maps_->observer(scale_)](std::size_t frame, const vo::DepthMap& map,
+                                                  const vo::DepthImage& truth,
+                                                  const vo::SE3& T_world_anchor) {
+      draw(frame, map, truth, T_world_anchor);
+      const SparseDepths depths = sparse_depths(map, truth, divisor(map, truth, scale_));
+      gallery_.add_inverse_depth(time_, depths.estimate, depths.truth);
+    };
+  }
+
+  std::optional<PanelWriter> panels_;
+  std::optional<DepthOutput> maps_;
+  MapScale scale_ = MapScale::metric;
+  double time_ = 0;  ///< s, of the frame that is being tracked
+  FrameGallery gallery_;
+};
+
 int run(const RunArguments& arguments) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   arguments.common.max_threads());
@@ -135,17 +195,16 @@ int run(const RunArguments& arguments) {
   vo::require(fs::exists(scenario.scene_file()), scenario.file.string(),
               ": scene.gltf: ", scenario.scene_file().string(), ": there is no such file");
   make_folder(folder);
-  PanelWriter panels(folder / "panels", arguments.debug_images, existing);
-  FrameGallery gallery;
+  RunPictures pictures(arguments, scenario);
   ProgressBar render_bar("rendering", arguments.common.verbosity());
   ProgressBar track_bar("tracking", arguments.common.verbosity());
-  const Outcome outcome =
-      run_scenario(scenario, folder, existing, in_turn(panels.observer(), gallery.observer()),
-                   {render_bar.callback(), track_bar.callback()});
+  const Outcome outcome = run_scenario(scenario, folder, existing, pictures.observers(),
+                                       {render_bar.callback(), track_bar.callback()});
   std::vector<vo::NamedBytes> files = result_files(scenario, outcome);
-  files.push_back({"report.html", browser_report(arguments, scenario, outcome, gallery)});
+  files.push_back(
+      {"report.html", browser_report(arguments, scenario, outcome, pictures.gallery())});
   write_results(folder, files, existing);
-  panels.commit();
+  pictures.commit(outcome);
   print(arguments, scenario, outcome);
   return outcome.passed() ? exit_code::kOk : exit_code::kBoundViolated;
 }

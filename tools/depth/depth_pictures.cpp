@@ -114,20 +114,34 @@ cv::Mat_<cv::Vec3b> draw_depth_map(const vo::DepthMap& map, const vo::DepthImage
   Picture truth(true_depth.size(), kBackground);
   Picture estimate = truth.clone();
   Picture error = truth.clone();
-  const vo::Hypotheses& hypotheses = map.hypotheses();
-  for (const std::size_t i : confident_hypotheses(map)) {
-    const cv::Point pixel = hypotheses.pixel[i];
-    const double z = scale / hypotheses.smoothed[i];
-    put_point(estimate, pixel, depths(z));
-    const double true_inverse = nearest_true_inverse_depth(true_depth, pixel, 1 / z);
-    if (true_inverse > 0) {
-      put_point(truth, pixel, depths(1 / true_inverse));
-      put_point(error, pixel, errors(100 * (z * true_inverse - 1)));
+  const SparseDepths sparse = sparse_depths(map, true_depth, scale);
+  for (const cv::Point& pixel : map.hypotheses().pixel) {
+    if (vo::has_depth(sparse.truth(pixel))) {
+      put_point(estimate, pixel, depths(sparse.estimate(pixel)));
+      put_point(truth, pixel, depths(sparse.truth(pixel)));
+      put_point(error, pixel, errors(100 * (sparse.estimate(pixel) / sparse.truth(pixel) - 1)));
     }
   }
   return montage({{titled(with_bar(truth, depths), "true depth"),
                    titled(with_bar(estimate, depths), "estimated depth"),
                    titled(with_bar(error, errors), "relative error")}});
+}
+
+SparseDepths sparse_depths(const vo::DepthMap& map, const vo::DepthImage& true_depth,
+                           double scale) {
+  SparseDepths sparse{vo::DepthImage(true_depth.size(), 0.0F),
+                      vo::DepthImage(true_depth.size(), 0.0F)};
+  const vo::Hypotheses& hypotheses = map.hypotheses();
+  for (const std::size_t i : confident_hypotheses(map)) {
+    const cv::Point pixel = hypotheses.pixel[i];
+    const double estimate = hypotheses.smoothed[i] / scale;
+    const double truth = nearest_true_inverse_depth(true_depth, pixel, estimate);
+    if (truth > 0) {
+      sparse.estimate(pixel) = static_cast<float>(1 / estimate);
+      sparse.truth(pixel) = static_cast<float>(1 / truth);
+    }
+  }
+  return sparse;
 }
 
 std::string as_ply(const vo::DepthMap& map, const vo::SE3& T_world_anchor) {

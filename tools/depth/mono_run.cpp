@@ -1,41 +1,36 @@
 #include "tools/depth/mono_run.h"
 
-#include <map>
-
-#include "vo/core/error.h"
-
 namespace tools {
-namespace {
 
-/// True depths by the stamp of their image; the last one asked for is kept.
-class TrueDepths {
- public:
-  explicit TrueDepths(const MonoInput& input)
-      : sequence_(input.folder, input.camera, input.max_time_difference) {
-    for (std::size_t i = 0; i < sequence_.size(); ++i) {
-      index_of_[sequence_.timestamp(i)] = i;
-    }
+bool is_metric(vo::MonoBootstrap bootstrap) {
+  return bootstrap == vo::MonoBootstrap::rgbd || bootstrap == vo::MonoBootstrap::file;
+}
+
+MapJudge::MapJudge(const vo::SequenceReader& truth, vo::MonoBootstrap bootstrap)
+    : truth_(truth), is_metric_(is_metric(bootstrap)) {
+  for (std::size_t i = 0; i < truth_.size(); ++i) {
+    index_of_[truth_.timestamp(i)] = i;
   }
+}
 
-  /// Empty where the image has no depth beside it.
-  const vo::DepthImage& at(double timestamp) {
-    if (timestamp != timestamp_) {
-      const auto found = index_of_.find(timestamp);
-      depth_ = found == index_of_.end() ? vo::DepthImage() : sequence_.read(found->second).depth;
-      timestamp_ = timestamp;
-    }
-    return depth_;
+void MapJudge::read_depth(double timestamp) {
+  if (timestamp == timestamp_) {
+    return;
   }
+  const auto found = index_of_.find(timestamp);
+  depth_ = found == index_of_.end() ? vo::DepthImage() : truth_.read(found->second).depth;
+  timestamp_ = timestamp;
+}
 
- private:
-  vo::SequenceReader sequence_;
-  std::map<double, std::size_t> index_of_;
-  double timestamp_ = -1;
-  vo::DepthImage depth_;
-};
-
-MappedFrame judged(const vo::MonoOdometry& odometry, const vo::MonoResult& result,
-                   const vo::DepthImage& truth, bool metric) {
+std::optional<MappedFrame> MapJudge::judge(const vo::MonoOdometry& odometry,
+                                           const vo::MonoResult& result) {
+  if (odometry.map().empty() || result.state != vo::MonoState::tracking) {
+    return std::nullopt;
+  }
+  read_depth(odometry.map().anchor().timestamp);
+  if (depth_.empty()) {
+    return std::nullopt;
+  }
   MappedFrame mapped{.timestamp = result.tracking.timestamp,
                      .is_anchor = result.tracking.is_keyframe,
                      .observations = result.observations,
@@ -43,35 +38,25 @@ MappedFrame judged(const vo::MonoOdometry& odometry, const vo::MonoResult& resul
   const vo::FrameRelation relation{result.tracking.T_world_camera.inverse() *
                                    odometry.T_world_anchor()};
   mapped.baseline_m = relation.T_cur_anchor.translation().norm();
-  mapped.errors = map_errors(odometry.map(), truth, relation, metric ? 1 : 0);
+  mapped.errors = map_errors(odometry.map(), depth_, relation, is_metric_ ? 1 : 0);
   return mapped;
-}
-
-}  // namespace
-
-bool is_metric(vo::MonoBootstrap bootstrap) {
-  return bootstrap == vo::MonoBootstrap::rgbd || bootstrap == vo::MonoBootstrap::file;
 }
 
 std::vector<MappedFrame> track_and_judge(const MonoInput& input, const vo::MonoOptions& options,
                                          const MapObserver& observe, const vo::Progress& progress) {
-  TrueDepths truths(input);
+  const vo::SequenceReader truth(input.folder, input.camera, input.max_time_difference);
+  MapJudge judge(truth, options.bootstrap);
   std::vector<MappedFrame> frames;
   std::size_t index = 0;
   track_mono_sequence(
       input, options,
-      [&](const vo::MonoOdometry& odometry, const vo::MonoResult& result) {
+      [&](const vo::RgbdFrame&, const vo::MonoOdometry& odometry, const vo::MonoResult& result) {
         const std::size_t frame = index++;
-        if (odometry.map().empty() || result.state != vo::MonoState::tracking) {
-          return;
-        }
-        const vo::DepthImage& truth = truths.at(odometry.map().anchor().timestamp);
-        if (truth.empty()) {
-          return;
-        }
-        frames.push_back(judged(odometry, result, truth, is_metric(options.bootstrap)));
-        if (observe) {
-          observe(frame, odometry.map(), truth, odometry.T_world_anchor());
+        if (const std::optional<MappedFrame> mapped = judge.judge(odometry, result)) {
+          frames.push_back(*mapped);
+          if (observe) {
+            observe(frame, odometry.map(), judge.true_depth(), odometry.T_world_anchor());
+          }
         }
       },
       progress);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <optional>
 #include <vector>
 
 #include "tools/depth/mapping_run.h"
@@ -7,13 +9,34 @@
 
 namespace tools {
 
-/// Tracks and maps a sequence as `edvo track --mode mono` does and compares the map with the true
-/// depth of its anchor after each frame. Where the bootstrap is not metric, depths are divided by
-/// the median scale of each frame first; the scale over time shows its drift.
-std::vector<MappedFrame> track_and_judge(const MonoInput& input, const vo::MonoOptions& options,
-                                         const MapObserver& observe, const vo::Progress& progress);
-
 /// Whether the bootstrap's depths are metres.
 bool is_metric(vo::MonoBootstrap bootstrap);
+
+/// Compares the map of a monocular run with the true depth of its anchor. Where the bootstrap is
+/// not metric, depths are divided by the median scale of each frame first; the scale over time
+/// shows its drift.
+class MapJudge {
+ public:
+  /// `truth` must outlive the judge; its depth images are taken for true.
+  MapJudge(const vo::SequenceReader& truth, vo::MonoBootstrap bootstrap);
+
+  /// Nothing while there is no map, and where its anchor has no depth image beside it.
+  std::optional<MappedFrame> judge(const vo::MonoOdometry& odometry, const vo::MonoResult& result);
+
+  const vo::DepthImage& true_depth() const { return depth_; }  ///< of the last anchor judged
+
+ private:
+  void read_depth(double timestamp);
+
+  const vo::SequenceReader& truth_;
+  bool is_metric_;
+  std::map<double, std::size_t> index_of_;  ///< by the stamp of the image
+  double timestamp_ = -1;
+  vo::DepthImage depth_;
+};
+
+/// Tracks and maps a sequence as `edvo track --mode mono` does and judges every map.
+std::vector<MappedFrame> track_and_judge(const MonoInput& input, const vo::MonoOptions& options,
+                                         const MapObserver& observe, const vo::Progress& progress);
 
 }  // namespace tools

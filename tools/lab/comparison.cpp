@@ -26,7 +26,7 @@ MetricTraits traits_of(const std::string& metric) {
   if (metric == "keyframes") {
     return {Sense::neither, 1};
   }
-  if (metric == "nees_median") {
+  if (metric == "nees_median" || metric == "depth_nees") {
     return {Sense::neither, 0.2};
   }
   if (metric.ends_with("_fraction")) {

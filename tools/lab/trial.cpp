@@ -104,7 +104,8 @@ void measure_outside(const Scenario& scenario, const TrialSettings& settings,
 Metrics reported(const Scenario& scenario, const vo::SequenceReader& sequence,
                  const GalleryOptions& pictures, const vo::Progress& progress, TrialResult& trial) {
   FrameGallery gallery(pictures);
-  const Outcome outcome = track_scenario(scenario, sequence, gallery.observer(), progress);
+  const Outcome outcome =
+      track_scenario(scenario, sequence, {.frame = gallery.observer(), .map = {}}, progress);
   add_report(scenario, outcome, std::move(gallery), trial);
   return outcome.metrics;
 }

@@ -92,22 +92,30 @@ std::optional<vo::RgbdFrame> MonoFrames::next() {
   return frame;
 }
 
-MonoSequenceResult track_mono_sequence(const MonoInput& input, const vo::MonoOptions& options,
-                                       const MonoObserver& observe, const vo::Progress& progress) {
-  MonoFrames frames(input, options.bootstrap);
-  vo::MonoOdometry odometry(frames.sequence().camera().pinhole, options);
+MonoSequenceResult track_mono_images(const MonoImages& images, const vo::MonoOptions& options,
+                                     const MonoObserver& observe, const vo::Progress& progress) {
+  vo::MonoOdometry odometry(images.camera, options, images.T_world_first);
   MonoSequenceResult result;
-  result.ground_truth = frames.sequence().ground_truth();
-  while (const std::optional<vo::RgbdFrame> frame = frames.next()) {
+  while (const std::optional<vo::RgbdFrame> frame = images.next()) {
     result.frames.push_back(odometry.track(*frame));
     result.times.push_back(odometry.stage_times());
     if (observe) {
-      observe(odometry, result.frames.back());
+      observe(*frame, odometry, result.frames.back());
     }
-    progress(result.frames.size(), frames.size());
+    progress(result.frames.size(), images.size);
   }
   result.trajectory = odometry.trajectory();
   return result;
+}
+
+MonoSequenceResult track_mono_sequence(const MonoInput& input, const vo::MonoOptions& options,
+                                       const MonoObserver& observe, const vo::Progress& progress) {
+  MonoFrames frames(input, options.bootstrap);
+  return track_mono_images({.camera = frames.sequence().camera().pinhole,
+                            .T_world_first = {},
+                            .size = frames.size(),
+                            .next = [&] { return frames.next(); }},
+                           options, observe, progress);
 }
 
 std::string format_mono_log(const std::vector<vo::MonoResult>& frames) {

@@ -25,14 +25,22 @@ struct MonoSequenceResult {
   std::vector<vo::MonoResult> frames;
   std::vector<vo::StageTimes> times;
   vo::Trajectory trajectory;
-  vo::Trajectory ground_truth;  ///< empty where the folder has none
 
   double tracked_fraction() const;
   std::size_t keyframes() const;
 };
 
 /// Told after each frame.
-using MonoObserver = std::function<void(const vo::MonoOdometry& odometry, const vo::MonoResult&)>;
+using MonoObserver = std::function<void(
+    const vo::RgbdFrame& frame, const vo::MonoOdometry& odometry, const vo::MonoResult& result)>;
+
+/// Images in order, from wherever they come; nothing after the last.
+struct MonoImages {
+  vo::PinholeCamera camera;
+  vo::SE3 T_world_first;
+  std::size_t size = 0;
+  std::function<std::optional<vo::RgbdFrame>()> next;  ///< only the first needs depth
+};
 
 /// The frames from which a monocular run starts: colour alone, but for the first where the
 /// bootstrap asks for depth. Throws vo::Error where that depth cannot be used.
@@ -51,6 +59,10 @@ class MonoFrames {
   std::size_t next_index_ = 0;
 };
 
+MonoSequenceResult track_mono_images(const MonoImages& images, const vo::MonoOptions& options,
+                                     const MonoObserver& observe, const vo::Progress& progress);
+
+/// From the origin.
 MonoSequenceResult track_mono_sequence(const MonoInput& input, const vo::MonoOptions& options,
                                        const MonoObserver& observe, const vo::Progress& progress);
 

@@ -26,8 +26,7 @@ std::vector<ReportedMetric> reported_metrics(const Outcome& outcome) {
 std::vector<ReportedOption> reported_options(const Scenario& scenario) {
   Scenario actual = scenario;
   Scenario preset;
-  preset.odometry.preset = scenario.odometry.preset;
-  preset.odometry.tracker = vo::preset_options(scenario.odometry.preset);
+  preset.odometry = odometry_defaults(scenario.odometry.mode, scenario.odometry.preset);
   const std::vector<vo::Field> fields = vo::fields_of(actual);
   const std::vector<vo::Field> preset_fields = vo::fields_of(preset);
   std::vector<ReportedOption> options;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tools/scenario/consistency.h"
+#include "tools/scenario/mono_scenario.h"
 #include "vo/io/sequence.h"
 
 namespace tools {
@@ -36,6 +37,22 @@ double greatest_difference(const SequenceResult& a, const SequenceResult& b) {
   return greatest;
 }
 
+TrackingRun track_once(const Scenario& scenario, const vo::SequenceReader& sequence,
+                       const ScenarioObservers& observers, const vo::Progress& progress) {
+  switch (scenario.odometry.mode) {
+    case OdometryMode::mono:
+      return track_mono_scenario(scenario, sequence, observers, progress);
+    case OdometryMode::mapping:
+      return map_scenario(scenario, sequence, observers, progress);
+    case OdometryMode::rgbd:
+      break;
+  }
+  const vo::SE3 T_world_first = sequence.ground_truth().front().T_world_camera;
+  return {.tracking = track_sequence(sequence, scenario.odometry.tracker, T_world_first,
+                                     observers.frame, progress),
+          .maps = {}};
+}
+
 }  // namespace
 
 bool Outcome::passed() const {
@@ -46,11 +63,10 @@ Metrics measure(const vo::Trajectory& truth, const SequenceResult& tracking,
                 const ScoreOptions& score) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   constexpr std::size_t kMinPoses = 3;
-  Metrics metrics{kUnknown, kUnknown, kUnknown, kUnknown, kUnknown};
+  Metrics metrics = make_metrics([](const std::string&) { return kUnknown; });
   metrics.tracked_fraction = tracking.tracked_fraction();
   metrics.keyframes = static_cast<double>(tracking.keyframes());
   metrics.nees_median = nees_median(truth, tracking.frames);
-  metrics.repeat_difference_m = kUnknown;
   if (tracking.trajectory.size() >= kMinPoses) {
     const vo::TrajectoryErrors errors =
         vo::evaluate(truth, tracking.trajectory,
@@ -88,29 +104,33 @@ RenderJob render_job(const Scenario& scenario) {
 }
 
 Outcome track_scenario(const Scenario& scenario, const vo::SequenceReader& sequence,
-                       const FrameObserver& observe, const vo::Progress& progress) {
+                       const ScenarioObservers& observers, const vo::Progress& progress) {
   Outcome outcome;
   outcome.truth = sequence.ground_truth();
-  const vo::SE3 T_world_first = outcome.truth.front().T_world_camera;
-  const auto track = [&](const FrameObserver& observer) {
-    return track_sequence(sequence, scenario.odometry.tracker, T_world_first, observer, progress);
+  const auto track = [&](const ScenarioObservers& told) {
+    return track_once(scenario, sequence, told, progress);
   };
-  outcome.tracking = track(observe);
-  outcome.metrics = measure(outcome.truth, outcome.tracking, scenario.score);
+  TrackingRun first = track(observers);
+  outcome.metrics = measure(outcome.truth, first.tracking, scenario.score);
+  if (scenario.odometry.mode != OdometryMode::rgbd) {
+    measure_map(scenario, outcome.truth, first, outcome.metrics);
+  }
+  outcome.tracking = std::move(first.tracking);
+  outcome.maps = std::move(first.maps);
   if (scenario.expect.contains("repeat_difference_m")) {
-    outcome.metrics.repeat_difference_m = greatest_difference(outcome.tracking, track({}));
+    outcome.metrics.repeat_difference_m = greatest_difference(outcome.tracking, track({}).tracking);
   }
   outcome.checks = check_bounds(outcome.metrics, scenario.expect);
   return outcome;
 }
 
 Outcome run_scenario(const Scenario& scenario, const std::filesystem::path& folder,
-                     vo::ExistingOutput existing, const FrameObserver& observe,
+                     vo::ExistingOutput existing, const ScenarioObservers& observers,
                      const RunProgress& progress) {
   RenderOutcome rendered =
       render_sequence(render_job(scenario), folder / "sequence", existing, progress.render);
   const vo::SequenceReader sequence(folder / "sequence");
-  Outcome outcome = track_scenario(scenario, sequence, observe, progress.track);
+  Outcome outcome = track_scenario(scenario, sequence, observers, progress.track);
   outcome.notes = std::move(rendered.notes);
   return outcome;
 }

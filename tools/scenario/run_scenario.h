@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/depth/mapping_run.h"
 #include "tools/pipeline/render_sequence.h"
 #include "tools/pipeline/track_sequence.h"
 #include "tools/scenario/scenario.h"
@@ -22,7 +23,8 @@ struct BoundCheck {
 };
 
 struct Outcome {
-  SequenceResult tracking;
+  SequenceResult tracking;        ///< empty in mode mapping
+  std::vector<MappedFrame> maps;  ///< of modes mono and mapping
   vo::Trajectory truth;
   Metrics metrics;  ///< NaN where too little was tracked to measure
   std::vector<BoundCheck> checks;
@@ -42,10 +44,15 @@ Metrics measure(const vo::Trajectory& truth, const SequenceResult& tracking,
 std::vector<BoundCheck> check_bounds(const Metrics& metrics,
                                      const std::map<std::string, Bound>& expect);
 
-/// Tracks a sequence as the scenario says, from the true first pose, and evaluates. `observe` sees
-/// every frame.
+/// Told after each frame; empty ones are not called.
+struct ScenarioObservers {
+  FrameObserver frame;  ///< of modes rgbd and mono
+  MapObserver map;      ///< of modes mono and mapping
+};
+
+/// Tracks a sequence as the scenario says, from the true first pose, and evaluates.
 Outcome track_scenario(const Scenario& scenario, const vo::SequenceReader& sequence,
-                       const FrameObserver& observe, const vo::Progress& progress);
+                       const ScenarioObservers& observers, const vo::Progress& progress);
 
 /// Told of the two long steps' progress.
 struct RunProgress {
@@ -55,7 +62,7 @@ struct RunProgress {
 
 /// Renders the scenario's sequence into `folder`/sequence (unless it is there) and tracks it.
 Outcome run_scenario(const Scenario& scenario, const std::filesystem::path& folder,
-                     vo::ExistingOutput existing, const FrameObserver& observe,
+                     vo::ExistingOutput existing, const ScenarioObservers& observers,
                      const RunProgress& progress);
 
 }  // namespace tools

@@ -44,17 +44,6 @@ void apply_preset(const std::vector<vo::TomlValue>& values, synth::SensorOptions
   sensor = synth::preset_options(sensor.preset);
 }
 
-/// A preset is where the tracker's options start from, so it is applied before them.
-void apply_preset(const std::vector<vo::TomlValue>& values, OdometryOptions& odometry) {
-  for (const vo::TomlValue& value : values) {
-    if (value.key == "odometry.preset") {
-      std::vector<vo::Field> fields = vo::fields_of(odometry, "odometry.");
-      vo::assign_fields({value}, fields);
-    }
-  }
-  odometry.tracker = vo::preset_options(odometry.preset);
-}
-
 void apply(const Assignments& changes, std::vector<vo::Field>& fields) {
   for (const auto& [key, value] : changes) {
     try {
@@ -65,13 +54,24 @@ void apply(const Assignments& changes, std::vector<vo::Field>& fields) {
   }
 }
 
-void apply_preset(const Assignments& changes, OdometryOptions& odometry) {
-  for (const Assignment& change : changes) {
-    if (change.first == "odometry.preset") {
+/// The mode decides which options there are, the preset where the tracker's start from: they are
+/// applied before all others, first the file's, then the changes'.
+void apply_start(const std::vector<vo::TomlValue>& values, const Assignments& changes,
+                 OdometryOptions& odometry) {
+  for (const std::string key : {"odometry.mode", "odometry.preset"}) {
+    for (const vo::TomlValue& value : values) {
       std::vector<vo::Field> fields = vo::fields_of(odometry, "odometry.");
-      apply({change}, fields);
-      odometry.tracker = vo::preset_options(odometry.preset);
+      if (value.key == key) {
+        vo::assign_fields({value}, fields);
+      }
     }
+    for (const Assignment& change : changes) {
+      std::vector<vo::Field> fields = vo::fields_of(odometry, "odometry.");
+      if (change.first == key) {
+        apply({change}, fields);
+      }
+    }
+    odometry = odometry_defaults(odometry.mode, odometry.preset);
   }
 }
 
@@ -112,12 +112,37 @@ void validate(const Scenario& scenario) {
   scenario.path.validate();
   scenario.render.validate();
   scenario.sensor.validate();
-  scenario.odometry.tracker.validate();
+  scenario.odometry.validate();
   vo::require(scenario.score.interval > 0, "score.interval: expected above 0, got ",
               scenario.score.interval);
 }
 
 }  // namespace
+
+void OdometryOptions::validate() const {
+  switch (mode) {
+    case OdometryMode::rgbd:
+      tracker.validate();
+      break;
+    case OdometryMode::mono:
+      mono.validate();
+      vo::require(mono.bootstrap != vo::MonoBootstrap::file,
+                  "odometry.mono.bootstrap: expected rgbd, flat, random or auto, a scenario has no "
+                  "depth file");
+      break;
+    case OdometryMode::mapping:
+      mapping.validate();
+      break;
+  }
+}
+
+OdometryOptions odometry_defaults(OdometryMode mode, vo::TrackerPreset preset) {
+  OdometryOptions options;
+  options.mode = mode;
+  options.preset = preset;
+  options.tracker = vo::preset_options(preset);
+  return options;
+}
 
 vo::RgbdCamera CameraOptions::camera() const {
   vo::RgbdCamera result{vo::PinholeCamera::from_horizontal_fov(width, height, fov_deg),
@@ -156,8 +181,7 @@ Scenario load_scenario(const fs::path& path, const Assignments& changes) {
   scenario.file = path;
   scenario.name = path.stem().string();
   apply_preset(values, scenario.sensor);
-  apply_preset(values, scenario.odometry);
-  apply_preset(changes, scenario.odometry);
+  apply_start(values, changes, scenario.odometry);
 
   std::vector<vo::Field> fields = vo::fields_of(scenario);
   for (vo::Field& field : bound_fields(scenario.expect)) {

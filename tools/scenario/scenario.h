@@ -10,9 +10,11 @@
 
 #include "synth/renderer.h"
 #include "synth/sensor.h"
+#include "tools/depth/mapping_run.h"
 #include "tools/pipeline/path_options.h"
 #include "vo/core/camera.h"
 #include "vo/evaluation/evaluate.h"
+#include "vo/mono_odometry.h"
 #include "vo/odometry.h"
 
 namespace tools {
@@ -53,16 +55,48 @@ void visit_fields(Visitor& visit, CameraOptions& options) {
   visit("distortion", options.distortion, "");
 }
 
-struct OdometryOptions {
-  vo::TrackerPreset preset = vo::TrackerPreset::best_measured;  ///< where `tracker` starts from
-  vo::TrackerOptions tracker;
+/// What is tested.
+enum class OdometryMode {
+  rgbd,     ///< the tracker, on depth images
+  mono,     ///< the tracker on a map of its own making, as `edvo track --mode mono`
+  mapping,  ///< the map alone, with true poses, as `edvo depth`
 };
 
+constexpr auto enum_names(OdometryMode) {
+  return std::array{std::pair{OdometryMode::rgbd, "rgbd"}, std::pair{OdometryMode::mono, "mono"},
+                    std::pair{OdometryMode::mapping, "mapping"}};
+}
+
+struct OdometryOptions {
+  OdometryMode mode = OdometryMode::rgbd;                       ///< which of the options count
+  vo::TrackerPreset preset = vo::TrackerPreset::best_measured;  ///< where `tracker` starts from
+  vo::TrackerOptions tracker;
+  vo::MonoOptions mono = vo::mono_options();
+  MappingOptions mapping;
+
+  void validate() const;  ///< throws vo::Error
+};
+
+/// Those of its mode.
 template <typename Visitor>
 void visit_fields(Visitor& visit, OdometryOptions& options) {
-  visit("preset", options.preset, "option values that the tracker's start from");
-  visit("tracker", options.tracker, "");
+  visit("mode", options.mode, "what is tested");
+  switch (options.mode) {
+    case OdometryMode::rgbd:
+      visit("preset", options.preset, "option values that the tracker's start from");
+      visit("tracker", options.tracker, "");
+      break;
+    case OdometryMode::mono:
+      visit("mono", options.mono, "");
+      break;
+    case OdometryMode::mapping:
+      visit("mapping", options.mapping, "");
+      break;
+  }
 }
+
+/// What the options of a mode, and of a preset where the mode is rgbd, start from.
+OdometryOptions odometry_defaults(OdometryMode mode, vo::TrackerPreset preset);
 
 struct ScoreOptions {
   vo::TrajectoryAlignment align = vo::TrajectoryAlignment::se3;
@@ -86,6 +120,15 @@ struct Metrics {
   double keyframes = 0;
   double nees_median = 0;          ///< squared errors over their covariances; 1 is calibrated
   double repeat_difference_m = 0;  ///< greatest distance of two runs' poses; measured if bounded
+
+  // Of a map of its own making; those of depth are of the last map's confident hypotheses.
+  double ate_percent = 0;             ///< ATE over the length of the tracked part of the path
+  double scale_error_percent = 0;     ///< of a metric estimate's size against the truth's
+  double scale_drift_percent = 0;     ///< from the first map's to the last map's, per 10 m of path
+  double depth_error_percent = 0;     ///< median relative error of the inverse depth
+  double depth_outliers_percent = 0;  ///< share that errs by more than 10 %
+  double depth_nees = 0;              ///< squared errors over variances, mean without outliers
+  double depth_density_fraction = 0;  ///< confident hypotheses of all edge pixels kept
 };
 
 template <typename Visitor>
@@ -99,6 +142,13 @@ void visit_fields(Visitor& visit, Metrics& metrics) {
   visit("keyframes", metrics.keyframes, "frames that became a reference");
   visit("nees_median", metrics.nees_median, "squared errors over covariances; 1 is calibrated");
   visit("repeat_difference_m", metrics.repeat_difference_m, "of two runs; measured if bounded");
+  visit("ate_percent", metrics.ate_percent, "mono: absolute error over path length");
+  visit("scale_error_percent", metrics.scale_error_percent, "mono, metric: size against truth's");
+  visit("scale_drift_percent", metrics.scale_drift_percent, "mono: of the map, per 10 m");
+  visit("depth_error_percent", metrics.depth_error_percent, "mono: median of the last map");
+  visit("depth_outliers_percent", metrics.depth_outliers_percent, "mono: beyond 10 %");
+  visit("depth_nees", metrics.depth_nees, "mono: squared errors over variances; 1 is calibrated");
+  visit("depth_density_fraction", metrics.depth_density_fraction, "mono: confident edge pixels");
 }
 
 /// The metrics by name, in the order of their fields.

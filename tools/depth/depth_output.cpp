@@ -1,0 +1,57 @@
+#include "tools/depth/depth_output.h"
+
+#include <array>
+#include <cstdio>
+
+#include "tools/ablate/table.h"
+#include "tools/depth/depth_pictures.h"
+#include "tools/depth/depth_table.h"
+#include "tools/depth/mono_run.h"
+#include "vo/io/png.h"
+
+namespace tools {
+namespace {
+
+std::string frame_name(std::size_t frame) {
+  std::array<char, 32> name{};
+  std::snprintf(name.data(), name.size(), "%06zu.png", frame);
+  return name.data();
+}
+
+}  // namespace
+
+MapScale map_scale(const OdometryOptions& odometry) {
+  return odometry.mode == OdometryMode::mono && !is_metric(odometry.mono.bootstrap)
+             ? MapScale::arbitrary
+             : MapScale::metric;
+}
+
+double divisor(const vo::DepthMap& map, const vo::DepthImage& true_depth, MapScale scale) {
+  return scale == MapScale::metric ? 1 : map_errors(map, true_depth, {}).scale;
+}
+
+DepthOutput::DepthOutput(const std::filesystem::path& folder, int every,
+                         vo::ExistingOutput existing)
+    : every_(every), folder_(folder, "depth.csv", existing) {}
+
+MapObserver DepthOutput::observer(MapScale scale) {
+  return [this, scale](std::size_t frame, const vo::DepthMap& map, const vo::DepthImage& truth,
+                       const vo::SE3& T_world_anchor) {
+    if (every_ == 0 || frame % static_cast<std::size_t>(every_) != 0) {
+      return;
+    }
+    vo::write_file(folder_.partial() / frame_name(frame),
+                   vo::encode_png(draw_depth_map(map, truth, divisor(map, truth, scale))));
+    cloud_ = as_ply(map, T_world_anchor);
+  };
+}
+
+void DepthOutput::commit(const std::vector<MappedFrame>& frames) {
+  vo::write_file(folder_.partial() / "depth.csv", as_csv(depth_table(frames)));
+  if (!cloud_.empty()) {
+    vo::write_file(folder_.partial() / "cloud.ply", cloud_);
+  }
+  folder_.commit();
+}
+
+}  // namespace tools
