@@ -9,6 +9,7 @@
 
 #include <tiny_gltf.h>
 
+#include "synth/jpeg_codec.h"
 #include "vo/core/error.h"
 
 namespace synth {
@@ -94,6 +95,33 @@ cv::Mat_<cv::Vec4b> to_rgba8(const tinygltf::Image& image) {
   return rgba;
 }
 
+cv::Mat_<cv::Vec4b> decode_png(const Bytes& encoded, ImageSize size, const std::string& place) {
+  tinygltf::Image image;
+  std::string error;
+  const bool decoded = tinygltf::LoadImageData(
+      &image, 0, &error, nullptr, static_cast<int>(size.width), static_cast<int>(size.height),
+      encoded.data(), static_cast<int>(encoded.size()), nullptr);
+  const std::size_t expected = size.width * size.height * 4 * static_cast<unsigned>(image.bits) / 8;
+  require(decoded && image.image.size() == expected, place,
+          ": cannot be decoded, expected an undamaged PNG");
+  return to_rgba8(image);
+}
+
+/// By libjpeg-turbo: tinygltf's decoder writes beyond its tables where a file is damaged.
+cv::Mat_<cv::Vec4b> decode_opaque(const Bytes& encoded, ImageSize size, const std::string& place) {
+  vo::ColorImage bgr;
+  try {
+    bgr = decode_jpeg(encoded, {static_cast<int>(size.width), static_cast<int>(size.height)});
+  } catch (const vo::Error& error) {
+    vo::fail(place, ": cannot be decoded, expected an undamaged JPEG (", error.what(), ")");
+  }
+  cv::Mat_<cv::Vec4b> rgba(bgr.size());
+  std::transform(bgr.begin(), bgr.end(), rgba.begin(), [](const cv::Vec3b& texel) {
+    return cv::Vec4b(texel[2], texel[1], texel[0], 255);
+  });
+  return rgba;
+}
+
 }  // namespace
 
 std::size_t texels_in(const Bytes& encoded, const std::string& place) {
@@ -105,15 +133,7 @@ cv::Mat_<cv::Vec4b> decode_image(const Bytes& encoded, const std::string& place)
   const ImageSize size = checked_size(encoded, place);
   require(encoded.size() <= std::numeric_limits<int>::max(), place, ": has ", encoded.size(),
           " bytes, expected less than 2 GB");
-  tinygltf::Image image;
-  std::string error;
-  const bool decoded = tinygltf::LoadImageData(
-      &image, 0, &error, nullptr, static_cast<int>(size.width), static_cast<int>(size.height),
-      encoded.data(), static_cast<int>(encoded.size()), nullptr);
-  const std::size_t expected = size.width * size.height * 4 * static_cast<unsigned>(image.bits) / 8;
-  require(decoded && image.image.size() == expected, place,
-          ": cannot be decoded, expected an undamaged PNG or JPEG");
-  return to_rgba8(image);
+  return is_png(encoded) ? decode_png(encoded, size, place) : decode_opaque(encoded, size, place);
 }
 
 }  // namespace synth

@@ -27,7 +27,7 @@ ONLY_IN = {  # third-party header: the files that may name it
     "meshoptimizer.h": ["synth/gltf_meshopt.cpp"],
     "toml++/": ["vo/io/toml_file.cpp"],
     "png.h": ["vo/io/png.cpp"],
-    "turbojpeg.h": ["synth/sensor/jpeg.cpp"],
+    "turbojpeg.h": ["synth/jpeg_codec.cpp"],
     "zlib.h": ["vo/io/gzip.cpp"],
     "webp/": ["tools/report/webp.cpp"],
     "CLI/": ["tools/"],

@@ -1,23 +1,9 @@
 #pragma once
 
-#include <array>
-#include <utility>
-
+#include "synth/jpeg_codec.h"
 #include "vo/core/image.h"
 
 namespace synth {
-
-enum class ChromaSampling {
-  full,    ///< 4:4:4
-  half,    ///< 4:2:2, half the columns
-  quarter  ///< 4:2:0, half the columns and rows
-};
-
-constexpr auto enum_names(ChromaSampling) {
-  return std::array{std::pair{ChromaSampling::full, "full"},
-                    std::pair{ChromaSampling::half, "half"},
-                    std::pair{ChromaSampling::quarter, "quarter"}};
-}
 
 struct JpegOptions {
   int quality = 0;  ///< 1 to 100; 0 = not compressed
