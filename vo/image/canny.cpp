@@ -180,30 +180,22 @@ class EdgeFollower {
  public:
   explicit EdgeFollower(ByteImage& classes) : classes_(classes), width_(classes.cols) {}
 
-  /// Most strong edges have no weak neighbour, and most pixels are no edges: both are passed over
-  /// several at a time.
+  /// Most strong edges have no weak neighbour and are passed over.
   void follow() {
     uchar* const end = classes_.data + classes_.total();
-    for (uchar* pixel = classes_.data; pixel < end; ++pixel) {
-      while (end - pixel >= kStride && !any_strong(pixel)) {
-        pixel += kStride;
-      }
-      if (pixel < end && *pixel == strong_edge && has_weak_neighbour(pixel)) {
+    const auto next_strong = [end](uchar* from) {
+      return static_cast<uchar*>(
+          std::memchr(from, strong_edge, static_cast<std::size_t>(end - from)));
+    };
+    for (uchar* pixel = next_strong(classes_.data); pixel != nullptr;
+         pixel = next_strong(pixel + 1)) {
+      if (has_weak_neighbour(pixel)) {
         follow_from(pixel);
       }
     }
   }
 
  private:
-  static constexpr std::ptrdiff_t kStride = 8;
-
-  static bool any_strong(const uchar* eight) {
-    constexpr std::uint64_t kStrong = 0x0202020202020202;
-    std::uint64_t pixels = 0;
-    std::memcpy(&pixels, eight, kStride);
-    return (pixels & kStrong) != 0;
-  }
-
   bool has_weak_neighbour(const uchar* pixel) const {
     constexpr std::uint32_t kWeak = 0x00010101;
     const auto three = [](const uchar* left) {

@@ -17,14 +17,14 @@ namespace vo {
 ///
 /// As rendered: scene_00_0000.png, .depth (metres from the camera's centre, as text, row by row)
 /// and .txt (POV-Ray's vectors). Checked against the authors' compute3Dpositions.m and getcamK.m
-/// (ankurhanda/living_room_iclnuim) and a .txt of theirs: pixels / |cam_right| and pixels / |cam_up|
-/// are the focal lengths 481.2 and 480, cam_up x cam_dir is along cam_right.
+/// (ankurhanda/living_room_iclnuim) and a .txt of theirs: pixels / |cam_right| and pixels /
+/// |cam_up| are the focal lengths 481.2 and 480, cam_up x cam_dir is along cam_right.
 SequenceSource open_icl_nuim(const std::filesystem::path& folder,
                              const std::optional<RgbdCamera>& camera);
 
 /// "TUM compatible": rgb/0.png, depth/0.png (16 bit, 5000 per metre, planar), associations.txt (`0
-/// depth/0.png 0 rgb/0.png`) and a trajectory in TUM's format, *.gt.freiburg, whose stamps are frame
-/// numbers. The data set's own trajectories lack the first frame, or two.
+/// depth/0.png 0 rgb/0.png`) and a trajectory in TUM's format, *.gt.freiburg, whose stamps are
+/// frame numbers. The data set's own trajectories lack the first frame, or two.
 SequenceSource open_icl_tum(const std::filesystem::path& folder,
                             const std::optional<RgbdCamera>& camera);
 
