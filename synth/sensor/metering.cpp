@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "vo/core/median.h"
+
 namespace synth {
 namespace {
 
@@ -46,14 +48,9 @@ bool has_lit_surface(const Scene& scene) {
   });
 }
 
-/// From the median, which is reordered to find it.
-double exposure_of(std::vector<float>& luminances) {
-  if (luminances.empty()) {
-    return 1;
-  }
-  const auto middle = luminances.begin() + static_cast<std::ptrdiff_t>(luminances.size() / 2);
-  std::nth_element(luminances.begin(), middle, luminances.end());
-  return *middle > 0 ? kMiddleGrey / *middle : 1;
+double exposure_of(const std::vector<float>& luminances) {
+  const float median = vo::upper_median(luminances);
+  return median > 0 ? kMiddleGrey / median : 1;
 }
 
 }  // namespace

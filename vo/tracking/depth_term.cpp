@@ -1,10 +1,11 @@
 #include "vo/tracking/depth_term.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "vo/core/median.h"
 #include "vo/tracking/robust.h"
 
 namespace vo {
@@ -104,7 +105,6 @@ std::vector<DepthScore> score_depth(const DepthView& view, double scale) {
 }
 
 double distance_spread(const DepthView& view) {
-  constexpr double kMadToSigma = 1.4826;
   std::vector<double> magnitudes;
   const Placement placement(view);
   for (std::size_t i = 0; i < view.surface.size(); ++i) {
@@ -112,12 +112,7 @@ double distance_spread(const DepthView& view) {
       magnitudes.push_back(std::abs(point->distance));
     }
   }
-  if (magnitudes.empty()) {
-    return 0;
-  }
-  const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(magnitudes.size() / 2);
-  std::nth_element(magnitudes.begin(), middle, magnitudes.end());
-  return kMadToSigma * *middle;
+  return robust_sigma(std::move(magnitudes));
 }
 
 }  // namespace vo

@@ -1,7 +1,9 @@
 #include "vo/tracking/linearize.h"
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "vo/core/median.h"
 
 namespace vo {
 namespace {
@@ -115,7 +117,6 @@ Brightness matched_brightness(const PointView& view) {
 }
 
 double residual_spread(const PointView& view, const Brightness& brightness) {
-  constexpr double kMadToSigma = 1.4826;
   constexpr std::size_t kEnoughPoints = 600;
   const auto gain = static_cast<float>(brightness.gain);
   const auto offset = static_cast<float>(brightness.offset);
@@ -128,13 +129,8 @@ double residual_spread(const PointView& view, const Brightness& brightness) {
       magnitudes[seen++] = std::abs(magnitudes[i] - (gain * view.points.intensity[i] + offset));
     }
   }
-  if (seen == 0) {
-    return 0;
-  }
-  const auto begin = magnitudes.begin();
-  const auto middle = begin + static_cast<std::ptrdiff_t>(seen / 2);
-  std::nth_element(begin, middle, begin + static_cast<std::ptrdiff_t>(seen));
-  return kMadToSigma * static_cast<double>(*middle);
+  magnitudes.resize(seen);
+  return robust_sigma(std::move(magnitudes));
 }
 
 }  // namespace vo
