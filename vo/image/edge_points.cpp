@@ -7,6 +7,7 @@
 
 #include "vo/core/error.h"
 #include "vo/core/hash.h"
+#include "vo/image/depth_span.h"
 
 namespace vo {
 namespace {
@@ -24,49 +25,9 @@ bool is_usable(float depth, const EdgePointOptions& options) {
   return depth >= options.min_depth && depth <= options.max_depth;
 }
 
-/// The span of the measured depths around a pixel.
-struct DepthSpan {
-  float nearest;
-  float farthest;
-
-  void add(float depth) {
-    const float measured = has_depth(depth) ? depth : nearest;
-    nearest = std::min(nearest, measured);
-    farthest = std::max(farthest, measured);
-  }
-};
-
-DepthSpan depth_span(const DepthImage& depth, cv::Point pixel, int radius) {
-  const int first_u = std::max(0, pixel.x - radius);
-  const int last_u = std::min(depth.cols - 1, pixel.x + radius);
-  const int last_v = std::min(depth.rows - 1, pixel.y + radius);
-  DepthSpan span{depth(pixel), depth(pixel)};
-  for (int v = std::max(0, pixel.y - radius); v <= last_v; ++v) {
-    for (int u = first_u; u <= last_u; ++u) {
-      span.add(depth(v, u));
-    }
-  }
-  return span;
-}
-
-/// The same of the eight neighbours of a pixel that is not on the border.
-DepthSpan depth_span_of_neighbours(const float* centre, std::ptrdiff_t stride) {
-  DepthSpan span{*centre, *centre};
-  for (const float* middle : {centre - stride, centre, centre + stride}) {
-    span.add(middle[-1]);
-    span.add(middle[0]);
-    span.add(middle[1]);
-  }
-  return span;
-}
-
 /// Whether two measured depths near the pixel differ by more than the ratio.
 bool is_near_step(const DepthImage& depth, cv::Point pixel, int radius, float ratio) {
-  const bool inside = cv::Rect(1, 1, depth.cols - 2, depth.rows - 2).contains(pixel);
-  const DepthSpan span =
-      radius == 1 && inside
-          ? depth_span_of_neighbours(&depth(pixel), static_cast<std::ptrdiff_t>(depth.step1()))
-          : depth_span(depth, pixel, radius);
+  const DepthSpan span = depth_span(depth, pixel, radius);
   return span.farthest > span.nearest * ratio;
 }
 

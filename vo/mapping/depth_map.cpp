@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "vo/core/hash.h"
+#include "vo/image/depth_span.h"
 #include "vo/mapping/chains.h"
 #include "vo/mapping/fuse.h"
 #include "vo/mapping/map_points.h"
 
 namespace vo {
-
 namespace {
 
 /// Depth of an edge pixel in a depth image, m, and its relative standard deviation.
@@ -26,22 +26,12 @@ EdgeDepth depth_of_edge(const DepthImage& depth, cv::Point pixel, float relative
   if (!has_depth(depth(pixel))) {
     return {};
   }
-  float nearest = depth(pixel);
-  float farthest = depth(pixel);
-  for (int dv = -1; dv <= 1; ++dv) {
-    for (int du = -1; du <= 1; ++du) {
-      const float z = depth(pixel + cv::Point(du, dv));
-      if (has_depth(z)) {
-        nearest = std::min(nearest, z);
-        farthest = std::max(farthest, z);
-      }
-    }
-  }
-  const float half_step = 0.5F * (1 - nearest / farthest);
-  if (farthest <= kStep * nearest || half_step <= relative_sigma) {
+  const DepthSpan span = depth_span(depth, pixel, 1);
+  const float half_step = 0.5F * (1 - span.nearest / span.farthest);
+  if (span.farthest <= kStep * span.nearest || half_step <= relative_sigma) {
     return {depth(pixel), relative_sigma};
   }
-  return {nearest, half_step};
+  return {span.nearest, half_step};
 }
 
 }  // namespace
