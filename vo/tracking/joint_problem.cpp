@@ -67,11 +67,7 @@ double JointSystem::least_loss() const {
 
 JointProblem::JointProblem(std::span<const AlignReference> references, const AlignCurrent& current,
                            std::size_t level, const AlignOptions& options)
-    : current_(current),
-      level_(level),
-      options_(options),
-      readout_(options.readout),
-      first_(references.front()) {
+    : current_(current), level_(level), options_(options), readout_(options.readout) {
   for (const AlignReference& reference : references) {
     pairs_.push_back({&reference, /*backward=*/false});
   }
@@ -129,8 +125,8 @@ void JointProblem::add_part(std::size_t pair, const SE3& T_cur_first, JointSyste
 
 /// The first reference's surfaces in the current depth image.
 DepthView JointProblem::depth_view(const SE3& T_cur_first) const {
-  return {*first_.surface, current_.frame.levels[surface_level(current_.frame)],
-          T_cur_first * first_.T_first_ref};
+  return {*first().surface, current_.frame.levels[surface_level(current_.frame)],
+          T_cur_first * first().T_first_ref};
 }
 
 double JointProblem::depth_weight() const {
@@ -194,7 +190,7 @@ JointScores JointProblem::scores(const JointSystem& system, const SE3& T_cur_fir
       place_at_pixels(seen.points.pixel, scores);
     }
     sums.add(scores, options_, models_[i].scale);
-    const auto reference = static_cast<std::size_t>(pair.reference - pairs_.front().reference);
+    const auto reference = static_cast<std::size_t>(pair.reference - &first());
     result.references.resize(std::max(result.references.size(), reference + 1),
                              CellScores(camera()));
     result.references[reference].add(scores, projection(i, system.parts[i], T_cur_first));
@@ -206,7 +202,7 @@ JointScores JointProblem::scores(const JointSystem& system, const SE3& T_cur_fir
 
 void JointProblem::estimate_scales(const SE3& T_cur_first) {
   constexpr double kMinDistanceScale = 5e-4;  // m
-  if (options_.depth_term > 0 && first_.surface != nullptr) {
+  if (options_.depth_term > 0 && first().surface != nullptr) {
     const double spread = distance_spread(depth_view(T_cur_first));
     distance_scale_ = spread > 0 ? std::max(spread, kMinDistanceScale) : 0;
   }

@@ -105,6 +105,7 @@ class JointProblem {
   PointView view(const ImagePair& pair, const SE3& T_cur_first) const;
   Matrix6d increment_jacobian(const ImagePair& pair, const SE3& T_cur_first) const;
   void add_part(std::size_t pair, const SE3& T_cur_first, JointSystem& system) const;
+  const AlignReference& first() const { return *pairs_.front().reference; }
   DepthView depth_view(const SE3& T_cur_first) const;
   double depth_weight() const;
   void add_depth(const SE3& T_cur_first, JointSystem& system) const;
@@ -120,7 +121,6 @@ class JointProblem {
   double reference_doubt_ = 0;
   std::vector<ImagePair> pairs_;
   std::vector<ResidualModel> models_;
-  const AlignReference& first_;
   double distance_scale_ = 0;  ///< m, of the distances from the first reference's surfaces
 };
 
