@@ -37,8 +37,7 @@ TEST_P(GlBackEnds, GiveBackTheFloatsThatTheyWereFilledWith) {
   }
 }
 
-// OSMesa is what the rasterizer's own tests draw with; alone, it leaks 608 bytes of its driver.
-INSTANTIATE_TEST_SUITE_P(Surfaceless, GlBackEnds, testing::Values(GlBackEnd::egl),
+INSTANTIATE_TEST_SUITE_P(Both, GlBackEnds, testing::Values(GlBackEnd::osmesa, GlBackEnd::egl),
                          [](const testing::TestParamInfo<GlBackEnd>& back_end) {
                            return std::string(vo::to_string(back_end.param));
                          });
