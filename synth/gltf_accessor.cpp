@@ -87,9 +87,11 @@ std::vector<std::uint32_t> read_sparse_indices(const tinygltf::Model& model,
   read_elements(locate(model, sparse.indices.bufferView,
                        static_cast<std::size_t>(sparse.indices.byteOffset), layout),
                 indices.data());
-  for (const std::uint32_t index : indices) {
-    vo::require(index < accessor.count, place, ": has the sparse index ", index,
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    vo::require(indices[i] < accessor.count, place, ": has the sparse index ", indices[i],
                 ", expected one below ", accessor.count);
+    vo::require(i == 0 || indices[i] > indices[i - 1], place, ": has the sparse index ", indices[i],
+                " after one that is not smaller, expected increasing indices");
   }
   return indices;
 }
@@ -110,6 +112,30 @@ void apply_sparse(const tinygltf::Model& model, const tinygltf::Accessor& access
   }
 }
 
+bool has_bytes(const tinygltf::Model& model, int buffer_view) {
+  if (buffer_view < 0) {
+    return false;
+  }
+  const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(buffer_view)];
+  return !model.buffers[static_cast<std::size_t>(view.buffer)].data.empty();
+}
+
+bool has_sparse_bytes(const tinygltf::Model& model, const tinygltf::Accessor& accessor) {
+  return accessor.sparse.isSparse && has_bytes(model, accessor.sparse.indices.bufferView) &&
+         has_bytes(model, accessor.sparse.values.bufferView);
+}
+
+/// Of float elements.
+void require_finite(const ElementArray& elements, const std::string& place) {
+  for (std::size_t i = 0; i < elements.count; ++i) {
+    for (std::size_t c = 0; c < elements.components; ++c) {
+      float value = 0;
+      std::memcpy(&value, elements.data + i * elements.stride + c * sizeof(value), sizeof(value));
+      vo::require(std::isfinite(value), place, ": element ", i, " is infinite or not a number");
+    }
+  }
+}
+
 std::size_t components_of(const tinygltf::Accessor& accessor) {
   const auto type = static_cast<std::uint32_t>(accessor.type);
   return static_cast<std::size_t>(tinygltf::GetNumComponentsInType(type));
@@ -123,10 +149,10 @@ void read_accessor(const tinygltf::Model& model, const tinygltf::Accessor& acces
                             .components = components_of(accessor),
                             .component_type = accessor.componentType,
                             .normalized = accessor.normalized};
-  if (accessor.bufferView >= 0) {
+  if (has_bytes(model, accessor.bufferView)) {
     read_elements(locate(model, accessor.bufferView, accessor.byteOffset, layout), out);
   }
-  if (accessor.sparse.isSparse) {
+  if (has_sparse_bytes(model, accessor)) {
     apply_sparse(model, accessor, layout, place, out);
   }
 }
@@ -166,6 +192,32 @@ std::vector<std::uint32_t> read_indices(const tinygltf::Model& model, int access
   std::vector<std::uint32_t> indices(source.count * components_of(source), 0);
   read_accessor(model, source, place, indices.data());
   return indices;
+}
+
+bool holds_data(const tinygltf::Model& model, int accessor) {
+  const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
+  return has_bytes(model, source.bufferView) || has_sparse_bytes(model, source);
+}
+
+void check_data(const tinygltf::Model& model, int accessor, const std::string& place) {
+  const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
+  const bool is_float = source.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT;
+  ElementArray layout{.count = source.count,
+                      .components = components_of(source),
+                      .component_type = source.componentType};
+  if (is_float && has_bytes(model, source.bufferView)) {
+    require_finite(locate(model, source.bufferView, source.byteOffset, layout), place);
+  }
+  if (!has_sparse_bytes(model, source)) {
+    return;
+  }
+  layout.count = read_sparse_indices(model, source, place).size();
+  if (is_float) {
+    const auto& values = source.sparse.values;
+    require_finite(
+        locate(model, values.bufferView, static_cast<std::size_t>(values.byteOffset), layout),
+        place + ": sparse values");
+  }
 }
 
 }  // namespace synth

@@ -25,4 +25,12 @@ std::vector<float> read_numbers(const tinygltf::Model& model, int accessor,
 std::vector<std::uint32_t> read_indices(const tinygltf::Model& model, int accessor,
                                         const std::string& place);
 
+/// Whether the file holds numbers for it: glTF lets accessors without view, which are zeros, and
+/// buffers without uri wait for extensions that fill them. The readers above give zeros for both.
+bool holds_data(const tinygltf::Model& model, int accessor);
+
+/// Throws vo::Error beginning with `place` for what the readers above throw it for, and for sparse
+/// indices that do not increase. Allocates nothing for elements that are not sparse.
+void check_data(const tinygltf::Model& model, int accessor, const std::string& place);
+
 }  // namespace synth

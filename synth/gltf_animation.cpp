@@ -7,6 +7,7 @@
 
 #include "synth/gltf_accessor.h"
 #include "synth/gltf_notes.h"
+#include "synth/gltf_rotation.h"
 #include "synth/gltf_select.h"
 #include "vo/core/error.h"
 
@@ -46,23 +47,26 @@ void require_rotations(const AnimationCurve& curve, const std::string& place) {
   const bool has_tangents = curve.interpolation == Interpolation::cubic_spline;
   for (std::size_t row = has_tangents ? 1 : 0; row < rows; row += has_tangents ? 3 : 1) {
     const Eigen::Map<const Eigen::Vector4f> rotation(curve.values.data() + 4 * row);
-    require(rotation.stableNorm() > 0, place, ": element ", row,
-            " is zero, expected a unit quaternion");
+    require(is_nearly_unit(rotation), place, ": element ", row,
+            " is not of length 1, expected a unit quaternion");
   }
 }
 
+/// What the file holds of it is checked, even if the rest is missing.
 AnimationCurve read_curve(const GltfModel& model, const tinygltf::AnimationSampler& sampler,
                           AnimatedProperty property, const std::string& place) {
   AnimationCurve curve;
   curve.interpolation = read_interpolation(sampler.interpolation);
   curve.times = read_numbers(model.content, sampler.input, place + ": input");
-  require_increasing(curve.times, place);
+  if (holds_data(model.content, sampler.input)) {
+    require_increasing(curve.times, place);
+  }
   curve.values = read_numbers(model.content, sampler.output, place + ": output");
   const std::size_t rows =
       curve.times.size() * (curve.interpolation == Interpolation::cubic_spline ? 3 : 1);
   curve.width = static_cast<int>(curve.values.size() / rows);
   curve.holds_quaternions = property == AnimatedProperty::rotation;
-  if (curve.holds_quaternions) {
+  if (curve.holds_quaternions && holds_data(model.content, sampler.output)) {
     require_rotations(curve, place + ": output");
   }
   return curve;
@@ -86,12 +90,18 @@ Animation read_animation(GltfReading& reading, int index, const NodeForest& fore
     }
     const std::string place =
         model.place("animations", index) + ".samplers[" + std::to_string(channel.sampler) + ']';
-    AnimationChannel& added = animation.channels.emplace_back();
+    const tinygltf::AnimationSampler& sampler = source.samplers[at(channel.sampler)];
+    reading.budget.take(memory_of(model.content, sampler), place);
+    AnimationChannel added;
     added.node = forest.of_gltf[at(channel.target_node)];
     added.property = read_property(channel.target_path);
-    reading.budget.take(memory_of(model.content, source.samplers[at(channel.sampler)]), place);
-    added.curve = read_curve(model, source.samplers[at(channel.sampler)], added.property, place);
+    added.curve = read_curve(model, sampler, added.property, place);
+    if (!holds_data(model.content, sampler.input) || !holds_data(model.content, sampler.output)) {
+      add_note(reading.notes, "animation channels without data are left out");
+      continue;
+    }
     animation.duration = std::max<double>(animation.duration, added.curve.times.back());
+    animation.channels.push_back(std::move(added));
   }
   return animation;
 }

@@ -11,9 +11,11 @@
 #include "synth/gltf_check_meshes.h"
 #include "synth/gltf_check_motion.h"
 #include "synth/gltf_check_nodes.h"
+#include "synth/gltf_check_skins.h"
 #include "synth/gltf_draco.h"
 #include "synth/gltf_json.h"
 #include "synth/gltf_meshopt.h"
+#include "synth/gltf_uri.h"
 #include "vo/core/error.h"
 
 namespace synth {
@@ -109,12 +111,26 @@ void check_texture_info(const JsonObject& parent, const std::string& key, std::s
 }
 
 void check_alpha(const JsonObject& material) {
-  const std::string mode = material.text("alphaMode").value_or("OPAQUE");
-  require(mode == "OPAQUE" || mode == "MASK" || mode == "BLEND", material.place(),
-          ": alphaMode is ", mode, ", expected OPAQUE, MASK or BLEND");
+  material.text("alphaMode");
   require(material.number("alphaCutoff").value_or(0.5) >= 0, material.place(),
           ": alphaCutoff is negative, expected 0 or more");
   material.flag("doubleSided");
+}
+
+/// References to textures must hold in the extensions too that are not supported.
+void check_extended_textures(const JsonObject& material, std::size_t textures) {
+  const std::optional<JsonObject> extensions = material.object("extensions");
+  for (const std::string& name : extensions ? extensions->keys() : std::vector<std::string>()) {
+    if (name.compare(0, 14, "KHR_materials_") != 0) {
+      continue;
+    }
+    const JsonObject extension = extensions->required_object(name);
+    for (const std::string& key : extension.keys()) {
+      if (key.size() > 7 && key.compare(key.size() - 7, 7, "Texture") == 0) {
+        check_texture_info(extension, key, textures);
+      }
+    }
+  }
 }
 
 void check_material(const JsonObject& material, std::size_t textures) {
@@ -129,6 +145,7 @@ void check_material(const JsonObject& material, std::size_t textures) {
     occlusion->number("strength");
   }
   check_alpha(material);
+  check_extended_textures(material, textures);
   if (const auto pbr = material.object("pbrMetallicRoughness")) {
     pbr->numbers("baseColorFactor", 4);
     pbr->number("metallicFactor");
@@ -137,7 +154,8 @@ void check_material(const JsonObject& material, std::size_t textures) {
     check_texture_info(*pbr, "metallicRoughnessTexture", textures);
   }
   if (const auto strength = material.extension("KHR_materials_emissive_strength")) {
-    strength->number("emissiveStrength");
+    require(strength->number("emissiveStrength").value_or(1) >= 0, strength->place(),
+            ": emissiveStrength is negative, expected 0 or more");
   }
 }
 
@@ -161,6 +179,7 @@ void check_document(const GltfFile& file) {
   }
   check_meshes(root);
   check_node_graph(root);
+  check_skins(root);
   check_motion(root);
   check_meshopt(root);
   check_draco(root);

@@ -1,6 +1,7 @@
 #include "synth/gltf_check_meshes.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ constexpr std::size_t kFloat = 5126;
 struct Document {
   std::vector<JsonObject> accessors, views;
   std::size_t materials = 0;
+  std::size_t variants = 0;   ///< KHR_materials_variants
   bool is_quantized = false;  ///< KHR_mesh_quantization
 };
 
@@ -83,6 +85,19 @@ void check_format(const std::string& name, const JsonObject& accessor, const std
           ", expected one that glTF allows it");
 }
 
+/// glTF 2.0, 3.6.2.4: vertices begin at multiples of four bytes.
+void check_alignment(const std::string& name, const JsonObject& accessor, const std::string& place,
+                     const Document& document) {
+  const auto view = accessor.index("bufferView", document.views.size());
+  const auto packed = packed_stride(accessor);
+  if (!view || !packed) {
+    return;
+  }
+  const std::size_t stride = document.views[*view].whole_number("byteStride").value_or(*packed);
+  require(accessor.whole_number("byteOffset").value_or(0) % 4 == 0 && stride % 4 == 0, place, ": ",
+          name, " is not aligned, expected a byteOffset and a stride that are multiples of 4");
+}
+
 void check_attributes(const JsonObject& attributes, const Document& document) {
   const std::vector<JsonObject>& accessors = document.accessors;
   std::optional<std::size_t> vertices;
@@ -95,6 +110,23 @@ void check_attributes(const JsonObject& attributes, const Document& document) {
     require(accessor.required_whole_number("componentType") != kUnsignedInt, attributes.place(),
             ": ", name, " has components of type ", kUnsignedInt, ", which is for indices alone");
     check_format(name, accessor, attributes.place(), document.is_quantized);
+    check_alignment(name, accessor, attributes.place(), document);
+  }
+}
+
+/// Attributes that share a buffer view must say how far apart their elements are.
+void check_sharing(const JsonObject& attributes, const Document& document,
+                   std::map<std::size_t, std::size_t>& accessor_of_view) {
+  for (const std::string& name : attributes.keys()) {
+    const std::size_t index = attributes.required_index(name, document.accessors.size());
+    const auto view = document.accessors[index].index("bufferView", document.views.size());
+    if (!view || document.views[*view].has("byteStride") ||
+        document.views[*view].has("extensions")) {
+      continue;
+    }
+    const std::size_t first = accessor_of_view.try_emplace(*view, index).first->second;
+    require(first == index, attributes.place(), ": ", name, " is in bufferViews[", *view,
+            "] as accessors[", first, "] is, expected a byteStride there");
   }
 }
 
@@ -108,10 +140,7 @@ void check_indices(const JsonObject& primitive, const Document& document) {
               is_unsigned_component(accessor.required_whole_number("componentType")),
           primitive.place(), ": indices is accessors[", *indices,
           "] of another type, expected unsigned SCALAR");
-  const auto view = accessor.index("bufferView", document.views.size());
-  require(!view || !document.views[*view].has("byteStride"), primitive.place(),
-          ": indices is accessors[", *indices,
-          "] in a bufferView with byteStride, expected one without");
+  require_packed(accessor, document.views, primitive.place() + ": indices");
 }
 
 /// What one target moves must be an attribute, and of the same count.
@@ -130,11 +159,25 @@ void check_target(const JsonObject& target, const JsonObject& attributes,
     // A tangent's displacement has no handedness.
     check_format(name == "TANGENT" ? "NORMAL" : name, accessor, target.place(),
                  document.is_quantized);
+    check_alignment(name, accessor, target.place(), document);
+  }
+}
+
+/// The extension is not supported, but what it refers to must be there.
+void check_variants(const JsonObject& primitive, const Document& document) {
+  const auto extension = primitive.extension("KHR_materials_variants");
+  if (!extension) {
+    return;
+  }
+  for (const JsonObject& mapping : extension->objects("mappings")) {
+    mapping.required_index("material", document.materials);
+    mapping.indices("variants", document.variants);
   }
 }
 
 void check_primitive(const JsonObject& primitive, const Document& document) {
   primitive.index("material", document.materials);
+  check_variants(primitive, document);
   const std::size_t mode = primitive.whole_number("mode").value_or(4);
   require(mode <= 6, primitive.place(), ": mode is ", mode, ", expected 0 to 6");
   check_indices(primitive, document);
@@ -153,15 +196,22 @@ void check_meshes(const JsonObject& root) {
   const auto names = [](const std::vector<std::string>& list) {
     return std::find(list.begin(), list.end(), "KHR_mesh_quantization") != list.end();
   };
+  const auto variants = root.extension("KHR_materials_variants");
   const Document document{.accessors = root.objects("accessors"),
                           .views = root.objects("bufferViews"),
                           .materials = root.objects("materials").size(),
+                          .variants = variants ? variants->objects("variants").size() : 0,
                           .is_quantized = names(used) || names(required)};
+  std::map<std::size_t, std::size_t> accessor_of_view;
   for (const JsonObject& mesh : root.objects("meshes")) {
     const std::vector<JsonObject> primitives = mesh.objects("primitives");
     require(!primitives.empty(), mesh.place(), ": has no primitives, expected at least one");
     for (const JsonObject& primitive : primitives) {
       check_primitive(primitive, document);
+      check_sharing(primitive.required_object("attributes"), document, accessor_of_view);
+      for (const JsonObject& target : primitive.objects("targets")) {
+        check_sharing(target, document, accessor_of_view);
+      }
     }
   }
 }

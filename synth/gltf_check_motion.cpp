@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "synth/gltf_check_buffers.h"
 #include "vo/core/error.h"
 
 namespace synth {
@@ -17,7 +18,7 @@ using vo::require;
 constexpr std::size_t kFloatType = 5126;
 
 struct Document {
-  std::vector<JsonObject> accessors, nodes;
+  std::vector<JsonObject> accessors, views, nodes;
   std::vector<std::size_t> target_counts;  ///< of each mesh
 };
 
@@ -31,24 +32,14 @@ std::size_t count_of(const JsonObject& accessor) {
   return accessor.required_whole_number("count");
 }
 
-/// The accessor's type and component type; integers must be normalised to stand for fractions.
-void require_type(const JsonObject& accessor, const std::string& type, const std::string& place) {
-  require(accessor.required_text("type") == type, place, ": is of type ",
-          accessor.required_text("type"), ", expected ", type);
-}
-
+/// Integers must be normalised to stand for fractions.
 void require_fractions(const JsonObject& accessor, const std::string& place) {
   const std::size_t component = accessor.required_whole_number("componentType");
+  const bool is_short_integer = component >= 5120 && component <= 5123;
   const bool is_fraction =
-      component == kFloatType || (component <= 5123 && accessor.flag("normalized").value_or(false));
+      component == kFloatType || (is_short_integer && accessor.flag("normalized").value_or(false));
   require(is_fraction, place, ": has components of type ", component,
           ", expected float or normalised integers");
-}
-
-void require_floats(const JsonObject& accessor, const std::string& place) {
-  const std::size_t component = accessor.required_whole_number("componentType");
-  require(component == kFloatType, place, ": has components of type ", component,
-          ", expected float");
 }
 
 /// Of the primitives of a mesh, which all must have as many.
@@ -96,19 +87,22 @@ void check_output(const std::string& path, const JsonObject& sampler, std::size_
           place, ": has ", count_of(output), " elements, expected ", rows * values_per_key,
           " for each of the ", count_of(input), " keys");
   if (path == "rotation" || path == "weights") {
-    require_type(output, path == "rotation" ? "VEC4" : "SCALAR", place);
+    require_element_type(output, path == "rotation" ? "VEC4" : "SCALAR", place);
     require_fractions(output, place);
   } else {
-    require_type(output, "VEC3", place);
-    require_floats(output, place);
+    require_element_type(output, "VEC3", place);
+    require_float_components(output, place);
   }
 }
 
-void check_sampler(const JsonObject& sampler, const std::vector<JsonObject>& accessors) {
+void check_sampler(const JsonObject& sampler, const Document& document) {
+  const std::vector<JsonObject>& accessors = document.accessors;
   const JsonObject& input = accessors[sampler.required_index("input", accessors.size())];
-  sampler.required_index("output", accessors.size());
-  require_type(input, "SCALAR", sampler.place() + ": input");
-  require_floats(input, sampler.place() + ": input");
+  const JsonObject& output = accessors[sampler.required_index("output", accessors.size())];
+  require_element_type(input, "SCALAR", sampler.place() + ": input");
+  require_float_components(input, sampler.place() + ": input");
+  require_packed(input, document.views, sampler.place() + ": input");
+  require_packed(output, document.views, sampler.place() + ": output");
   const std::string interpolation = sampler.text("interpolation").value_or("LINEAR");
   require(interpolation == "LINEAR" || interpolation == "STEP" || interpolation == "CUBICSPLINE",
           sampler.place(), ": interpolation is ", interpolation,
@@ -120,7 +114,7 @@ void check_sampler(const JsonObject& sampler, const std::vector<JsonObject>& acc
 void check_animation(const JsonObject& animation, const Document& document) {
   const std::vector<JsonObject> samplers = animation.objects("samplers");
   for (const JsonObject& sampler : samplers) {
-    check_sampler(sampler, document.accessors);
+    check_sampler(sampler, document);
   }
   std::set<std::pair<std::size_t, std::string>> moved;
   for (const JsonObject& channel : animation.objects("channels")) {
@@ -144,39 +138,7 @@ void check_animation(const JsonObject& animation, const Document& document) {
   }
 }
 
-void check_skin(const JsonObject& skin, const Document& document) {
-  skin.index("skeleton", document.nodes.size());
-  const std::vector<std::size_t> joints = skin.indices("joints", document.nodes.size());
-  require(!joints.empty(), skin.place(), ": has no joints, expected at least one");
-  require(std::set<std::size_t>(joints.begin(), joints.end()).size() == joints.size(), skin.place(),
-          ": names a joint twice, expected each once");
-  const auto matrices = skin.index("inverseBindMatrices", document.accessors.size());
-  if (matrices) {
-    const JsonObject& accessor = document.accessors[*matrices];
-    const std::string place = skin.place() + ": inverseBindMatrices";
-    require_type(accessor, "MAT4", place);
-    require_floats(accessor, place);
-    require(count_of(accessor) >= joints.size(), place, ": has ", count_of(accessor),
-            " matrices, expected one for each of the ", joints.size(), " joints");
-  }
-}
-
-void check_joints(const JsonObject& primitive) {
-  const JsonObject attributes = primitive.required_object("attributes");
-  for (const std::string& name : attributes.keys()) {
-    const bool is_joints = name.compare(0, 7, "JOINTS_") == 0;
-    if (is_joints || name.compare(0, 8, "WEIGHTS_") == 0) {
-      const std::string partner =
-          is_joints ? "WEIGHTS_" + name.substr(7) : "JOINTS_" + name.substr(8);
-      require(attributes.has(partner), attributes.place(), ": has ", name, " without ", partner,
-              ", expected both");
-    }
-  }
-}
-
 void check_node(const JsonObject& node, const Document& document) {
-  require(!node.has("skin") || node.has("mesh"), node.place(),
-          ": has a skin without a mesh, expected both");
   const std::vector<double> weights = node.all_numbers("weights");
   const std::size_t targets = targets_of(node, document);
   require(weights.empty() || weights.size() == targets, node.place(), ": has ", weights.size(),
@@ -186,15 +148,10 @@ void check_node(const JsonObject& node, const Document& document) {
 }  // namespace
 
 void check_motion(const JsonObject& root) {
-  Document document{root.objects("accessors"), root.objects("nodes"), {}};
+  Document document{
+      root.objects("accessors"), root.objects("bufferViews"), root.objects("nodes"), {}};
   for (const JsonObject& mesh : root.objects("meshes")) {
     document.target_counts.push_back(checked_target_count(mesh));
-    for (const JsonObject& primitive : mesh.objects("primitives")) {
-      check_joints(primitive);
-    }
-  }
-  for (const JsonObject& skin : root.objects("skins")) {
-    check_skin(skin, document);
   }
   for (const JsonObject& node : document.nodes) {
     check_node(node, document);

@@ -4,7 +4,7 @@
 
 namespace synth {
 
-/// Checks animations, skins and morph targets of a document of which buffers, meshes and nodes have
+/// Checks animations and morph targets of a document of which buffers, meshes and nodes have
 /// been checked: types and counts of accessors, and that what refers to each other fits. Throws
 /// vo::Error.
 void check_motion(const JsonObject& root);

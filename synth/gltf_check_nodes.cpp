@@ -6,14 +6,15 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
+#include "synth/gltf_rotation.h"
 #include "vo/core/error.h"
 
 namespace synth {
 namespace {
 
 using vo::require;
-
-using Parents = std::vector<std::optional<std::size_t>>;
 
 void check_transform(const JsonObject& node) {
   const std::vector<double> matrix = node.numbers("matrix", 16);  // column by column
@@ -26,9 +27,8 @@ void check_transform(const JsonObject& node) {
     require(matrix[3] == 0 && matrix[7] == 0 && matrix[11] == 0 && matrix[15] == 1, node.place(),
             ": the last row of matrix is not 0 0 0 1, expected an affine transform");
   }
-  require(rotation.empty() || std::any_of(rotation.begin(), rotation.end(),
-                                          [](double component) { return component != 0; }),
-          node.place(), ": rotation is zero, expected a unit quaternion");
+  require(rotation.empty() || is_nearly_unit(Eigen::Map<const Eigen::Vector4d>(rotation.data())),
+          node.place(), ": rotation is not of length 1, expected a unit quaternion");
 }
 
 void check_spot(const JsonObject& light) {
@@ -45,13 +45,15 @@ std::size_t check_lights(const JsonObject& root) {
   if (!extension) {
     return 0;
   }
+  require(extension->has("lights"), extension->place(), ": has no lights, expected an array");
   const std::vector<JsonObject> lights = extension->objects("lights");
   for (const JsonObject& light : lights) {
     const std::string type = light.required_text("type");
-    require(type == "point" || type == "directional" || type == "spot", light.place(), ": type is ",
-            type, ", expected point, directional or spot");
-    light.numbers("color", 3);
-    light.number("intensity");
+    for (const double channel : light.numbers("color", 3)) {
+      require(channel >= 0, light.place(), ": color is negative, expected 0 or more");
+    }
+    require(light.number("intensity").value_or(1) >= 0, light.place(),
+            ": intensity is negative, expected 0 or more");
     const double range = light.number("range").value_or(1);
     require(range > 0, light.place(), ": range is ", range, ", expected more than 0");
     if (type == "spot") {
@@ -74,6 +76,8 @@ std::size_t check_cameras(const JsonObject& root) {
     const std::string type = camera.required_text("type");
     require(type == "perspective" || type == "orthographic", camera.place(), ": type is ", type,
             ", expected perspective or orthographic");
+    require(camera.has("perspective") != camera.has("orthographic"), camera.place(),
+            ": has both or neither of perspective and orthographic, expected one");
     const JsonObject lens = camera.required_object(type);
     const double near = lens.number("znear").value_or(-1);
     if (type == "perspective") {
@@ -107,19 +111,6 @@ void check_nodes(const JsonObject& root, const std::vector<JsonObject>& nodes) {
     }
     check_transform(node);
   }
-}
-
-Parents find_parents(const std::vector<JsonObject>& nodes) {
-  Parents parents(nodes.size());
-  for (std::size_t parent = 0; parent < nodes.size(); ++parent) {
-    for (const std::size_t child : nodes[parent].indices("children", nodes.size())) {
-      require(child != parent, nodes[parent].place(), ": is its own child, expected a tree");
-      require(!parents[child], nodes[child].place(), ": is a child of nodes[",
-              parents[child].value_or(0), "] and of nodes[", parent, "], expected one parent");
-      parents[child] = parent;
-    }
-  }
-  return parents;
 }
 
 /// As every node has at most one parent, the nodes that no root leads to lie on or below a cycle.
@@ -158,6 +149,19 @@ void check_scenes(const JsonObject& root, const Parents& parents) {
 }
 
 }  // namespace
+
+Parents find_parents(const std::vector<JsonObject>& nodes) {
+  Parents parents(nodes.size());
+  for (std::size_t parent = 0; parent < nodes.size(); ++parent) {
+    for (const std::size_t child : nodes[parent].indices("children", nodes.size())) {
+      require(child != parent, nodes[parent].place(), ": is its own child, expected a tree");
+      require(!parents[child], nodes[child].place(), ": is a child of nodes[",
+              parents[child].value_or(0), "] and of nodes[", parent, "], expected one parent");
+      parents[child] = parent;
+    }
+  }
+  return parents;
+}
 
 void check_node_graph(const JsonObject& root) {
   const std::vector<JsonObject> nodes = root.objects("nodes");

@@ -120,6 +120,7 @@ class DracoReader {
     const std::string place = views_[view_index].place();
     const tinygltf::BufferView& view = model_.content.bufferViews[view_index];
     const Bytes& bytes = model_.content.buffers[at(view.buffer)].data;
+    require(!bytes.empty(), place, ": is in a buffer without data, expected compressed data");
     const Encoded encoded{reinterpret_cast<const char*>(bytes.data()) + view.byteOffset,
                           view.byteLength};
     budget_.take(face_count(encoded, place) * kBytesPerFace, place);

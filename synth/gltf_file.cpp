@@ -1,9 +1,7 @@
 #include "synth/gltf_file.h"
 
-#include <algorithm>
-#include <cctype>
+#include <cmath>
 #include <fstream>
-#include <optional>
 #include <string_view>
 #include <system_error>
 
@@ -32,14 +30,26 @@ std::string without_tag(const std::string& message) {
   return end == std::string::npos ? message : message.substr(end + 2);
 }
 
+/// glTF lets whole numbers be written like 3.0 or 30e-1.
+void make_whole(json& value) {
+  constexpr double kMostExact = 9007199254740992;  // 2^53
+  const double number = value.get<double>();
+  if (number >= 0 && number <= kMostExact && std::trunc(number) == number) {
+    value = static_cast<std::uint64_t>(number);
+  }
+}
+
 json parse_json(std::string_view text, const std::string& place) {
-  const auto limit_depth = [&](int depth, json::parse_event_t, const json&) {
+  const auto on_event = [&](int depth, json::parse_event_t event, json& parsed) {
     require(depth <= kDeepestNesting, place, ": its JSON is nested more than ", kDeepestNesting,
             " levels deep, expected a glTF document");
+    if (event == json::parse_event_t::value && parsed.is_number_float()) {
+      make_whole(parsed);
+    }
     return true;
   };
   try {
-    return json::parse(text, limit_depth);
+    return json::parse(text, on_event);
   } catch (const json::exception& error) {
     fail(place, ": is not a glTF file, expected JSON: ", without_tag(error.what()));
   }
@@ -73,21 +83,34 @@ std::size_t glb_length(std::span<const std::uint8_t> bytes, const std::string& p
   return length;
 }
 
+/// glTF 2.0, 4.4.3: JSON first, once; BIN second or not at all; others are for extensions.
+void check_chunk(int chunk, std::uint32_t type, std::size_t size, const std::string& place) {
+  const auto require_chunk = [&](bool is_right, const char* message) {
+    require(is_right, place, ": chunk ", chunk, " of the .glb ", message);
+  };
+  require_chunk(size % 4 == 0, "has a length that is not aligned, expected a multiple of 4");
+  require_chunk((chunk == 0) == (type == kJsonChunk),
+                "has another type, expected JSON as the first and only there");
+  require_chunk(type != kBinaryChunk || chunk == 1, "is BIN, expected it as the second alone");
+  require_chunk(type != kBinaryChunk || size > 0, "is BIN and empty, expected bytes or no chunk");
+}
+
 void read_glb(std::span<const std::uint8_t> bytes, GltfFile& file) {
   const std::string place = file.path.string();
   const std::size_t length = glb_length(bytes, place);
   std::size_t begin = kGlbHeader;
-  for (int chunk = 0; length - begin >= kChunkHeader; ++chunk) {
+  for (int chunk = 0; begin < length; ++chunk) {
+    require(length - begin >= kChunkHeader, place, ": ends in the header of chunk ", chunk,
+            " of the .glb, expected ", kChunkHeader, " bytes");
     const std::size_t size = read_uint32(bytes, begin);
     const std::uint32_t type = read_uint32(bytes, begin + 4);
     begin += kChunkHeader;
     require(size <= length - begin, place, ": chunk ", chunk, " of the .glb states ", size,
             " bytes, expected at most the remaining ", length - begin);
-    require(chunk > 0 || type == kJsonChunk, place,
-            ": the first chunk of the .glb has another type, expected JSON");
+    check_chunk(chunk, type, size, place);
     if (chunk == 0) {
       file.json = parse_json(as_text(bytes, begin, size), place);
-    } else if (chunk == 1 && type == kBinaryChunk) {
+    } else if (type == kBinaryChunk) {
       const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(begin);
       file.binary.assign(first, first + static_cast<std::ptrdiff_t>(size));
     }
@@ -95,43 +118,9 @@ void read_glb(std::span<const std::uint8_t> bytes, GltfFile& file) {
   }
 }
 
-std::optional<int> hex_digit(char c) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  const auto lower = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const std::size_t digit = kDigits.find(lower);
-  return digit == std::string_view::npos ? std::nullopt : std::optional(static_cast<int>(digit));
-}
-
-std::string percent_decode(const std::string& uri, const std::string& place) {
-  std::string decoded;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    if (uri[i] != '%') {
-      decoded += uri[i];
-      continue;
-    }
-    const auto high = i + 2 < uri.size() ? hex_digit(uri[i + 1]) : std::nullopt;
-    const auto low = i + 2 < uri.size() ? hex_digit(uri[i + 2]) : std::nullopt;
-    require(high && low, place, ": uri \"", uri, "\" has a % without two hexadecimal digits");
-    decoded += static_cast<char>(*high * 16 + *low);
-    i += 2;
-  }
-  return decoded;
-}
-
-/// Whether it begins like "http:" or "C:".
-bool has_scheme(const std::string& name) {
-  const std::size_t end = name.find_first_of(":/");
-  return end != std::string::npos && name[end] == ':';
-}
-
 /// A file as messages name it: after the element that refers to it, if any.
 std::string named(const fs::path& path, const std::string& place) {
   return place.empty() ? path.string() : place + ": " + path.string();
-}
-
-bool has_control_character(const std::string& name) {
-  return std::any_of(name.begin(), name.end(),
-                     [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; });
 }
 
 }  // namespace
@@ -143,30 +132,13 @@ GltfFile read_gltf_file(const fs::path& path) {
 GltfFile parse_gltf_file(std::span<const std::uint8_t> content, const fs::path& path) {
   GltfFile file;
   file.path = path;
-  if (is_glb(content)) {
+  file.is_glb = is_glb(content);
+  if (file.is_glb) {
     read_glb(content, file);
   } else {
     file.json = parse_json(as_text(content, 0, content.size()), path.string());
   }
   return file;
-}
-
-bool is_data_uri(const std::string& uri) {
-  return uri.compare(0, 5, "data:") == 0;
-}
-
-fs::path resolve_uri(const fs::path& folder, const std::string& uri, const std::string& place) {
-  const std::string name = percent_decode(uri, place);
-  require(!name.empty() && !has_control_character(name), place, ": uri \"", uri,
-          "\" is no file name, expected a file in the scene's folder");
-  require(!has_scheme(name), place, ": uri \"", uri.substr(0, 60),
-          "\" has a scheme, expected a file in the scene's folder");
-  const fs::path relative = fs::path(name).lexically_normal();
-  const bool leaves =
-      relative.is_absolute() || *relative.begin() == ".." || name.find('\\') != std::string::npos;
-  require(!leaves, place, ": uri \"", uri,
-          "\" leads out of the scene's folder, expected a file in it");
-  return folder / relative;
 }
 
 Bytes read_file(const fs::path& path, std::size_t size, const std::string& place) {

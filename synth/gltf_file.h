@@ -18,20 +18,13 @@ using Bytes = std::vector<std::uint8_t>;
 struct GltfFile {
   std::filesystem::path path;
   nlohmann::json json;
+  bool is_glb = false;
   Bytes binary;  ///< the BIN chunk of a .glb
 };
 
 /// Tells .gltf and .glb apart by their content. Throws vo::Error.
 GltfFile read_gltf_file(const std::filesystem::path& path);
 GltfFile parse_gltf_file(std::span<const std::uint8_t> content, const std::filesystem::path& path);
-
-/// Whether the URI holds its data itself.
-bool is_data_uri(const std::string& uri);
-
-/// The file that a URI stands for, percent-decoded and below `folder`. Opens nothing. Throws
-/// vo::Error beginning with `place` when the URI leads out of the folder or has a scheme.
-std::filesystem::path resolve_uri(const std::filesystem::path& folder, const std::string& uri,
-                                  const std::string& place);
 
 /// The first `size` bytes of the file; throws vo::Error if it has fewer. `place` is the element
 /// that refers to the file, or empty.

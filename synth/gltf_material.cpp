@@ -124,6 +124,9 @@ Material MaterialReader::read_material(const tinygltf::Material& source) {
   Material material;
   material.name = source.name;
   read_surface(source.pbrMetallicRoughness, material);
+  if (source.alphaMode != "OPAQUE" && source.alphaMode != "MASK" && source.alphaMode != "BLEND") {
+    add_note(reading_.notes, "materials of alphaMode " + source.alphaMode + " are opaque");
+  }
   material.alpha_mode = read_alpha_mode(source.alphaMode);
   material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
   material.double_sided = source.doubleSided;

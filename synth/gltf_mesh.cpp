@@ -206,11 +206,16 @@ std::optional<PrimitiveGeometry> read_primitive(GltfReading& reading,
   }
   const tinygltf::Model& model = reading.model.content;
   reading.budget.take(memory_of(model, primitive), place);
+  const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(position)];
+  const std::vector<std::uint32_t> corners = read_corners(model, primitive, accessor.count, place);
+  if (accessor.bufferView != kNone && !holds_data(model, position)) {
+    add_note(reading.notes, "primitives whose POSITION has no data are left out");
+    return std::nullopt;
+  }
   PrimitiveGeometry geometry;
   Mesh& mesh = geometry.mesh;
   mesh.positions = read_vectors<Eigen::Vector3f>(model, position, place + ": POSITION");
-  mesh.triangles =
-      assemble(primitive.mode, read_corners(model, primitive, mesh.positions.size(), place));
+  mesh.triangles = assemble(primitive.mode, corners);
   read_attributes(reading, primitive, place, mesh);
   geometry.targets = read_targets(reading, primitive, place);
   return geometry;

@@ -126,7 +126,7 @@ void decode_meshopt(const JsonObject& root, GltfModel& model) {
     const Compressed view = read_compressed(*extension);
     const Bytes& source = model.content.buffers[view.buffer].data;
     require(view.offset + view.length <= source.size(), extension->place(),
-            ": refers to a fallback without data, expected compressed data");
+            ": refers to a buffer without data, expected compressed data");
     budget.take(view.count * view.stride, views[i].place());
     tinygltf::Buffer decoded;
     decoded.data.resize(view.count * view.stride);

@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "synth/gltf_check.h"
+#include "synth/gltf_check_buffers.h"
 #include "synth/gltf_draco.h"
 #include "synth/gltf_json.h"
 #include "synth/gltf_meshopt.h"
+#include "synth/gltf_uri.h"
 #include "vo/core/error.h"
 
 namespace synth {
@@ -16,35 +18,34 @@ namespace {
 
 using vo::require;
 
-/// `size` is the number of bytes wanted, all if absent.
-Bytes decode_data_uri(const std::string& uri, std::optional<std::size_t> size,
-                      const std::string& place) {
-  Bytes bytes;
-  std::string media_type;
-  const bool decoded = tinygltf::IsDataURI(uri) &&
-                       tinygltf::DecodeDataURI(&bytes, media_type, uri, 0, /*checkSize=*/false);
-  require(decoded, place, ": its data URI cannot be decoded, expected base64 of a glTF media type");
-  require(!size || bytes.size() >= *size, place, ": its data URI holds ", bytes.size(),
-          " bytes, expected ", size.value_or(0));
-  bytes.resize(size.value_or(bytes.size()));
-  return bytes;
+Bytes read_embedded(const std::string& uri, std::size_t length, const std::string& place) {
+  UriData data = decode_data_uri(uri, place);
+  require(data.media_type.empty() || data.media_type == "application/octet-stream" ||
+              data.media_type == "application/gltf-buffer",
+          place, ": its data URI is of type ", data.media_type,
+          ", expected application/octet-stream or application/gltf-buffer");
+  require(data.bytes.size() >= length, place, ": its data URI holds ", data.bytes.size(),
+          " bytes, expected ", length);
+  data.bytes.resize(length);
+  return std::move(data.bytes);
 }
 
+/// Empty for a buffer whose bytes are not in the file, which only extensions can fill.
 Bytes read_buffer(const GltfFile& file, const JsonObject& buffer, bool is_first) {
   const std::size_t length = buffer.required_whole_number("byteLength");
   const std::optional<std::string> uri = buffer.text("uri");
-  if (!uri && is_meshopt_fallback(buffer)) {
-    return {};
-  }
   if (uri && is_data_uri(*uri)) {
-    return decode_data_uri(*uri, length, buffer.place());
+    return read_embedded(*uri, length, buffer.place());
   }
   if (uri) {
     const auto path = resolve_uri(file.path.parent_path(), *uri, buffer.place());
     return read_file(path, length, buffer.place());
   }
-  require(is_first && !file.binary.empty(), buffer.place(),
-          ": has no uri, expected one or to be the first of a .glb with a binary chunk");
+  if (!file.is_glb || !is_first || is_meshopt_fallback(buffer)) {
+    return {};
+  }
+  require(!file.binary.empty(), buffer.place(),
+          ": has no uri, expected one or a binary chunk in the .glb");
   require(length <= file.binary.size(), buffer.place(), ": byteLength is ", length,
           ", expected at most the ", file.binary.size(), " bytes of the binary chunk");
   return {file.binary.begin(), file.binary.begin() + static_cast<std::ptrdiff_t>(length)};
@@ -60,7 +61,7 @@ std::vector<tinygltf::Buffer> read_buffers(const GltfFile& file, const JsonObjec
   return buffers;
 }
 
-/// References to the images. Files must exist, whether the scene uses them or not.
+/// References to the images. Each must lead to data, whether the scene uses it or not.
 std::vector<tinygltf::Image> list_images(const GltfFile& file, const JsonObject& root,
                                          std::size_t buffer_views) {
   std::vector<tinygltf::Image> images;
@@ -69,11 +70,22 @@ std::vector<tinygltf::Image> list_images(const GltfFile& file, const JsonObject&
     image.uri = object.text("uri").value_or("");
     if (const auto view = object.index("bufferView", buffer_views)) {
       image.bufferView = static_cast<int>(*view);
-    } else if (!is_data_uri(image.uri)) {
+    } else if (is_data_uri(image.uri)) {
+      decode_data_uri(image.uri, object.place());
+    } else {
       file_size(resolve_uri(file.path.parent_path(), image.uri, object.place()), object.place());
     }
   }
   return images;
+}
+
+/// tinygltf refuses types of accessors that it does not know. Nothing reads these.
+void replace_unknown_accessors(nlohmann::json& document) {
+  for (nlohmann::json& accessor : document["accessors"]) {
+    if (!packed_stride(JsonObject(accessor, {}))) {
+      accessor = {{"type", "SCALAR"}, {"componentType", 5126}, {"count", accessor["count"]}};
+    }
+  }
 }
 
 /// Lets tinygltf read what needs no other file; it gets no way to open one.
@@ -81,6 +93,7 @@ tinygltf::Model parse_structure(nlohmann::json document, const std::string& plac
   for (const char* key : {"buffers", "images", "extras"}) {
     document.erase(key);
   }
+  replace_unknown_accessors(document);
   for (nlohmann::json& mesh : document["meshes"]) {
     for (nlohmann::json& primitive : mesh["primitives"]) {
       primitive.erase("indices");  // tinygltf refuses accessors without a view as indices
@@ -136,11 +149,12 @@ Bytes read_encoded_image(const GltfModel& model, int image) {
   if (reference.bufferView >= 0) {
     const auto& view = model.content.bufferViews[static_cast<std::size_t>(reference.bufferView)];
     const Bytes& data = model.content.buffers[static_cast<std::size_t>(view.buffer)].data;
+    require(!data.empty(), place, ": is in a buffer without uri, expected one with data");
     const auto begin = data.begin() + static_cast<std::ptrdiff_t>(view.byteOffset);
     return {begin, begin + static_cast<std::ptrdiff_t>(view.byteLength)};
   }
   if (is_data_uri(reference.uri)) {
-    return decode_data_uri(reference.uri, std::nullopt, place);
+    return decode_data_uri(reference.uri, place).bytes;
   }
   const auto path = resolve_uri(model.folder(), reference.uri, place);
   return read_file(path, file_size(path, place), place);

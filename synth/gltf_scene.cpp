@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "synth/gltf_accessor.h"
 #include "synth/gltf_animation.h"
 #include "synth/gltf_material.h"
 #include "synth/gltf_mesh.h"
@@ -70,7 +71,7 @@ class SceneReader {
     }
   }
 
-  /// Meshes and skins that no node of the scene uses must be sound too.
+  /// What no node of the scene uses must be sound too.
   void check_the_rest() {
     Notes unused;
     MemoryBudget budget;
@@ -85,6 +86,10 @@ class SceneReader {
       if (skins_[i] == kNone) {
         read_skin(model_, static_cast<int>(i), forest_);
       }
+    }
+    for (std::size_t i = 0; i < model_.content.accessors.size(); ++i) {
+      const int accessor = static_cast<int>(i);
+      check_data(model_.content, accessor, model_.place("accessors", accessor));
     }
   }
 
@@ -206,7 +211,12 @@ class SceneReader {
   }
 
   void add_light(int index, int moved_by, const Eigen::Affine3d& T_world_light) {
-    const Light light = place_light(model_.content.lights[at(index)], T_world_light);
+    const tinygltf::Light& source = model_.content.lights[at(index)];
+    if (source.type != "point" && source.type != "directional" && source.type != "spot") {
+      add_note(reading_.notes, "lights of type " + source.type + " are left out");
+      return;
+    }
+    const Light light = place_light(source, T_world_light);
     require(light.direction.squaredNorm() > 0, model_.path.string(),
             ": a light that has a direction is on a node of scale zero, expected a direction");
     scene_.lights.push_back(light);

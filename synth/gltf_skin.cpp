@@ -61,7 +61,8 @@ Skin read_skin(const GltfModel& model, int index, const NodeForest& forest) {
     skin.joints.push_back(forest.of_gltf[at(joint)]);
   }
   skin.T_joint_mesh.assign(skin.joints.size(), Eigen::Affine3d::Identity());
-  if (source.inverseBindMatrices == kNone) {
+  if (source.inverseBindMatrices == kNone ||
+      !holds_data(model.content, source.inverseBindMatrices)) {
     return skin;
   }
   const std::string place = model.place("skins", index) + ": inverseBindMatrices";

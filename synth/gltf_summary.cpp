@@ -29,8 +29,11 @@ std::size_t triangles_of(int mode, std::size_t corners) {
 void count_primitives(const tinygltf::Model& model, GltfSummary& summary) {
   for (const tinygltf::Mesh& mesh : model.meshes) {
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
-      const int position = position_of(primitive);
-      const std::size_t vertices = position == kNone ? 0 : model.accessors[at(position)].count;
+      // All attributes have as many elements.
+      const std::size_t vertices =
+          primitive.attributes.empty()
+              ? 0
+              : model.accessors[at(primitive.attributes.begin()->second)].count;
       const std::size_t corners =
           primitive.indices == kNone ? vertices : model.accessors[at(primitive.indices)].count;
       ++summary.draw_calls;

@@ -80,8 +80,14 @@ TEST(BadGltf, MissingBuffer) {
               AllOf(HasSubstr("buffers[0]"), HasSubstr("other.bin does not exist")));
 }
 
-TEST(BadGltf, BufferWithoutUri) {
-  EXPECT_THAT(error_with("/buffers", {{{"byteLength", 44}}}), HasSubstr("buffers[0]: has no uri"));
+TEST(BadGltf, GlbOfABufferWithoutItsChunk) {
+  const TempFolder folder;
+  const std::string glb = triangle_document().glb();
+  std::string json_alone = glb.substr(0, glb.find("BIN") - 4);
+  json_alone[8] = static_cast<char>(json_alone.size() & 0xFFU);
+  json_alone[9] = static_cast<char>(json_alone.size() >> 8U);
+  EXPECT_THAT(error_of(folder.write("scene.glb", json_alone)),
+              HasSubstr("buffers[0]: has no uri, expected one or a binary chunk"));
 }
 
 TEST(BadGltf, BufferFileShorterThanStated) {
@@ -200,8 +206,8 @@ INSTANTIATE_TEST_SUITE_P(
         Replacement{"/accessors/0/byteOffset", 4, "do not fit"},
         Replacement{"/accessors/0/byteOffset", kHuge, "do not fit"},
         Replacement{"/accessors/1/byteOffset", 1, "do not fit"},
-        Replacement{"/accessors/0/type", "VEC5", "type is VEC5"},
-        Replacement{"/accessors/0/componentType", 5124, "componentType is 5124"},
+        Replacement{"/accessors/0/type", "VEC5", "POSITION is of type VEC5"},
+        Replacement{"/accessors/0/componentType", 5124, "components of type 5124"},
         Replacement{"/bufferViews/0/byteStride", 8, "byteStride 8"},
         Replacement{"/bufferViews/0/byteStride", 256, "byteStride is 256"},
         Replacement{"/bufferViews/0/byteLength", 43, "bufferViews[0]: spans 43 bytes"},
@@ -219,7 +225,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Replacement{
                         "/nodes/0/translation", {1, 2}, "translation has 2 elements, expected 3"},
                     Replacement{"/nodes/0/translation", {1, 2, "x"}, "translation[2] is \"x\""},
-                    Replacement{"/nodes/0/rotation", {0, 0, 0, 0}, "rotation is zero"},
+                    Replacement{"/nodes/0/rotation", {0, 0, 0, 0}, "rotation is not of length 1"},
                     Replacement{"/nodes/0/matrix",
                                 {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1},
                                 "the last row of matrix"},

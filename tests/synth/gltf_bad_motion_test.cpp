@@ -77,6 +77,64 @@ TEST(BadGltf, JointOutOfRange) {
   EXPECT_THAT(error_of(document), HasSubstr("vertex 0 follows joint 1, expected one below the 1"));
 }
 
+TEST(BadGltf, SkinOnAMeshWithoutJoints) {
+  GltfDocument document = moving_document();
+  document.primitive()["attributes"].erase("JOINTS_0");
+  document.primitive()["attributes"].erase("WEIGHTS_0");
+  EXPECT_THAT(error_of(document), HasSubstr("nodes[0]: has a skin, but a primitive of meshes[0]"));
+}
+
+TEST(BadGltf, JointSetsWithAGap) {
+  GltfDocument document = moving_document();
+  json& attributes = document.primitive()["attributes"];
+  attributes["JOINTS_1"] = attributes["JOINTS_0"];
+  attributes["WEIGHTS_1"] = attributes["WEIGHTS_0"];
+  attributes.erase("JOINTS_0");
+  attributes.erase("WEIGHTS_0");
+  EXPECT_THAT(error_of(document), HasSubstr("1 sets of joints but no JOINTS_0"));
+}
+
+/// Nodes 1, 2 and 3 in one tree, 4 alone; the skin follows 2 and 3.
+GltfDocument tree_document() {
+  GltfDocument document = moving_document();
+  document.json["nodes"] = {document.json["nodes"][0],
+                            {{"children", {2, 3}}},
+                            json::object(),
+                            json::object(),
+                            json::object()};
+  document.json["skins"] = {{{"joints", {2, 3}}, {"skeleton", 1}}};
+  return document;
+}
+
+TEST(BadGltf, JointsOfTwoTrees) {
+  GltfDocument document = tree_document();
+  document.json["skins"][0] = {{"joints", {2, 4}}};
+  EXPECT_THAT(error_of(document), HasSubstr("nodes[2] and nodes[4] have no root in common"));
+}
+
+TEST(BadGltf, SkeletonThatDoesNotLeadToAJoint) {
+  const support::TempFolder folder;
+  GltfDocument document = tree_document();
+  EXPECT_EQ(error_of(document.write(folder)), "");
+  document.json["skins"][0]["skeleton"] = 2;
+  EXPECT_THAT(error_of(document), HasSubstr("nodes[2] does not lead to its joint nodes[3]"));
+}
+
+TEST(BadGltf, SceneWithoutTheJointsOfItsSkin) {
+  GltfDocument document = tree_document();
+  document.json["scenes"] = {{{"nodes", {0}}}};
+  EXPECT_THAT(error_of(document), HasSubstr("scenes[0]: shows nodes[0] but not the joints"));
+}
+
+TEST(BadGltf, KeysOfRotationThatAreNoUnitQuaternions) {
+  GltfDocument document = moving_document();
+  json& animation = document.json["animations"][0];
+  animation["samplers"][0]["output"] =
+      document.add_accessor<float>("VEC4", kFloat, 2, {0, 0, 0, 1, 0, 0, 0, 2});
+  animation["channels"][0]["target"]["path"] = "rotation";
+  EXPECT_THAT(error_of(document), HasSubstr("element 1 is not of length 1"));
+}
+
 TEST(BadGltf, KeysThatAreNotInOrder) {
   GltfDocument document = moving_document();
   const std::size_t times = document.json["accessors"].size() - 2;

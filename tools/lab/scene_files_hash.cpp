@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "synth/gltf_file.h"
+#include "synth/gltf_uri.h"
 #include "vo/core/error.h"
 #include "vo/core/hash.h"
 #include "vo/io/output.h"

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cmath>
+
+#include <Eigen/Core>
+
+namespace synth {
+
+/// Whether a quaternion's length is 1 but for the rounding of bytes, the coarsest that glTF allows.
+template <typename Derived>
+bool is_nearly_unit(const Eigen::MatrixBase<Derived>& quaternion) {
+  constexpr double kTolerance = 0.01;
+  return std::abs(static_cast<double>(quaternion.stableNorm()) - 1) <= kTolerance;
+}
+
+}  // namespace synth
