@@ -21,6 +21,7 @@ namespace synth {
   X(BufferData) \
   X(CheckFramebufferStatus) \
   X(ClearBufferfv) \
+  X(ClearBufferiv) \
   X(ClipControl) \
   X(CompileShader) \
   X(CreateProgram) \

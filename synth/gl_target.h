@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include <opencv2/core.hpp>
 
@@ -8,7 +9,7 @@
 
 namespace synth {
 
-/// Two float images and a reversed float depth buffer to draw to.
+/// Two float images, one of numbers and a reversed float depth buffer to draw to.
 class GlTarget {
  public:
   explicit GlTarget(const GlFunctions& gl);
@@ -20,14 +21,18 @@ class GlTarget {
   const cv::Mat_<cv::Vec4f>& read_color() { return read(GL_COLOR_ATTACHMENT0); }
   const cv::Mat_<cv::Vec4f>& read_surface() { return read(GL_COLOR_ATTACHMENT1); }
 
+  /// The shaders' output 2: 0 where nothing was drawn.
+  const cv::Mat_<std::int32_t>& read_meshes();
+
  private:
   const cv::Mat_<cv::Vec4f>& read(GLenum attachment);
 
   const GlFunctions& gl_;
   cv::Size size_;
   cv::Mat_<cv::Vec4f> image_;  ///< read last
+  cv::Mat_<std::int32_t> meshes_;
   GLuint frame_buffer_ = 0;
-  std::array<GLuint, 3> buffers_{};  ///< colour, surface, depth
+  std::array<GLuint, 4> buffers_{};  ///< colour, surface, meshes, depth
 };
 
 }  // namespace synth

@@ -1,9 +1,10 @@
 #include "synth/pixel_truth.h"
 
 #include <cstddef>
-#include <limits>
+#include <cstdint>
+#include <vector>
 
-#include "vo/core/error.h"
+#include "synth/surface_ids.h"
 
 namespace synth {
 namespace {
@@ -20,10 +21,10 @@ cv::Mat_<Pixel> image_of(const PointImage& points, Value value) {
   return image;
 }
 
-void require_16_bits(std::size_t count, const char* what) {
-  constexpr std::size_t kMax = std::numeric_limits<std::uint16_t>::max();
-  vo::require(count <= kMax, "ground truth: the scene has ", count, " ", what,
-              ", expected at most ", kMax, " for 16-bit ids");
+IdImage id_image(const PointImage& points, const std::vector<std::uint16_t>& id_of_mesh) {
+  return image_of<std::uint16_t>(points, [&](const TrianglePoint& point) {
+    return id_of_mesh[static_cast<std::size_t>(point.mesh)];
+  });
 }
 
 }  // namespace
@@ -42,19 +43,11 @@ cv::Mat_<cv::Vec3f> normal_truth(const PointImage& points, const PointTracer& tr
 }
 
 IdImage instance_truth(const PointImage& points, const FlatScene& flat) {
-  require_16_bits(flat.scene->instances.size(), "instances");
-  return image_of<std::uint16_t>(points, [&](const TrianglePoint& point) {
-    return static_cast<std::uint16_t>(flat.meshes[point.mesh].instance + 1);
-  });
+  return id_image(points, surface_ids(flat).instance);
 }
 
 IdImage material_truth(const PointImage& points, const FlatScene& flat) {
-  const std::size_t count = flat.scene->materials.size();
-  require_16_bits(count + 1, "materials and the default");
-  return image_of<std::uint16_t>(points, [&](const TrianglePoint& point) {
-    const int material = flat.meshes[point.mesh].mesh->material;
-    return static_cast<std::uint16_t>(1 + (material == kNone ? count : material));
-  });
+  return id_image(points, surface_ids(flat).material);
 }
 
 }  // namespace synth

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <mutex>
 #include <numeric>
@@ -18,6 +19,7 @@
 #include "synth/gl_target.h"
 #include "synth/rasterizer_shaders.h"
 #include "synth/shading.h"
+#include "synth/surface_ids.h"
 #include "vo/core/error.h"
 
 namespace synth {
@@ -95,6 +97,7 @@ class Rasterizer final : public Renderer {
   void draw(const Camera& camera, const Pass& pass) const;
   void draw_color(const Camera& camera, RenderedFrame& frame) const;
   void read_surface(RenderedFrame& frame) const;
+  void read_ids(RenderedFrame& frame) const;
 
   FlatScene flat_;
   RenderMode mode_;
@@ -140,30 +143,23 @@ RenderedFrame Rasterizer::render(const Shot& shot) const {
   const Eye eye = ShotEyes(shot).of_row(0);
   const Camera camera{shot.camera, eye.R_world_camera.transpose().cast<float>(),
                       (eye.position - flat_.origin).cast<float>()};
-  const cv::Size size(shot.camera.width, shot.camera.height);
-  RenderedFrame frame;
-  if (shot.channels.color) {
-    frame.radiance = cv::Mat_<cv::Vec3f>(size, cv::Vec3f(0, 0, 0));
-  }
-  if (shot.channels.depth) {
-    frame.depth = vo::DepthImage(size, 0.0F);
-  }
-  if (shot.channels.normal) {
-    frame.normal = cv::Mat_<cv::Vec3f>(size, cv::Vec3f(0, 0, 0));
-  }
+  RenderedFrame frame = empty_frame(shot.camera, shot.channels);
   const std::lock_guard lock(mutex_);
   const GlContext::Current current(*context_);
-  target_->bind(size);
+  target_->bind({shot.camera.width, shot.camera.height});
   const bool has_color = shot.channels.color && mode_ != RenderMode::depth;
   if (has_color) {
     draw_color(camera, frame);
   }
-  if (shot.channels.depth || shot.channels.normal) {
+  if (shot.channels.depth || shot.channels.normal || shot.channels.ids) {
     const bool was_drawn = has_color && cells_.size() == 1;
     if (!was_drawn) {
       draw(camera, {Eigen::Vector2d::Zero(), std::nullopt});
     }
     read_surface(frame);
+    if (shot.channels.ids) {
+      read_ids(frame);
+    }
   }
   return frame;
 }
@@ -288,6 +284,7 @@ void Rasterizer::draw(const Camera& camera, const Pass& pass) const {
     set_textures(program, mesh);
     set_material(program, mesh, pass.threshold(i));
     set_mesh(program, mesh, camera);
+    program.set("mesh_number", static_cast<int>(i) + 1);
     gl_.BindVertexArray(mesh.vertices);
     gl_.DrawElements(GL_TRIANGLES, mesh.indices, GL_UNSIGNED_INT, nullptr);
   }
@@ -320,6 +317,20 @@ void Rasterizer::read_surface(RenderedFrame& frame) const {
     std::transform(drawn.begin(), drawn.end(), frame.normal.begin(),
                    [](const cv::Vec4f& texel) { return cv::Vec3f(texel[0], texel[1], texel[2]); });
   }
+}
+
+/// The same.
+void Rasterizer::read_ids(RenderedFrame& frame) const {
+  const SurfaceIds ids = surface_ids(flat_);
+  const cv::Mat_<std::int32_t>& drawn = target_->read_meshes();
+  const auto id_at = [](std::int32_t mesh_number, const std::vector<std::uint16_t>& id_of_mesh) {
+    return mesh_number == 0 ? std::uint16_t{0}
+                            : id_of_mesh[static_cast<std::size_t>(mesh_number - 1)];
+  };
+  std::transform(drawn.begin(), drawn.end(), frame.instance.begin(),
+                 [&](std::int32_t number) { return id_at(number, ids.instance); });
+  std::transform(drawn.begin(), drawn.end(), frame.material.begin(),
+                 [&](std::int32_t number) { return id_at(number, ids.material); });
 }
 
 }  // namespace

@@ -53,6 +53,7 @@ in vec4 vertex_color;
 in vec4 vertex_tangent;
 layout(location = 0) out vec4 out_color;
 layout(location = 1) out vec4 out_surface;  // normal of the triangle, depth
+layout(location = 2) out int out_mesh;
 
 const float kPi = 3.14159265358979;
 const int kMaxLights = 64;
@@ -64,6 +65,7 @@ uniform vec4 emission;    // and occlusion strength
 uniform float least_alpha;  // less is not there
 uniform float log2_sample_width;  // of a colour sample, px
 uniform float front_is_ccw;  // in clip space
+uniform int mesh_number;  // from 1
 uniform float has_normals;
 uniform float has_tangents;
 uniform vec4 lights[kMaxLights * 3];  // position, kind; direction, cos_outer; intensity, 1 / range
@@ -174,6 +176,7 @@ void main() {
   if (color.a < least_alpha) discard;
 #endif
   out_surface = vec4(face, p_camera.z);
+  out_mesh = mesh_number;
 #ifndef IS_LIT
   out_color = vec4(color.rgb, 1);
 #else

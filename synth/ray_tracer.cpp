@@ -13,6 +13,7 @@
 #include "synth/embree_scene.h"
 #include "synth/flat_scene.h"
 #include "synth/last_triangle.h"
+#include "synth/surface_ids.h"
 
 namespace synth {
 namespace {
@@ -39,23 +40,6 @@ Tile::Tile(const cv::Point& corner, const cv::Size& image) {
   }
 }
 
-/// The wanted channels, nothing seen yet.
-RenderedFrame empty_frame(const vo::PinholeCamera& camera, const Channels& channels) {
-  const cv::Size size(camera.width, camera.height);
-  const cv::Vec3f none(0, 0, 0);
-  RenderedFrame frame;
-  if (channels.color) {
-    frame.radiance = cv::Mat_<cv::Vec3f>(size, none);
-  }
-  if (channels.depth) {
-    frame.depth = vo::DepthImage(size, 0.0F);
-  }
-  if (channels.normal) {
-    frame.normal = cv::Mat_<cv::Vec3f>(size, none);
-  }
-  return frame;
-}
-
 class RayTracer final : public Renderer {
  public:
   RayTracer(FlatScene flat, const RenderOptions& options);
@@ -64,7 +48,8 @@ class RayTracer final : public Renderer {
   RenderedFrame render(const Shot& shot) const override;
 
  private:
-  void render_surface(const View& view, const Tile& tile, RenderedFrame& frame) const;
+  void render_surface(const View& view, const Tile& tile, const SurfaceIds& ids,
+                      RenderedFrame& frame) const;
   void render_color(const View& view, const Tile& tile, ColorMemory& memory,
                     RenderedFrame& frame) const;
 
@@ -90,12 +75,13 @@ RenderedFrame RayTracer::render(const Shot& shot) const {
   shot.shutter.validate();
   const View view(flat_, shot);
   RenderedFrame frame = empty_frame(camera, shot.channels);
+  const SurfaceIds ids = shot.channels.ids ? surface_ids(flat_) : SurfaceIds();
   ColorMemory memory = color_tracer_.new_memory();
   for (int v = 0; v < camera.height; v += kTile) {
     for (int u = 0; u < camera.width; u += kTile) {
       const Tile tile({u, v}, {camera.width, camera.height});
-      if (shot.channels.depth || shot.channels.normal) {
-        render_surface(view, tile, frame);
+      if (shot.channels.depth || shot.channels.normal || shot.channels.ids) {
+        render_surface(view, tile, ids, frame);
       }
       if (shot.channels.color && has_color_) {
         render_color(view, tile, memory, frame);
@@ -105,8 +91,9 @@ RenderedFrame RayTracer::render(const Shot& shot) const {
   return frame;
 }
 
-/// Depth and normals.
-void RayTracer::render_surface(const View& view, const Tile& tile, RenderedFrame& frame) const {
+/// Depth, normals and ids.
+void RayTracer::render_surface(const View& view, const Tile& tile, const SurfaceIds& ids,
+                               RenderedFrame& frame) const {
   LastTriangle<DepthPlane> last;
   for (std::size_t first = 0; first < tile.count; first += kPacketSize) {
     HitPacket packet;
@@ -133,6 +120,11 @@ void RayTracer::render_surface(const View& view, const Tile& tile, RenderedFrame
       }
       if (!frame.normal.empty()) {
         frame.normal(pixels[i]) = view.normal(pixels[i], packet, i);
+      }
+      if (!frame.instance.empty()) {
+        const auto mesh = static_cast<std::size_t>(packet.mesh(i));
+        frame.instance(pixels[i]) = ids.instance[mesh];
+        frame.material(pixels[i]) = ids.material[mesh];
       }
     }
   }

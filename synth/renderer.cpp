@@ -27,6 +27,26 @@ int RenderOptions::samples_per_edge() const {
   return static_cast<int>(std::ceil(std::sqrt(samples)));
 }
 
+RenderedFrame empty_frame(const vo::PinholeCamera& camera, const Channels& channels) {
+  const cv::Size size(camera.width, camera.height);
+  const cv::Vec3f none(0, 0, 0);
+  RenderedFrame frame;
+  if (channels.color) {
+    frame.radiance = cv::Mat_<cv::Vec3f>(size, none);
+  }
+  if (channels.depth) {
+    frame.depth = vo::DepthImage(size, 0.0F);
+  }
+  if (channels.normal) {
+    frame.normal = cv::Mat_<cv::Vec3f>(size, none);
+  }
+  if (channels.ids) {
+    frame.instance = IdImage(size, std::uint16_t{0});
+    frame.material = IdImage(size, std::uint16_t{0});
+  }
+  return frame;
+}
+
 std::unique_ptr<Renderer> make_renderer(const Scene& scene, const RenderOptions& options) {
   options.validate();
   return options.kind == RendererKind::rasterizer ? make_rasterizer(scene, options)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <utility>
 
@@ -61,13 +62,20 @@ void visit_fields(Visitor& visit, RenderOptions& options) {
   visit("bounces", options.bounces, "mode path: reflections of light after the first");
 }
 
-/// What a perfect sensor would see. Each row's depth and normals are those of the middle of its
-/// exposure; colour is a mean over all of it.
+using IdImage = cv::Mat_<std::uint16_t>;
+
+/// What a perfect sensor would see. Each row's depth, normals and ids are those of the middle of
+/// its exposure; colour is a mean over all of it.
 struct RenderedFrame {
   cv::Mat_<cv::Vec3f> radiance;  ///< linear RGB, mean over the pixel's area
   vo::DepthImage depth;        ///< m along the optical axis, at the pixel's centre; 0 = nothing hit
   cv::Mat_<cv::Vec3f> normal;  ///< unit, camera's axes, of the triangle, towards the camera, or 0
+  IdImage instance;            ///< at the pixel's centre, as SurfaceIds says; 0 = nothing hit
+  IdImage material;            ///< the same
 };
+
+/// The channels that are wanted, nothing seen yet.
+RenderedFrame empty_frame(const vo::PinholeCamera& camera, const Channels& channels);
 
 /// Renders a scene. `render` may be called from several threads; its result depends on its
 /// arguments alone.

@@ -45,6 +45,7 @@ struct Channels {
   bool color = true;
   bool depth = true;
   bool normal = false;
+  bool ids = false;  ///< of instances and materials
 };
 
 /// A picture to take.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct Pair {
 Pair render_both(const Scene& scene, RenderOptions options, const vo::SE3& T_world_camera) {
   Shot shot = still(small_camera(), T_world_camera);
   shot.channels.normal = true;
+  shot.channels.ids = true;
   Pair pair;
   options.kind = RendererKind::ray_tracer;
   pair.ray = make_renderer(scene, options)->render(shot);
@@ -62,6 +64,8 @@ struct Disagreement {
   int hits = 0;               ///< seen by one alone
   std::vector<double> depth;  ///< m
   double normal = 0;          ///< greatest
+  int instances = 0;          ///< of other ids
+  int materials = 0;          ///< the same
   std::vector<double> color;
 };
 
@@ -77,6 +81,8 @@ Disagreement compare(const Pair& pair) {
       worst.depth.push_back(std::abs(pair.ray.depth(v, u) - pair.raster.depth(v, u)));
       worst.normal =
           std::max(worst.normal, cv::norm(pair.ray.normal(v, u) - pair.raster.normal(v, u)));
+      worst.instances += pair.ray.instance(v, u) != pair.raster.instance(v, u) ? 1 : 0;
+      worst.materials += pair.ray.material(v, u) != pair.raster.material(v, u) ? 1 : 0;
       worst.color.push_back(cv::norm(pair.ray.radiance(v, u) - pair.raster.radiance(v, u)));
     }
   }
@@ -153,6 +159,39 @@ TEST(RenderersAgree, OnALampAtTheCamera) {
   const Disagreement worst = compare(render_both(scene, {.samples = 1}, {}));
   EXPECT_GT(worst.compared, kSize * kSize / 2);
   EXPECT_LT(worst.color.back(), 1e-3);
+}
+
+/// The ids that are in an image, but for 0.
+std::set<int> ids_in(const IdImage& image) {
+  std::set<int> ids(image.begin(), image.end());
+  ids.erase(0);
+  return ids;
+}
+
+TEST(RenderersAgree, OnIdsOfInstancesAndMaterials) {
+  const Pair pair = render_both(load_gltf(kRoom), {.mode = RenderMode::depth}, in_the_room());
+  const Disagreement worst = compare(pair);
+  EXPECT_GT(worst.compared, kSize * kSize / 3);
+  EXPECT_LE(worst.instances, worst.compared / 1000);  // of things that lie on each other
+  EXPECT_LE(worst.materials, worst.compared / 1000);
+  EXPECT_GE(ids_in(pair.ray.instance).size(), 5U);
+  EXPECT_GE(ids_in(pair.ray.material).size(), 3U);
+}
+
+TEST(RenderersAgree, OnIdsBehindHolesAndBesideTheScene) {
+  Scene scene;
+  Material hole = unlit({1, 0, 0});
+  hole.alpha_mode = AlphaMode::mask;
+  hole.base_color.w() = 0.25F;
+  add(scene, square_at(1, 0.5F), hole);
+  add(scene, square_at(2, 1), unlit({0, 1, 0}));
+  scene.meshes.back().material = kNone;
+  const Pair pair = render_both(scene, {.samples = 1}, {});
+  const Disagreement worst = compare(pair);
+  EXPECT_EQ(worst.instances + worst.materials, 0);
+  EXPECT_EQ(ids_in(pair.raster.instance), std::set<int>{2});
+  EXPECT_EQ(ids_in(pair.raster.material), std::set<int>{3}) << "none of the two";
+  EXPECT_EQ(pair.raster.instance(0, 0), 0);
 }
 
 TEST(RenderersAgree, OnMaskedAndBlendedSurfaces) {
