@@ -61,12 +61,12 @@ CameraPath path_of(const SequenceRecipe& recipe) {
 }
 
 FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe)
-    : scene_(scene), recipe_(recipe), moves_(moves(scene)), motion_{recipe.truth, path_of(recipe)} {
+    : scene_(scene), recipe_(recipe), motion_{recipe.truth, path_of(recipe)}, moves_(moves(scene)) {
   vo::require(!recipe.truth.empty(), "sequence: no poses to render, expected at least one");
   recipe.camera.validate();
   recipe.sensor.validate();
-  renderer_ = make_renderer(scene, recipe.render);
-  sensor_ = std::make_unique<RgbdSensor>(scene, *renderer_, recipe.camera.pinhole, motion_,
+  renderers_ = std::make_unique<const RenderersOverTime>(scene, recipe.render);
+  sensor_ = std::make_unique<RgbdSensor>(scene, *renderers_, recipe.camera.pinhole, motion_,
                                          recipe.sensor);
   if (!recipe.channels.channels.empty()) {
     truth_ = std::make_unique<const TruthGenerator>(
@@ -77,7 +77,7 @@ FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe)
 
 vo::RgbdFrame FrameGenerator::take(std::size_t index) const {
   if (!moves_) {
-    return sensor_->take(index, *renderer_);
+    return sensor_->take(index);
   }
   const TimeSpan span = sensor_->span(index);
   const double now = scene_time(recipe_.truth, recipe_.truth.at(index).timestamp);

@@ -53,9 +53,9 @@ class FrameGenerator {
 
   const Scene& scene_;
   const SequenceRecipe& recipe_;
-  bool moves_;  ///< each frame has a renderer of its own
   SensorMotion motion_;
-  std::unique_ptr<const Renderer> renderer_;  ///< of the scene at rest
+  bool moves_;  ///< each frame has a renderer of its own
+  std::unique_ptr<const RenderersOverTime> renderers_;
   std::unique_ptr<const RgbdSensor> sensor_;
   std::unique_ptr<const TruthGenerator> truth_;  ///< none where no channel is asked for
 };

@@ -161,6 +161,10 @@ Scene without_motion(const Scene& scene) {
 
 }  // namespace
 
+double scene_time(const vo::Trajectory& truth, double timestamp) {
+  return timestamp - truth.front().timestamp;
+}
+
 Scene scene_at(const Scene& scene, double time) {
   Scene at_time = without_motion(scene);
   if (!scene.motion.animations.empty()) {

@@ -3,8 +3,13 @@
 #include <vector>
 
 #include "synth/scene.h"
+#include "vo/core/trajectory.h"
 
 namespace synth {
+
+/// The time of a scene's animations, s, at a timestamp of a sequence: they start with its first
+/// pose.
+double scene_time(const vo::Trajectory& truth, double timestamp);
 
 /// What a scene is at a time, s, as a scene without motion: nodes, skins, morph targets, lights and
 /// cameras where its animations put them. Meshes, instances and triangles are the same, in the same

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "synth/scene_motion.h"
 #include "vo/core/median.h"
 
 namespace synth {
@@ -68,8 +69,8 @@ Metering meter(const Renderer& renderer, const vo::PinholeCamera& camera,
   return metering;
 }
 
-double meter_exposure(const Scene& scene, const Renderer& renderer, const vo::PinholeCamera& camera,
-                      const vo::Trajectory& trajectory) {
+double meter_exposure(const Scene& scene, const RenderersOverTime& renderers,
+                      const vo::PinholeCamera& camera, const vo::Trajectory& trajectory) {
   if (scene.lights.empty() || !has_lit_surface(scene) || trajectory.empty()) {
     return 1;
   }
@@ -78,7 +79,9 @@ double meter_exposure(const Scene& scene, const Renderer& renderer, const vo::Pi
   std::vector<float> luminances;
   for (std::size_t i = 0; i < poses; ++i) {
     const std::size_t index = i * (trajectory.size() - 1) / std::max<std::size_t>(1, poses - 1);
-    append_luminances(renderer.render(small, trajectory[index].T_world_camera), luminances);
+    const auto& [stamp, T_world_camera] = trajectory[index];
+    const auto renderer = renderers.at(scene_time(trajectory, stamp));
+    append_luminances(renderer->render(small, T_world_camera), luminances);
   }
   return exposure_of(luminances);
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "synth/renderer.h"
+#include "synth/renderers_over_time.h"
 #include "synth/scene.h"
 #include "vo/core/camera.h"
 #include "vo/core/trajectory.h"
@@ -19,8 +20,9 @@ Metering meter(const Renderer& renderer, const vo::PinholeCamera& camera,
                const vo::SE3& T_world_camera);
 
 /// The gain that brings the middle of what the camera sees to 18 % grey, rendered small at eight
-/// poses spread over the trajectory; 1 for a scene without lights, whose colours are final.
-double meter_exposure(const Scene& scene, const Renderer& renderer, const vo::PinholeCamera& camera,
-                      const vo::Trajectory& trajectory);
+/// poses spread over the trajectory, the scene as it is then; 1 for a scene without lights, whose
+/// colours are final.
+double meter_exposure(const Scene& scene, const RenderersOverTime& renderers,
+                      const vo::PinholeCamera& camera, const vo::Trajectory& trajectory);
 
 }  // namespace synth

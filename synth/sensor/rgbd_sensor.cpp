@@ -5,6 +5,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "synth/scene_motion.h"
 #include "synth/sensor/depth_registration.h"
 #include "vo/core/hash.h"
 
@@ -24,10 +25,6 @@ TimeSpan span_of(const Shot& shot) {
 
 }  // namespace
 
-double scene_time(const vo::Trajectory& truth, double timestamp) {
-  return timestamp - truth.front().timestamp;
-}
-
 CameraPath path_through(const vo::Trajectory& poses) {
   if (poses.size() < 2) {
     const vo::SE3 only = poses.empty() ? vo::SE3() : poses[0].T_world_camera;
@@ -36,17 +33,17 @@ CameraPath path_through(const vo::Trajectory& poses) {
   return spline(poses);
 }
 
-RgbdSensor::RgbdSensor(const Scene& scene, const Renderer& renderer,
+RgbdSensor::RgbdSensor(const Scene& scene, const RenderersOverTime& renderers,
                        const vo::PinholeCamera& camera, const SensorMotion& motion,
                        const SensorOptions& options)
-    : renderer_(renderer),
+    : renderers_(renderers),
       camera_(camera),
       motion_(motion),
       options_(seeded(options)),
       settings_(motion.truth.size()) {
   const double exposure = options.exposure > 0
                               ? options.exposure
-                              : meter_exposure(scene, renderer, camera, motion.truth);
+                              : meter_exposure(scene, renderers, camera, motion.truth);
   for (std::size_t i = 0; i < settings_.size(); ++i) {
     settings_[i] = {.index = i,
                     .exposure = exposure,
@@ -63,9 +60,13 @@ RgbdSensor::RgbdSensor(const Scene& scene, const Renderer& renderer,
 std::vector<Metering> RgbdSensor::meter_frames() const {
   std::vector<Metering> metered(motion_.truth.size());
   tbb::parallel_for(std::size_t{0}, metered.size(), [&](std::size_t i) {
-    metered[i] = meter(renderer_, camera_, motion_.truth[i].T_world_camera);
+    metered[i] = meter(*renderer_at(i), camera_, motion_.truth[i].T_world_camera);
   });
   return metered;
+}
+
+std::shared_ptr<const Renderer> RgbdSensor::renderer_at(std::size_t index) const {
+  return renderers_.at(scene_time(motion_.truth, motion_.truth[index].timestamp));
 }
 
 std::vector<double> RgbdSensor::stamps() const {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "synth/camera_path.h"
 #include "synth/renderer.h"
+#include "synth/renderers_over_time.h"
 #include "synth/scene.h"
 #include "synth/sensor.h"
 #include "vo/core/camera.h"
@@ -19,9 +21,6 @@ struct SensorMotion {
   CameraPath path;       ///< and at any time between
 };
 
-/// The time of the scene's animations, s, at a timestamp: they start with the first pose.
-double scene_time(const vo::Trajectory& truth, double timestamp);
-
 /// The path through poses: a spline, at rest where there is only one.
 CameraPath path_through(const vo::Trajectory& poses);
 
@@ -30,16 +29,17 @@ CameraPath path_through(const vo::Trajectory& poses);
 class RgbdSensor {
  public:
   /// Meters the whole sequence where exposure or white balance follow the scene.
-  RgbdSensor(const Scene& scene, const Renderer& renderer, const vo::PinholeCamera& camera,
-             const SensorMotion& motion, const SensorOptions& options);
+  RgbdSensor(const Scene& scene, const RenderersOverTime& renderers,
+             const vo::PinholeCamera& camera, const SensorMotion& motion,
+             const SensorOptions& options);
 
   /// Stamped with the colour image's; depth's is `options.depth.delay` later.
-  vo::RgbdFrame take(std::size_t index) const { return take(index, renderer_); }
+  vo::RgbdFrame take(std::size_t index) const { return take(index, *renderer_at(index)); }
 
   /// When anything of a frame is measured, s after the first stamp.
   TimeSpan span(std::size_t index) const;
 
-  /// With a renderer of the scene as it is then.
+  /// With a renderer of the scene as it is during the frame.
   vo::RgbdFrame take(std::size_t index, const Renderer& now) const;
 
   const FrameSetting& setting(std::size_t index) const { return settings_[index]; }
@@ -48,11 +48,12 @@ class RgbdSensor {
   void follow_exposure(const std::vector<Metering>& metered);
   void follow_balance(const std::vector<Metering>& metered);
   std::vector<Metering> meter_frames() const;
+  std::shared_ptr<const Renderer> renderer_at(std::size_t index) const;
   std::vector<double> stamps() const;
   Shot color_shot(std::size_t index) const;
   Shot depth_shot(std::size_t index) const;
 
-  const Renderer& renderer_;
+  const RenderersOverTime& renderers_;
   const vo::PinholeCamera& camera_;
   const SensorMotion& motion_;
   SensorOptions options_;

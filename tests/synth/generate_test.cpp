@@ -70,7 +70,8 @@ TEST(GenerateSequence, WritesWhatTheSensorMeasuresAtThePosesOfTheTruth) {
   const Scene scene = small_room();
   const vo::Trajectory truth = short_orbit();
   const auto renderer = make_renderer(scene, {});
-  const SensorOptions sensor{.exposure = meter_exposure(scene, *renderer, kCamera.pinhole, truth)};
+  const SensorOptions sensor{
+      .exposure = meter_exposure(scene, RenderersOverTime(scene, {}), kCamera.pinhole, truth)};
   const vo::RgbdFrame expected =
       measure(renderer->render(kCamera.pinhole, truth[3].T_world_camera), 0, sensor);
   const cv::Mat color = vo::read_png(folder.path() / "rgb/000003.png");

@@ -84,8 +84,7 @@ Scene lit_wall() {
 }
 
 double metered(const Scene& scene, const vo::Trajectory& trajectory) {
-  const auto renderer = make_renderer(scene, {});
-  return meter_exposure(scene, *renderer, wide_camera(), trajectory);
+  return meter_exposure(scene, RenderersOverTime(scene, {}), wide_camera(), trajectory);
 }
 
 TEST(MeterExposure, BringsTheMedianToMiddleGrey) {
@@ -111,6 +110,37 @@ TEST(MeterExposure, LooksAtTheFirstAndTheLastPose) {
     trajectory[seen].T_world_camera = {};
     EXPECT_EQ(metered(lit_wall(), trajectory), expected);
   }
+}
+
+/// The wall jumps aside after half a second; behind it is one of a quarter of its grey.
+Scene wall_that_leaves() {
+  Scene scene = lit_wall();
+  scene.lights[0] = {.kind = LightKind::directional,
+                     .direction = Eigen::Vector3d::UnitZ(),
+                     .intensity = Eigen::Vector3f::Constant(20)};
+  add(scene, square_at(3, 99), diffuse({0.25F, 0.25F, 0.25F}));
+  scene.motion.nodes.resize(3);
+  scene.motion.instance_nodes = {0, 1};
+  scene.motion.light_nodes = {2};
+  scene.motion.nodes[2].T_parent_node =  // glTF's lights shine along -z
+      Eigen::Quaterniond::FromTwoVectors(-Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ());
+  scene.motion.animations = {{.duration = 0.5,
+                              .channels = {{.property = AnimatedProperty::translation,
+                                            .curve = {.interpolation = Interpolation::step,
+                                                      .width = 3,
+                                                      .times = {0, 0.5F},
+                                                      .values = {0, 0, 0, 500, 0, 0}}}}}};
+  return scene;
+}
+
+TEST(MeterExposure, SeesWhatIsThereAtTheTimeOfEachPose) {
+  const Scene scene = wall_that_leaves();
+  const RenderersOverTime renderers(scene, {.ambient = 0});
+  const auto exposure_at = [&](double time) {
+    return meter_exposure(scene, renderers, wide_camera(),
+                          {{3, {}}, {3 + time, {}}, {3 + time, {}}});
+  };
+  EXPECT_NEAR(exposure_at(1) / exposure_at(0.1), 4, 1e-5);
 }
 
 TEST(MeterExposure, IsOneWhereThereIsNothingToMeter) {

@@ -65,13 +65,13 @@ double worst_share(const std::vector<GreyNoise>& samples) {
 std::string contact_sheet(const SensorCheckArguments& arguments) {
   const SceneFile file(arguments.scene);
   const synth::Scene& scene = file.scene();
-  const auto renderer = synth::make_renderer(scene, {.samples = arguments.samples});
+  const synth::RenderersOverTime renderers(scene, {.samples = arguments.samples});
   const auto [width, height] = parse_size(arguments.size);
   const TimedPath timed = make_path(arguments.path, file);
   const synth::SensorMotion motion{synth::sample(timed.path, timed.times), timed.path};
   const auto camera = vo::PinholeCamera::from_horizontal_fov(width, height, arguments.fov_deg);
   constexpr double kQuality = 88;  // of 100; noise makes a lossless file five times as large
-  return encode_webp(draw_contact_sheet(scene, *renderer, camera, motion, motion.truth.size() / 2),
+  return encode_webp(draw_contact_sheet(scene, renderers, camera, motion, motion.truth.size() / 2),
                      kQuality);
 }
 

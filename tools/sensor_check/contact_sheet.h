@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "synth/renderer.h"
+#include "synth/renderers_over_time.h"
 #include "synth/scene.h"
 #include "synth/sensor/rgbd_sensor.h"
 #include "vo/core/camera.h"
@@ -14,7 +14,8 @@ namespace tools {
 /// A row per preset, of one frame of a motion: image | its middle enlarged | depth, red far, black
 /// none | the surface that it describes, lit | depth less the perfect one, red too far, blue too
 /// near.
-cv::Mat_<cv::Vec3b> draw_contact_sheet(const synth::Scene& scene, const synth::Renderer& renderer,
+cv::Mat_<cv::Vec3b> draw_contact_sheet(const synth::Scene& scene,
+                                       const synth::RenderersOverTime& renderers,
                                        const vo::PinholeCamera& camera,
                                        const synth::SensorMotion& motion, std::size_t frame);
 

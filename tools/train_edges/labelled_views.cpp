@@ -83,7 +83,8 @@ class Studio {
     if (blur > 0.2) {
       cv::GaussianBlur(ideal.radiance, ideal.radiance, {}, blur);
     }
-    const double metered = synth::meter_exposure(scene_, *renderer_, camera, {{0, T_world_camera}});
+    const double metered = synth::meter_exposure(scene_, synth::RenderersOverTime(renderer_),
+                                                 camera, {{0, T_world_camera}});
     const double stops = random.uniform(-options_.exposure_stops, options_.exposure_stops);
     const vo::RgbdFrame frame = synth::measure(ideal, 0, {.exposure = metered * std::exp2(stops)});
     return noisy(frame.image, random.uniform(0, options_.noise), random);
@@ -93,7 +94,7 @@ class Studio {
   std::string path_;
   synth::RenderOptions render_;
   synth::Scene scene_;
-  std::unique_ptr<synth::Renderer> renderer_;
+  std::shared_ptr<const synth::Renderer> renderer_;
   synth::SurfaceTracer tracer_;
 };
 

@@ -42,19 +42,19 @@ class Recorder {
  public:
   explicit Recorder(const SensorOptions& options, int frames = 3)
       : motion_(drifting(frames)),
-        renderer_(make_renderer(scene_, {})),
-        sensor_(scene_, *renderer_, camera_, motion_, options) {}
+        renderers_(scene_, {}),
+        sensor_(scene_, renderers_, camera_, motion_, options) {}
 
   vo::RgbdFrame take(std::size_t index) const { return sensor_.take(index); }
   const RgbdSensor& sensor() const { return sensor_; }
-  const Renderer& renderer() const { return *renderer_; }
+  const Renderer& renderer() const { return *renderers_.at(0); }
   const vo::PinholeCamera& camera() const { return camera_; }
 
  private:
   Scene scene_ = lit_room();
   vo::PinholeCamera camera_ = wide_camera();
   SensorMotion motion_;
-  std::unique_ptr<const Renderer> renderer_;
+  RenderersOverTime renderers_;
   RgbdSensor sensor_;
 };
 
