@@ -9,21 +9,21 @@
 namespace vo {
 namespace {
 
-constexpr int kReach = 2;  // px along the chain to either side
+constexpr int kMaxReach = 5;  // px along the chain to either side
 
 /// Neighbours along the edge of which something is known.
 struct ChainNeighbours {
-  std::array<std::size_t, 2 * kReach> indices{};
+  std::array<std::size_t, 2 * kMaxReach> indices{};
   std::size_t count = 0;
 };
 
-ChainNeighbours neighbours_of(const Hypotheses& hypotheses, std::size_t i) {
+ChainNeighbours neighbours_of(const Hypotheses& hypotheses, std::size_t i, int reach) {
   ChainNeighbours neighbours;
   for (const std::vector<int>* link : {&hypotheses.previous, &hypotheses.next}) {
     int at = (*link)[i];
-    for (int step = 0; step < kReach && at >= 0 && at != static_cast<int>(i); ++step) {
+    for (int step = 0; step < reach && at >= 0 && at != static_cast<int>(i); ++step) {
       const auto index = static_cast<std::size_t>(at);
-      if (hypotheses.knowledge[index] != Knowledge::none) {
+      if (hypotheses.is_trusted(index)) {
         neighbours.indices[neighbours.count++] = index;
       }
       at = (*link)[index];
@@ -38,10 +38,61 @@ bool agree(const Hypotheses& hypotheses, std::size_t i, std::size_t j, float sig
          sigmas * sigmas * (hypotheses.variance[i] + hypotheses.variance[j]);
 }
 
+/// Weighted sums of a line's fit: of inverse depths over distances along the edge.
+struct LineSums {
+  float weight = 0;
+  float distance = 0;
+  float distance2 = 0;
+  float difference = 0;
+  float product = 0;
+
+  void add(float w, float t, float d) {
+    weight += w;
+    distance += w * t;
+    distance2 += w * t * t;
+    difference += w * d;
+    product += w * t * d;
+  }
+};
+
+/// The image of a straight edge has inverse depths that change linearly along it: a line is fitted
+/// through the neighbours that agree and taken at the hypothesis itself. A steep one is unlikely
+/// beforehand. Errors of neighbours are alike, by aliasing, so not all of them averages away.
+void smooth_along_chain(std::size_t i, Hypotheses& hypotheses) {
+  constexpr float kSlope = 0.004F;  // relative per px, standard deviation
+  constexpr float kAgree = 3;       // standard deviations
+  constexpr float kAlike = 0.4F;    // share of the variance
+  const float d = hypotheses.inverse_depth[i];
+  const float variance = hypotheses.variance[i];
+  const float slope_variance = kSlope * kSlope * d * d;
+  const cv::Vec2f& across = hypotheses.across[i];
+  LineSums sums{.weight = 1 / variance, .distance2 = 1 / slope_variance};
+  const ChainNeighbours neighbours = neighbours_of(hypotheses, i, kMaxReach);
+  for (std::size_t n = 0; n < neighbours.count; ++n) {
+    const std::size_t j = neighbours.indices[n];
+    const cv::Point away = hypotheses.pixel[j] - hypotheses.pixel[i];
+    const float t = static_cast<float>(away.y) * across[0] - static_cast<float>(away.x) * across[1];
+    const float difference = hypotheses.inverse_depth[j] - d;
+    const float expected = variance + hypotheses.variance[j] + slope_variance * t * t;
+    if (difference * difference <= kAgree * kAgree * expected) {
+      sums.add(1 / hypotheses.variance[j], t, difference);
+    }
+  }
+  const float determinant = sums.distance2 * sums.weight - sums.distance * sums.distance;
+  const float fitted =
+      d + (sums.distance2 * sums.difference - sums.distance * sums.product) / determinant;
+  if (!(fitted > 0)) {
+    return;
+  }
+  hypotheses.smoothed[i] = fitted;
+  hypotheses.smoothed_variance[i] = kAlike * variance + (1 - kAlike) * sums.distance2 / determinant;
+}
+
 bool is_lonely(const Hypotheses& hypotheses, std::size_t i) {
   constexpr std::size_t kWitnesses = 3;
   constexpr float kFar = 0.05F;  // relative
-  const ChainNeighbours neighbours = neighbours_of(hypotheses, i);
+  constexpr int kReach = 2;      // px
+  const ChainNeighbours neighbours = neighbours_of(hypotheses, i, kReach);
   if (neighbours.count < kWitnesses) {
     return false;
   }
@@ -86,21 +137,12 @@ float mean_around(const Hypotheses& hypotheses, cv::Point pixel, double confiden
 }  // namespace
 
 void smooth_along_chains(Hypotheses& hypotheses) {
+  hypotheses.smoothed = hypotheses.inverse_depth;
+  hypotheses.smoothed_variance = hypotheses.variance;
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
-    float weight = 1 / hypotheses.variance[i];
-    float sum = weight * hypotheses.inverse_depth[i];
     if (hypotheses.knowledge[i] != Knowledge::none) {
-      const ChainNeighbours neighbours = neighbours_of(hypotheses, i);
-      for (std::size_t n = 0; n < neighbours.count; ++n) {
-        const std::size_t j = neighbours.indices[n];
-        if (agree(hypotheses, i, j, 2)) {
-          const float share = 1 / hypotheses.variance[j];
-          weight += share;
-          sum += share * hypotheses.inverse_depth[j];
-        }
-      }
+      smooth_along_chain(i, hypotheses);
     }
-    hypotheses.smoothed[i] = sum / weight;
   }
 }
 

@@ -5,9 +5,9 @@
 
 namespace vo {
 
-/// Smooths inverse depths along the edges: the mean of those neighbours within two pixels along
-/// the chain that agree within two standard deviations, weighted by inverse variance. The filters'
-/// own states stay as they are, so nothing is counted twice.
+/// Smooths inverse depths along the edges: a line fitted through those neighbours within five
+/// pixels along the chain that agree, weighted by inverse variance. The filters' own states stay
+/// as they are, so nothing is counted twice.
 void smooth_along_chains(Hypotheses& hypotheses);
 
 /// Forgets hypotheses that disagree with neighbours that agree among themselves; how many.

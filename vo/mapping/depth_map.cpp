@@ -63,6 +63,7 @@ void DepthMap::loosen(double relative_sigma) {
   for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
     const float sigma = static_cast<float>(relative_sigma) * hypotheses_.inverse_depth[i];
     hypotheses_.variance[i] = std::max(hypotheses_.variance[i], sigma * sigma);
+    hypotheses_.smoothed_variance[i] = hypotheses_.variance[i];
   }
 }
 
@@ -118,11 +119,11 @@ SearchTarget DepthMap::target(std::size_t i) const {
 
 void DepthMap::count_and_fuse(const Observation& observation, std::size_t i, float guess,
                               ObservationCounts& counts) {
-  const float difference = observation.inverse_depth - hypotheses_.inverse_depth[i];
+  const Innovation step = innovation(observation, i, hypotheses_);
   const auto gate = static_cast<float>(options_.gate_sigmas * options_.gate_sigmas);
-  const bool consistent =
-      hypotheses_.knowledge[i] == Knowledge::none || options_.fusion == Fusion::gaussian_beta ||
-      difference * difference <= gate * (hypotheses_.variance[i] + observation.variance);
+  const bool consistent = hypotheses_.knowledge[i] == Knowledge::none ||
+                          options_.fusion == Fusion::gaussian_beta ||
+                          step.difference * step.difference <= gate * step.variance;
   if (consistent) {
     ++counts.found;
     fuse(observation, options_, i, hypotheses_);
@@ -169,6 +170,7 @@ ObservationCounts DepthMap::observe(const FramePyramid& current, const FrameRela
 void DepthMap::regularise() {
   if (options_.regularise == Regularisation::none) {
     hypotheses_.smoothed = hypotheses_.inverse_depth;
+    hypotheses_.smoothed_variance = hypotheses_.variance;
     return;
   }
   const float guess = median_inverse_depth(hypotheses_, static_cast<float>(2 / options_.max_depth));
@@ -195,10 +197,7 @@ EdgePoints DepthMap::points(const EdgePointOptions& options, Guesses guesses) co
 std::size_t DepthMap::confident() const {
   std::size_t count = 0;
   for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
-    count += hypotheses_.knowledge[i] != Knowledge::none &&
-                     hypotheses_.relative_sigma(i) <= options_.confident_sigma
-                 ? 1
-                 : 0;
+    count += hypotheses_.is_confident(i, options_.confident_sigma) ? 1 : 0;
   }
   return count;
 }

@@ -14,7 +14,7 @@ void EpipolarOptions::validate() const {
           max_scale_change);
   require(max_residual > 0, "epipolar.max_residual: expected above 0, got ", max_residual);
   require(ambiguity >= 1, "epipolar.ambiguity: expected at least 1, got ", ambiguity);
-  require(sigma_line_px >= 0 && sigma_match_px > 0 && sigma_grey >= 0,
+  require(sigma_offset_px >= 0 && sigma_line_px >= 0 && sigma_match_px > 0 && sigma_grey >= 0,
           "epipolar: expected sigma_match_px above 0 and the other sigmas at least 0");
 }
 

@@ -48,9 +48,10 @@ struct EpipolarOptions {
   double max_scale_change = 1.5;  ///< of the neighbourhood from frame to frame, either way
   double max_residual = 16;       ///< grey levels, RMS of five samples; more is no match
   double ambiguity = 1.5;         ///< second best over best squared difference, on longer lines
-  double sigma_line_px = 0.15;    ///< of the line's position across itself
-  double sigma_match_px = 0.14;   ///< of the match along the line
-  double sigma_grey = 4;          ///< grey levels, of an intensity
+  double sigma_offset_px = 0.15;  ///< of the edge in the anchor, the same for all frames
+  double sigma_line_px = 0.11;    ///< of the line's position across itself
+  double sigma_match_px = 0.11;   ///< of the match along the line
+  double sigma_grey = 2;          ///< grey levels, of an intensity
 
   void validate() const;  ///< throws Error
 };
@@ -65,6 +66,8 @@ void visit_fields(Visitor& visit, EpipolarOptions& options) {
   visit("max_scale_change", options.max_scale_change, "of the neighbourhood between the images");
   visit("max_residual", options.max_residual, "RMS of five samples, grey levels");
   visit("ambiguity", options.ambiguity, "second best over best squared difference");
+  visit("sigma_offset_px", options.sigma_offset_px,
+        "of the edge in the anchor, alike in all frames, px");
   visit("sigma_line_px", options.sigma_line_px, "of the line across itself, px");
   visit("sigma_match_px", options.sigma_match_px, "of the match along the line, px");
   visit("sigma_grey", options.sigma_grey, "of an intensity, grey levels");
@@ -93,7 +96,7 @@ struct DepthMapOptions {
   int max_hypotheses = 8000;         ///< per anchor, spread evenly; 0 is no limit
   double min_depth = 0.25;           ///< m, where nothing is known yet
   double max_depth = 20;             ///< m
-  double gate_sigmas = 2;            ///< an observation farther off is refused
+  double gate_sigmas = 3;            ///< an observation farther off is refused
   double min_sigma = 0.001;          ///< of an inverse depth, relative: what no averaging removes
   double propagation_sigma = 0.002;  ///< relative, added when the anchor changes
   double confident_sigma = 0.1;      ///< relative; a hypothesis below it is used for tracking

@@ -60,6 +60,12 @@ struct EpipolarSearch::Line {
   std::array<float, kSampled> anchor{};  ///< intensities as the current image should show them
 };
 
+/// What the comparison at the best place says.
+struct EpipolarSearch::Fit {
+  float information = 0;  ///< sum of squared slopes, per px^2
+  float squares = 0;      ///< sum of squared differences
+};
+
 float epipolar_cos2(const StereoPair& pair, cv::Point pixel, const cv::Vec2f& gradient) {
   const Eigen::Vector2f ray = ray_of(pair.anchor, pixel);
   const Eigen::Vector2f line = image_ray(pair.anchor.camera, ray).J * line_direction(pair, ray);
@@ -196,8 +202,8 @@ SearchOutcome EpipolarSearch::coarse_match(const Line& line, float& s) {
 }
 
 /// Gauss-Newton on s with the mean of both images' slopes; false where it leaves the interval or
-/// the images disagree there. The information is the sum of squared slopes, per px^2.
-bool EpipolarSearch::refine(const Line& line, float& s, float& information) const {
+/// the images disagree there.
+bool EpipolarSearch::refine(const Line& line, float& s, Fit& fit) const {
   constexpr int kMaxIterations = 4;
   constexpr float kMaxStep = 0.5F;
   constexpr float kConverged = 0.01F;
@@ -209,7 +215,6 @@ bool EpipolarSearch::refine(const Line& line, float& s, float& information) cons
           : image_ray(pair_.current.camera, line.q + start * line.dq_ds),
       line.dq_ds, start);
   const float reach = static_cast<float>(kReach + 1) * line.step;
-  float squares = 0;
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     if (!pixels.can_be_sampled(pair_.current.intensity, s - reach, s + reach)) {
       return false;
@@ -220,21 +225,20 @@ bool EpipolarSearch::refine(const Line& line, float& s, float& information) cons
       current[k] = sample_bilinear(pair_.current.intensity, pixels.at(s + offset));
     }
     float right = 0;
-    information = 0;
-    squares = 0;
+    fit = {};
     for (std::size_t k = 1; k + 1 < kSampled; ++k) {
       const float slope =
           0.25F / line.step *
           ((current[k + 1] - current[k - 1]) + (line.anchor[k + 1] - line.anchor[k - 1]));
       const float residual = current[k] - line.anchor[k];
-      information += slope * slope;
+      fit.information += slope * slope;
       right += slope * residual;
-      squares += residual * residual;
+      fit.squares += residual * residual;
     }
-    if (!(information > 0)) {
+    if (!(fit.information > 0)) {
       return false;
     }
-    const float step = std::clamp(-right / information, -kMaxStep, kMaxStep);
+    const float step = std::clamp(-right / fit.information, -kMaxStep, kMaxStep);
     s += step;
     if (std::abs(step) < kConverged) {
       break;
@@ -242,7 +246,7 @@ bool EpipolarSearch::refine(const Line& line, float& s, float& information) cons
   }
   const float limit = static_cast<float>(options_.max_residual) * kGreyLevel;
   constexpr float kMisplaced2 = 0.1F;  // px^2; interpolation errs by as much on a strong edge
-  return squares <= kCompared * limit * limit + kMisplaced2 * information &&
+  return fit.squares <= kCompared * limit * limit + kMisplaced2 * fit.information &&
          std::abs(s - start) <= 1.5F * std::max(line.step, 1.0F);
 }
 
@@ -263,7 +267,7 @@ float EpipolarSearch::pose_variance(const Line& line, const Eigen::Vector3f& P,
   return by_pose.dot(pair_.covariance * by_pose);
 }
 
-float EpipolarSearch::variance_of(const Line& line, float inverse_depth, float information) const {
+Observation EpipolarSearch::found(const Line& line, float inverse_depth, const Fit& fit) const {
   const Eigen::Vector3f P = line.R_ray + inverse_depth * pair_.t_cur_anchor;
   const Eigen::Vector3f& t = pair_.t_cur_anchor;
   const Eigen::Vector2f dq_dd = (t.head<2>() * P.z() - P.head<2>() * t.z()) / (P.z() * P.z());
@@ -272,9 +276,13 @@ float EpipolarSearch::variance_of(const Line& line, float inverse_depth, float i
   const auto sigma_match = static_cast<float>(options_.sigma_match_px);
   const auto sigma_grey = static_cast<float>(options_.sigma_grey) * kGreyLevel;
   const float across = sigma_line * sigma_line + pose_variance(line, P, inverse_depth);
-  const float variance_px = across / (line.cosine * line.cosine) +
-                            2 * sigma_grey * sigma_grey / information + sigma_match * sigma_match;
-  return variance_px / (px_per_inverse_depth * px_per_inverse_depth);
+  const float noise = 0.5F * (2 * sigma_grey * sigma_grey + fit.squares / (kCompared - 1));
+  const float variance_px =
+      across / (line.cosine * line.cosine) + noise / fit.information + sigma_match * sigma_match;
+  const auto offset_px = static_cast<float>(options_.sigma_offset_px) * line.step / line.cosine;
+  return {SearchOutcome::found, inverse_depth,
+          variance_px / (px_per_inverse_depth * px_per_inverse_depth),
+          offset_px / px_per_inverse_depth};
 }
 
 Observation EpipolarSearch::observe(const SearchTarget& target) {
@@ -290,8 +298,8 @@ Observation EpipolarSearch::observe(const SearchTarget& target) {
   if (outcome != SearchOutcome::found) {
     return {outcome};
   }
-  float information = 0;
-  if (!refine(line, s, information)) {
+  Fit fit;
+  if (!refine(line, s, fit)) {
     return {SearchOutcome::no_match};
   }
   const Eigen::Vector2f q = line.q + s * line.dq_ds;
@@ -302,7 +310,7 @@ Observation EpipolarSearch::observe(const SearchTarget& target) {
   if (!(inverse_depth > 0)) {
     return {SearchOutcome::no_match};
   }
-  return {SearchOutcome::found, inverse_depth, variance_of(line, inverse_depth, information)};
+  return found(line, inverse_depth, fit);
 }
 
 }  // namespace vo

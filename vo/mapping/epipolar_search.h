@@ -39,7 +39,8 @@ struct SearchTarget {
 struct Observation {
   SearchOutcome outcome = SearchOutcome::unobservable;
   float inverse_depth = 0;  ///< 1/m
-  float variance = 0;       ///< 1/m^2
+  float variance = 0;       ///< 1/m^2, of what differs from frame to frame
+  float offset_slope = 0;   ///< 1/m, error from one standard deviation of the anchor's edge offset
 };
 
 /// Squared cosine of the angle between an edge pixel's gradient and its epipolar line in the
@@ -50,10 +51,12 @@ float epipolar_cos2(const StereoPair& pair, cv::Point pixel, const cv::Vec2f& gr
 /// anchor pixel apart along the line, the least sum of squared differences, and Gauss-Newton on the
 /// position along the line. The variance is
 ///
-///   alpha^2 ((s_line^2 + s_pose^2) / cos^2 + 2 s_grey^2 / sum dI^2 + s_match^2)
+///   alpha^2 ((s_line^2 + s_pose^2) / cos^2 + s_I^2 / sum dI^2 + s_match^2)
 ///
 /// with alpha the inverse depth per px (Engel, Sturm, Cremers, "Semi-Dense Visual Odometry for a
-/// Monocular Camera", ICCV 2013, Eq. 4 to 9) and s_pose the pose's uncertainty across the edge.
+/// Monocular Camera", ICCV 2013, Eq. 4 to 9), s_pose the pose's uncertainty across the edge and
+/// s_I^2 the squared difference of the images: 2 s_grey^2 and what the samples say, by halves.
+/// Beside it the edge's offset in the anchor moves the match by s_offset / cos.
 class EpipolarSearch {
  public:
   /// The pair must outlive the search.
@@ -64,13 +67,14 @@ class EpipolarSearch {
 
  private:
   struct Line;
+  struct Fit;
   bool make_line(const SearchTarget& target, Line& line) const;
   bool sample_anchor(const SearchTarget& target, Line& line) const;
   void sample_line(const Line& line);
   SearchOutcome coarse_match(const Line& line, float& s);
-  bool refine(const Line& line, float& s, float& information) const;
+  bool refine(const Line& line, float& s, Fit& fit) const;
   float pose_variance(const Line& line, const Eigen::Vector3f& P, float inverse_depth) const;
-  float variance_of(const Line& line, float inverse_depth, float information) const;
+  Observation found(const Line& line, float inverse_depth, const Fit& fit) const;
 
   const StereoPair& pair_;
   const EpipolarOptions& options_;

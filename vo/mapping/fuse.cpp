@@ -9,6 +9,7 @@ namespace {
 
 constexpr float kMaxInliers = 5;        // more successes do not outweigh more failures
 constexpr float kFailureGrowth = 1.1F;  // of the variance
+constexpr float kLeastShare = 0.3F;     // of an inverse depth is left by one update
 constexpr double kBetaPrior = 10;       // a and b before the first measurement
 constexpr double kMinInlierShare = 0.4;
 
@@ -17,22 +18,34 @@ float least_variance(float inverse_depth, const DepthMapOptions& options) {
   return sigma * sigma;
 }
 
+/// Kalman's update of inverse depth and offset: the observation is d + k offset.
 void fuse_gaussian(const Observation& observation, const DepthMapOptions& options, std::size_t i,
                    Hypotheses& hypotheses) {
-  const float prior = hypotheses.variance[i];
-  const float sum = prior + observation.variance;
-  const float difference = observation.inverse_depth - hypotheses.inverse_depth[i];
-  hypotheses.inverse_depth[i] += prior / sum * difference;
-  hypotheses.variance[i] = std::max(prior * observation.variance / sum,
-                                    least_variance(hypotheses.inverse_depth[i], options));
+  const Innovation step = innovation(observation, i, hypotheses);
+  const float k = observation.offset_slope;
+  const float depth_share = hypotheses.variance[i] + k * hypotheses.offset_covariance[i];
+  const float offset_share = hypotheses.offset_covariance[i] + k * hypotheses.offset_variance[i];
+  hypotheses.inverse_depth[i] =
+      std::max(hypotheses.inverse_depth[i] + depth_share / step.variance * step.difference,
+               kLeastShare * hypotheses.inverse_depth[i]);
+  hypotheses.offset[i] += offset_share / step.variance * step.difference;
+  hypotheses.variance[i] =
+      std::max(hypotheses.variance[i] - depth_share * depth_share / step.variance,
+               least_variance(hypotheses.inverse_depth[i], options));
+  hypotheses.offset_covariance[i] -= depth_share * offset_share / step.variance;
+  hypotheses.offset_variance[i] =
+      std::max(hypotheses.offset_variance[i] - offset_share * offset_share / step.variance, 0.0F);
 }
 
+/// This filter has no second state: the offset counts as noise.
 void fuse_beta(const Observation& observation, const DepthMapOptions& options, std::size_t i,
                Hypotheses& hypotheses) {
   const BetaFilter filter =
       updated({hypotheses.inverse_depth[i], hypotheses.variance[i],
                kBetaPrior + hypotheses.inliers[i], kBetaPrior + hypotheses.outliers[i]},
-              observation.inverse_depth, observation.variance, 1 / options.min_depth);
+              observation.inverse_depth,
+              observation.variance + observation.offset_slope * observation.offset_slope,
+              1 / options.min_depth);
   hypotheses.inverse_depth[i] = static_cast<float>(filter.mean);
   hypotheses.variance[i] = std::max(static_cast<float>(filter.variance),
                                     least_variance(hypotheses.inverse_depth[i], options));
@@ -76,10 +89,20 @@ BetaFilter updated(const BetaFilter& prior, double x, double tau2, double range)
   return posterior;
 }
 
+Innovation innovation(const Observation& observation, std::size_t i, const Hypotheses& hypotheses) {
+  const float k = observation.offset_slope;
+  return {observation.inverse_depth - hypotheses.inverse_depth[i] - k * hypotheses.offset[i],
+          hypotheses.variance[i] + 2 * k * hypotheses.offset_covariance[i] +
+              k * k * hypotheses.offset_variance[i] + observation.variance};
+}
+
 void fuse(const Observation& observation, const DepthMapOptions& options, std::size_t i,
           Hypotheses& hypotheses) {
   if (hypotheses.knowledge[i] == Knowledge::none) {
-    hypotheses.set(i, observation.inverse_depth, observation.variance);
+    const float k = observation.offset_slope;
+    hypotheses.set(i, observation.inverse_depth, observation.variance + k * k);
+    hypotheses.offset_covariance[i] = -k;
+    hypotheses.knowledge[i] = Knowledge::tentative;
     hypotheses.inliers[i] = 1;
     return;
   }
@@ -97,7 +120,8 @@ void count_failure(const DepthMapOptions& options, float guess, std::size_t i,
                    Hypotheses& hypotheses) {
   hypotheses.outliers[i] += 1;
   hypotheses.variance[i] *= kFailureGrowth;
-  if (is_hopeless(options, hypotheses.inliers[i], hypotheses.outliers[i])) {
+  if (hypotheses.knowledge[i] == Knowledge::tentative ||
+      is_hopeless(options, hypotheses.inliers[i], hypotheses.outliers[i])) {
     hypotheses.forget(i, guess);
   }
 }

@@ -6,13 +6,21 @@
 
 namespace vo {
 
-/// Takes a successful observation into hypothesis i. The first of a guess replaces it; later ones
-/// are fused, or count as failures where they are too far off.
+/// How far an observation is from what hypothesis i expects.
+struct Innovation {
+  float difference = 0;  ///< 1/m
+  float variance = 0;    ///< 1/m^2
+};
+
+Innovation innovation(const Observation& observation, std::size_t i, const Hypotheses& hypotheses);
+
+/// Takes a successful observation into hypothesis i. The first of a guess replaces it, later ones
+/// are fused.
 void fuse(const Observation& observation, const DepthMapOptions& options, std::size_t i,
           Hypotheses& hypotheses);
 
-/// Counts a failed observation of hypothesis i. One that fails too often is forgotten: a guess of
-/// the given inverse depth, 1/m, takes its place.
+/// Counts a failed observation of hypothesis i. One that fails too often, or is not confirmed, is
+/// forgotten: a guess of the given inverse depth, 1/m, takes its place.
 void count_failure(const DepthMapOptions& options, float guess, std::size_t i,
                    Hypotheses& hypotheses);
 

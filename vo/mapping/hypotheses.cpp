@@ -53,7 +53,11 @@ void add_hypothesis(const PyramidLevel& level, cv::Point pixel, float guess,
   hypotheses.knowledge.push_back(Knowledge::none);
   hypotheses.inverse_depth.push_back(guess);
   hypotheses.smoothed.push_back(guess);
+  hypotheses.smoothed_variance.push_back(guess * guess);
   hypotheses.variance.push_back(guess * guess);
+  hypotheses.offset.push_back(0);
+  hypotheses.offset_variance.push_back(1);
+  hypotheses.offset_covariance.push_back(0);
   hypotheses.inliers.push_back(0);
   hypotheses.outliers.push_back(0);
 }
@@ -89,7 +93,15 @@ int neighbour_along(const Hypotheses& hypotheses, std::size_t i, float side) {
 }  // namespace
 
 float Hypotheses::relative_sigma(std::size_t i) const {
-  return std::sqrt(variance[i]) / inverse_depth[i];
+  return std::sqrt(smoothed_variance[i]) / smoothed[i];
+}
+
+bool Hypotheses::is_trusted(std::size_t i) const {
+  return knowledge[i] == Knowledge::filled || knowledge[i] == Knowledge::known;
+}
+
+bool Hypotheses::is_confident(std::size_t i, double max_relative_sigma) const {
+  return is_trusted(i) && relative_sigma(i) <= max_relative_sigma;
 }
 
 cv::Vec2f Hypotheses::edge_position(std::size_t i) const {
@@ -101,7 +113,11 @@ void Hypotheses::set(std::size_t i, float new_inverse_depth, float new_variance)
   knowledge[i] = Knowledge::known;
   inverse_depth[i] = new_inverse_depth;
   smoothed[i] = new_inverse_depth;
+  smoothed_variance[i] = new_variance;
   variance[i] = new_variance;
+  offset[i] = 0;
+  offset_variance[i] = 1;
+  offset_covariance[i] = 0;
   inliers[i] = 0;
   outliers[i] = 0;
 }

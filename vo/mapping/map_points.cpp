@@ -18,9 +18,10 @@ std::vector<SparseDepth> finest_depths(const Hypotheses& hypotheses, double max_
                                        Guesses guesses) {
   std::vector<SparseDepth> depths;
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
-    const bool is_guess = hypotheses.knowledge[i] == Knowledge::none;
-    if (is_guess ? guesses == Guesses::included : hypotheses.relative_sigma(i) <= max_sigma) {
-      depths.push_back({hypotheses.pixel[i], hypotheses.smoothed[i], hypotheses.variance[i]});
+    const bool is_guess = !hypotheses.is_trusted(i);
+    if (is_guess ? guesses == Guesses::included : hypotheses.is_confident(i, max_sigma)) {
+      depths.push_back(
+          {hypotheses.pixel[i], hypotheses.smoothed[i], hypotheses.smoothed_variance[i]});
     }
   }
   return depths;

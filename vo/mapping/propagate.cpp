@@ -116,6 +116,8 @@ void settle(const Hypotheses& from, std::size_t i, const MovedDepth& moved, std:
   next.inverse_depth[j] += next.variance[j] / sum * difference;
   next.smoothed[j] = next.inverse_depth[j];
   next.variance[j] = std::max(moved.variance * next.variance[j] / sum, least);
+  next.smoothed_variance[j] = next.variance[j];
+  next.knowledge[j] = std::max(next.knowledge[j], from.knowledge[i]);
   next.inliers[j] = std::max(next.inliers[j], from.inliers[i]);
   next.outliers[j] = std::min(next.outliers[j], from.outliers[i]);
 }

@@ -1,8 +1,10 @@
 #include "vo/mapping/fuse.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include "tests/vo/mapping/plane_map.h"
@@ -23,12 +25,55 @@ TEST(Fuse, IsTheProductOfTwoNormalDistributions) {
   EXPECT_NEAR(hypotheses.variance[0], 1 / (1 / 0.01 + 1 / 0.02), 1e-7);
 }
 
-TEST(Fuse, AFirstObservationReplacesAGuess) {
+TEST(Fuse, AFirstObservationReplacesAGuessUntilItIsConfirmed) {
   vo::Hypotheses hypotheses = one_hypothesis();
-  vo::fuse({vo::SearchOutcome::found, 0.8F, 0.02F}, {}, 0, hypotheses);
-  EXPECT_EQ(hypotheses.knowledge[0], vo::Knowledge::known);
+  vo::fuse({vo::SearchOutcome::found, 0.8F, 0.02F, 0.1F}, {}, 0, hypotheses);
+  EXPECT_EQ(hypotheses.knowledge[0], vo::Knowledge::tentative);
   EXPECT_FLOAT_EQ(hypotheses.inverse_depth[0], 0.8F);
-  EXPECT_FLOAT_EQ(hypotheses.variance[0], 0.02F);
+  EXPECT_FLOAT_EQ(hypotheses.variance[0], 0.02F + 0.1F * 0.1F);
+  EXPECT_FALSE(hypotheses.is_confident(0, 10));
+  vo::Hypotheses refuted = hypotheses;
+  vo::count_failure({}, 0.3F, 0, refuted);
+  EXPECT_EQ(refuted.knowledge[0], vo::Knowledge::none);
+  vo::fuse({vo::SearchOutcome::found, 0.8F, 0.02F, 0.1F}, {}, 0, hypotheses);
+  EXPECT_EQ(hypotheses.knowledge[0], vo::Knowledge::known);
+  EXPECT_TRUE(hypotheses.is_confident(0, 10));
+}
+
+/// Five observations d + k o + noise, o the anchor's offset: the weighted least-squares solution of
+/// all at once, with o of variance 1 around 0 beforehand.
+TEST(Fuse, OneByOneIsLeastSquaresOfDepthAndOffset) {
+  const std::array<vo::Observation, 5> seen = {
+      vo::Observation{vo::SearchOutcome::found, 0.60F, 0.004F, 0.10F},
+      {vo::SearchOutcome::found, 0.58F, 0.003F, -0.05F},
+      {vo::SearchOutcome::found, 0.55F, 0.002F, 0.04F},
+      {vo::SearchOutcome::found, 0.54F, 0.001F, 0.02F},
+      {vo::SearchOutcome::found, 0.53F, 0.001F, 0.01F}};
+  vo::Hypotheses hypotheses = one_hypothesis();
+  Eigen::Matrix2d H = Eigen::Vector2d(0, 1).asDiagonal();
+  Eigen::Vector2d b = Eigen::Vector2d::Zero();
+  for (const vo::Observation& observation : seen) {
+    vo::fuse(observation, {}, 0, hypotheses);
+    const Eigen::Vector2d J(1, observation.offset_slope);
+    H += J * J.transpose() / observation.variance;
+    b += J * observation.inverse_depth / observation.variance;
+  }
+  const Eigen::Matrix2d covariance = H.inverse();
+  const Eigen::Vector2d solution = covariance * b;
+  EXPECT_NEAR(hypotheses.inverse_depth[0], solution.x(), 1e-5);
+  EXPECT_NEAR(hypotheses.offset[0], solution.y(), 1e-4);
+  EXPECT_NEAR(hypotheses.variance[0], covariance(0, 0), 1e-7);
+  EXPECT_NEAR(hypotheses.offset_covariance[0], covariance(0, 1), 1e-6);
+  EXPECT_NEAR(hypotheses.offset_variance[0], covariance(1, 1), 1e-5);
+}
+
+/// A camera that stands still after a step sees the anchor's error again and again.
+TEST(Fuse, WhatIsAlikeInAllFramesDoesNotAverageAway) {
+  vo::Hypotheses hypotheses = one_hypothesis();
+  for (int frame = 0; frame < 1000; ++frame) {
+    vo::fuse({vo::SearchOutcome::found, 0.8F, 0.001F, 0.05F}, {}, 0, hypotheses);
+  }
+  EXPECT_NEAR(hypotheses.variance[0], 0.05 * 0.05 + 0.001 / 1000, 1e-5);
 }
 
 TEST(Fuse, ThreeNetFailuresForget) {
