@@ -63,6 +63,9 @@ void basin(BasinArguments& arguments) {
                                   arguments.lab.common.max_threads());
   arguments.lab.complete();
   const Scenario scenario = load_scenario(arguments.scenario, arguments.lab.changes());
+  vo::require(scenario.odometry.mode == OdometryMode::rgbd, arguments.scenario,
+              ": odometry.mode is \"", vo::to_string(scenario.odometry.mode),
+              "\", expected \"rgbd\": `edvo basin` aligns points of depth images");
   arguments.settings.tracker = scenario.odometry.tracker;
   arguments.settings.jobs = arguments.lab.run.jobs;
   check_usage([&] { arguments.settings.validate(); });
