@@ -310,6 +310,24 @@ TEST_F(LabProgram, ABasinIsDeepAtTheTruth) {
   EXPECT_THAT(read("basin/basin.svg"), HasSubstr("median error, mm"));
 }
 
+TEST_F(LabProgram, ABasinOfAMonocularScenarioIsRefused) {
+  const ProgramResult result = run_program("basin " + path("scenarios/good.toml") +
+                                           " --quiet --set odometry.mode=mono --cache " +
+                                           path("cache") + " --out " + path("basin"));
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("odometry.mode is \"mono\", expected \"rgbd\""));
+  EXPECT_FALSE(std::filesystem::exists(path("basin")));
+}
+
+TEST_F(LabProgram, ASweepKeepsListsTogetherAndTellsMedians) {
+  const ProgramResult result = run_program(
+      "sweep " + path("scenarios/good.toml") + " --quiet --cache " + path("cache") +
+      " --seeds 2 --set 'sensor.noise.read_noise=[0,0,0],[15,15,15]' --out " + path("noise"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(rows_of(read("noise/sweep.csv")).size(), 3U);
+  EXPECT_THAT(read("noise/sweep.md"), HasSubstr("Medians read_noise=[15,15,15]; ate_mm "));
+}
+
 TEST_F(LabProgram, ASweepHasARowPerCombination) {
   const std::string arguments = "sweep " + path("scenarios/good.toml") + " --quiet --cache " +
                                 path("cache") + " --out " + path("sweep");
@@ -321,6 +339,7 @@ TEST_F(LabProgram, ASweepHasARowPerCombination) {
   ASSERT_EQ(rows.size(), 5U);
   EXPECT_EQ(rows[2][1] + rows[2][2], "paper3");
   EXPECT_NE(rows[1][3], rows[3][3]) << "another tracker has another error";
+  EXPECT_THAT(read("sweep/sweep.md"), testing::Not(HasSubstr("Medians")));
   EXPECT_EQ(run_program(arguments + " --set odometry.prest=paper").exit_code, 2);
   EXPECT_EQ(run_program(arguments + " --set odometry.preset=best").exit_code, 2);
 }

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -22,29 +21,42 @@ namespace {
 constexpr const char* kHelp =
     "Measures scenarios with every combination of the values of any of their options. Writes\n"
     "DIR/sweep.csv, .svg (against the values of the first option) and .md. Keys are those of\n"
-    "scenario files; a value with commas in it cannot be swept.";
+    "scenario files; commas in brackets belong to a value. More than one trial of a combination:\n"
+    "sweep.md also has the medians over all scenarios and seeds.";
 
 constexpr const char* kExamples =
     "Examples:\n"
     "  edvo sweep scenarios/room_tour.toml --set odometry.tracker.pyramid.levels=2,3,4 --out "
     "sweep\n"
     "  edvo sweep scenarios/a.toml scenarios/b.toml --set path.rate=10,15,30 \\\n"
-    "       --set odometry.preset=paper,default --seeds 3 --out sweep";
+    "       --set odometry.preset=paper,default --seeds 3 --out sweep\n"
+    "  edvo sweep scenarios/a.toml --set 'sensor.noise.read_noise=[0,0,0],[15,15,15]' --out sweep";
 
 struct SweepArguments {
   LaboratoryArguments lab;
   std::vector<std::string> scenarios;
 };
 
+/// Commas within brackets do not separate.
+std::vector<std::string> split_values(const std::string& list) {
+  std::vector<std::string> values(list.empty() ? 0 : 1);
+  int depth = 0;
+  for (const char c : list) {
+    depth += c == '[' ? 1 : (c == ']' ? -1 : 0);
+    if (c == ',' && depth == 0) {
+      values.emplace_back();
+    } else {
+      values.back() += c;
+    }
+  }
+  return values;
+}
+
 std::vector<SweptOption> swept_options(const std::vector<std::string>& assignments) {
   std::vector<SweptOption> options;
   for (const std::string& assignment : assignments) {
     const auto [key, list] = split_assignment(assignment);
-    std::istringstream values(list);
-    options.push_back({key, {}});
-    for (std::string value; std::getline(values, value, ',');) {
-      options.back().second.push_back(value);
-    }
+    options.push_back({key, split_values(list)});
     if (options.back().second.empty()) {
       vo::fail_as(vo::ErrorKind::usage, "--set ", assignment, ": expected key=value,value,...");
     }

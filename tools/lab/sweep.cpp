@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "tools/ablate/plot.h"
+#include "tools/ablate/statistics.h"
 #include "vo/core/error.h"
 
 namespace tools {
@@ -24,6 +28,16 @@ constexpr std::array<SweptMetric, 4> kMetrics{{{"ate_rmse_m", "ate_mm", 1000, 3}
                                                {"rpe_rotation_rmse_deg", "rpe_deg", 1, 4},
                                                {"tracked_fraction", "tracked_percent", 100, 1}}};
 
+/// Of modes mono and mapping.
+constexpr std::array<SweptMetric, 7> kMapMetrics{
+    {{"ate_percent", "ate_percent", 1, 3},
+     {"scale_error_percent", "scale_percent", 1, 3},
+     {"scale_drift_percent", "drift_percent_per_10m", 1, 2},
+     {"depth_error_percent", "depth_percent", 1, 3},
+     {"depth_outliers_percent", "outliers_percent", 1, 2},
+     {"depth_nees", "nees", 1, 2},
+     {"depth_density_fraction", "density_percent", 100, 1}}};
+
 /// One row: a scenario with certain values of the options.
 struct Combination {
   Assignments values;
@@ -34,6 +48,29 @@ struct Combination {
     return {swept.factor * plain.mean, swept.factor * plain.low, swept.factor * plain.high};
   }
 };
+
+/// The values that were measured, in the title's unit.
+std::vector<double> measured_values(const Combination& row, const SweptMetric& swept) {
+  std::vector<double> values;
+  for (const double value : values_of(row.result, swept.metric)) {
+    if (std::isfinite(value)) {
+      values.push_back(swept.factor * value);
+    }
+  }
+  return values;
+}
+
+/// Those of maps only where a map was measured.
+std::vector<SweptMetric> shown_metrics(const std::vector<Combination>& rows) {
+  std::vector<SweptMetric> shown(kMetrics.begin(), kMetrics.end());
+  std::copy_if(kMapMetrics.begin(), kMapMetrics.end(), std::back_inserter(shown),
+               [&](const SweptMetric& swept) {
+                 return std::any_of(rows.begin(), rows.end(), [&](const Combination& row) {
+                   return !measured_values(row, swept).empty();
+                 });
+               });
+  return shown;
+}
 
 /// All combinations, the last option's values changing fastest.
 std::vector<Assignments> combine(const std::vector<SweptOption>& options) {
@@ -78,11 +115,12 @@ std::string last_part(const std::string& key) {
 }
 
 Table make_table(const std::vector<Combination>& rows, const SweepSettings& settings) {
+  const std::vector<SweptMetric> metrics = shown_metrics(rows);
   Table table{.columns = {{"scenario"}}};
   for (const auto& [key, values] : settings.options) {
     table.columns.push_back({last_part(key)});
   }
-  for (const SweptMetric& swept : kMetrics) {
+  for (const SweptMetric& swept : metrics) {
     table.columns.push_back({swept.title, swept.decimals});
     if (settings.run.seeds > 1) {
       table.columns.push_back({std::string(swept.title) + "_ci95", swept.decimals});
@@ -93,7 +131,7 @@ Table make_table(const std::vector<Combination>& rows, const SweepSettings& sett
     for (const auto& [key, value] : row.values) {
       cells.emplace_back(value);
     }
-    for (const SweptMetric& swept : kMetrics) {
+    for (const SweptMetric& swept : metrics) {
       const Estimate estimate = row.estimate(swept);
       cells.emplace_back(estimate.mean);
       if (settings.run.seeds > 1) {
@@ -169,6 +207,33 @@ std::vector<std::string> problems_of(const std::vector<Combination>& rows) {
   return sentences;
 }
 
+/// The median over all scenarios and seeds that were run with the same values.
+std::vector<std::string> medians_of(const std::vector<Combination>& rows,
+                                    const SweepSettings& settings) {
+  std::vector<std::string> sentences;
+  for (const Assignments& values : combine(settings.options)) {
+    std::string sentence = "Medians";
+    for (const auto& [key, value] : values) {
+      sentence += vo::concat(" ", last_part(key), "=", value);
+    }
+    for (const SweptMetric& swept : shown_metrics(rows)) {
+      std::vector<double> trials;
+      for (const Combination& row : rows) {
+        if (row.values == values) {
+          const std::vector<double> more = measured_values(row, swept);
+          trials.insert(trials.end(), more.begin(), more.end());
+        }
+      }
+      if (!trials.empty()) {
+        sentence +=
+            vo::concat("; ", swept.title, " ", format_decimals(median(trials), swept.decimals));
+      }
+    }
+    sentences.push_back(sentence + ".");
+  }
+  return sentences;
+}
+
 }  // namespace
 
 StudyReport sweep(const std::vector<fs::path>& scenarios, const SweepSettings& settings,
@@ -182,13 +247,18 @@ StudyReport sweep(const std::vector<fs::path>& scenarios, const SweepSettings& s
   for (const SweptMetric& swept : {kMetrics[0], kMetrics[1], kMetrics[2]}) {
     panels.push_back(draw_panel(rows, settings.options.front(), swept));
   }
+  std::vector<std::string> findings = problems_of(rows);
+  if (scenarios.size() * static_cast<std::size_t>(settings.run.seeds) > 1) {
+    const std::vector<std::string> medians = medians_of(rows, settings);
+    findings.insert(findings.end(), medians.begin(), medians.end());
+  }
   return {.name = "sweep",
           .title = title,
           .method = vo::concat("Every combination of the options' values, ", settings.run.seeds,
                                settings.run.seeds == 1 ? " seed" : " seeds",
                                " each; ci95 is half the 95 % confidence interval of the mean."),
           .table = make_table(rows, settings),
-          .findings = problems_of(rows),
+          .findings = std::move(findings),
           .plot = draw_plot(title, panels),
           .more = {}};
 }
