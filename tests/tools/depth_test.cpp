@@ -7,6 +7,8 @@
 #include "tests/support/program.h"
 #include "tools/depth/depth_errors.h"
 #include "vo/io/npy.h"
+#include "vo/io/output.h"
+#include "vo/io/png.h"
 
 namespace {
 
@@ -27,7 +29,7 @@ TEST(DepthProgram, MapsASequenceAndJudgesIt) {
   EXPECT_EQ(summary.at("frames"), 20);
   EXPECT_NEAR(summary.at("scale").get<double>(), 1, 0.02);
   EXPECT_LT(summary.at("errors").at(0).at("median_percent").get<double>(), 4);
-  for (const char* name : {"depth.csv", "cloud.ply", "000000.png", "000010.png"}) {
+  for (const char* name : {"depth.csv", "course.svg", "cloud.ply", "000000.png", "000010.png"}) {
     EXPECT_TRUE(std::filesystem::exists(out / name)) << name;
   }
   EXPECT_FALSE(support::has_leftovers(folder.path()));
@@ -88,13 +90,55 @@ TEST(MapErrors, CountWhatWasPutIn) {
   const double outliers = in_columns(0, kStep - 1);
   const double count = outliers + in_columns(kStep + 1, camera.width);
   map.take_depth(wrong, 0.03);
-  const tools::MapErrors errors = tools::map_errors(map, truth, {});
+  const tools::MapErrors errors = tools::map_errors(map, {truth, {}}, {});
   EXPECT_EQ(static_cast<double>(errors.confident.count), count);
   EXPECT_NEAR(errors.confident.outliers_percent, 100 * outliers / count, 1e-9);
   EXPECT_NEAR(errors.confident.median_percent, 2.9, 0.6);
   EXPECT_NEAR(errors.scale, 1 / 1.03, 0.006);
   EXPECT_NEAR(errors.density_percent, 100 * count / static_cast<double>(pixels.size()), 1e-9);
   EXPECT_EQ(errors.depth_step.count, 0U);
+  EXPECT_EQ(errors.without_cause.count, 0U) << "nobody knows the causes";
+}
+
+/// Left albedo, right crease and shadow, nothing between.
+TEST(MapErrors, AreToldByTheCausesOfEdges) {
+  const vo::PinholeCamera camera = support::small_camera();
+  const vo::RgbdFrame frame = support::TexturedPlane().render(camera, {});
+  vo::FramePyramid anchor = vo::build_pyramid({0, frame.image, {}}, camera, vo::PyramidOptions());
+  vo::add_edges(anchor, vo::EdgeOptions());
+  vo::DepthMap map({});
+  map.start(anchor, 2);
+  map.take_depth(frame.depth, 0.01);
+  constexpr int kLeft = 60;   // px
+  constexpr int kRight = 90;  // px
+  synth::EdgeLabels causes(camera.height, camera.width, std::uint8_t{0});
+  causes.colRange(0, kLeft).setTo(4);
+  causes.colRange(kRight, camera.width).setTo(2 + 8);
+  std::size_t left = 0;
+  std::size_t right = 0;
+  for (const cv::Point& pixel : map.hypotheses().pixel) {
+    left += pixel.x <= kLeft ? 1U : 0U;
+    right += pixel.x >= kRight - 1 ? 1U : 0U;
+  }
+  const tools::MapErrors errors = tools::map_errors(map, {frame.depth, causes}, {});
+  EXPECT_EQ(errors.by_cause[0].count, 0U);
+  EXPECT_EQ(errors.by_cause[1].count, right);
+  EXPECT_EQ(errors.by_cause[2].count, left);
+  EXPECT_EQ(errors.by_cause[3].count, right);
+  EXPECT_EQ(errors.without_cause.count, map.hypotheses().size() - left - right);
+}
+
+TEST(DepthProgram, ReadsTheRenderersExactEdges) {
+  const TempFolder folder;
+  const std::filesystem::path sequence = folder.path() / "sequence";
+  support::write_plane_sequence(sequence, 12);
+  const vo::ByteImage labels(120, 160, std::uint8_t{4});
+  std::filesystem::create_directories(sequence / "truth/edges");
+  vo::write_file(sequence / "truth/edges/000000.png", vo::encode_png(labels));
+  const std::string command = "depth '" + sequence.string() + "' --set map.anchor.max_flow=1 -q";
+  EXPECT_THAT(run_program(command).out, HasSubstr("edge_albedo"));
+  std::filesystem::remove_all(sequence / "truth");
+  EXPECT_THAT(run_program(command).out, testing::Not(HasSubstr("edge_")));
 }
 
 }  // namespace

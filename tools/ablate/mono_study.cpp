@@ -64,7 +64,7 @@ std::optional<MapErrors> judged(const Clip& clip, const vo::MonoOdometry& odomet
   if (anchor == clip.frames.end() || anchor->depth.empty()) {
     return std::nullopt;
   }
-  return map_errors(odometry.map(), anchor->depth, {}, metric ? 1 : 0);
+  return map_errors(odometry.map(), {anchor->depth, {}}, {}, metric ? 1 : 0);
 }
 
 void judge_trajectory(const Clip& clip, const vo::Trajectory& estimate, bool metric,

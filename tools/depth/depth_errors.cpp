@@ -31,6 +31,19 @@ EdgeKind kind_at(const vo::DepthImage& depth, cv::Point pixel) {
   return farthest > kStep * nearest ? EdgeKind::depth_step : EdgeKind::surface;
 }
 
+/// All causes within a pixel: an edge lies between two.
+std::uint8_t causes_at(const synth::EdgeLabels& causes, cv::Point pixel) {
+  const cv::Rect window =
+      cv::Rect(pixel - cv::Point(1, 1), cv::Size(3, 3)) & cv::Rect(cv::Point(0, 0), causes.size());
+  std::uint8_t found = 0;
+  for (int v = window.y; v < window.y + window.height; ++v) {
+    for (int u = window.x; u < window.x + window.width; ++u) {
+      found = static_cast<std::uint8_t>(found | causes(v, u));
+    }
+  }
+  return found;
+}
+
 template <typename Predicate>
 DepthErrors summarize_if(const std::vector<DepthSample>& samples, Predicate chosen) {
   std::vector<double> errors;
@@ -80,7 +93,7 @@ double nearest_true_inverse_depth(const vo::DepthImage& depth, cv::Point pixel, 
   return nearest;
 }
 
-std::vector<DepthSample> depth_samples(const vo::DepthMap& map, const vo::DepthImage& true_depth,
+std::vector<DepthSample> depth_samples(const vo::DepthMap& map, const TrueView& truth,
                                        const vo::FrameRelation& relation, double scale) {
   const vo::Hypotheses& hypotheses = map.hypotheses();
   const vo::PyramidLevel& level = map.anchor().levels.front();
@@ -88,28 +101,28 @@ std::vector<DepthSample> depth_samples(const vo::DepthMap& map, const vo::DepthI
   std::vector<DepthSample> samples;
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
     const double estimate = hypotheses.smoothed[i] / scale;
-    const double truth = nearest_true_inverse_depth(true_depth, hypotheses.pixel[i], estimate);
-    if (hypotheses.knowledge[i] == vo::Knowledge::none || truth == 0) {
+    const double expected = nearest_true_inverse_depth(truth.depth, hypotheses.pixel[i], estimate);
+    if (hypotheses.knowledge[i] == vo::Knowledge::none || expected == 0) {
       continue;
     }
-    const double sigma = std::sqrt(hypotheses.variance[i]) / scale;
+    const double sigma = std::sqrt(hypotheses.smoothed_variance[i]) / scale;
     const double cos2 = vo::epipolar_cos2(pair, hypotheses.pixel[i], hypotheses.gradient[i]);
-    samples.push_back({estimate / truth, (estimate - truth) / sigma,
+    samples.push_back({estimate / expected, (estimate - expected) / sigma,
                        std::acos(std::sqrt(std::min(cos2, 1.0))) * 180 / std::numbers::pi,
-                       hypotheses.relative_sigma(i) <= map.options().confident_sigma,
-                       kind_at(true_depth, hypotheses.pixel[i])});
+                       hypotheses.is_confident(i, map.options().confident_sigma),
+                       kind_at(truth.depth, hypotheses.pixel[i]),
+                       causes_at(truth.causes, hypotheses.pixel[i])});
   }
   return samples;
 }
 
-MapErrors map_errors(const vo::DepthMap& map, const vo::DepthImage& true_depth,
+MapErrors map_errors(const vo::DepthMap& map, const TrueView& truth,
                      const vo::FrameRelation& relation, double anchor_scale) {
-  std::vector<DepthSample> samples = depth_samples(map, true_depth, relation, 1);
+  std::vector<DepthSample> samples = depth_samples(map, truth, relation, 1);
   MapErrors errors;
   errors.scale = median_ratio(samples);
   if (anchor_scale != 1) {
-    samples =
-        depth_samples(map, true_depth, relation, anchor_scale == 0 ? errors.scale : anchor_scale);
+    samples = depth_samples(map, truth, relation, anchor_scale == 0 ? errors.scale : anchor_scale);
   }
   errors.all = summarize_if(samples, [](const DepthSample&) { return true; });
   errors.confident = summarize_if(samples, [](const DepthSample& s) { return s.is_confident; });
@@ -117,6 +130,14 @@ MapErrors map_errors(const vo::DepthMap& map, const vo::DepthImage& true_depth,
       samples, [](const DepthSample& s) { return s.is_confident && s.kind == EdgeKind::surface; });
   errors.depth_step = summarize_if(samples, [](const DepthSample& s) {
     return s.is_confident && s.kind == EdgeKind::depth_step;
+  });
+  for (std::size_t cause = 0; cause < errors.by_cause.size(); ++cause) {
+    const std::uint8_t bit = synth::bit(static_cast<synth::EdgeCause>(cause));
+    errors.by_cause.at(cause) = summarize_if(
+        samples, [bit](const DepthSample& s) { return s.is_confident && (s.causes & bit) != 0; });
+  }
+  errors.without_cause = summarize_if(samples, [&](const DepthSample& s) {
+    return s.is_confident && s.causes == 0 && !truth.causes.empty();
   });
   for (std::size_t bin = 0; bin < errors.by_angle.size(); ++bin) {
     const double low = 30 * static_cast<double>(bin);

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "tools/depth/edge_truth.h"
 #include "vo/mapping/depth_map.h"
 
 namespace tools {
@@ -19,6 +21,7 @@ struct DepthSample {
   double angle_deg = 0;         ///< of gradient and epipolar line, 0 to 90
   bool is_confident = false;
   EdgeKind kind = EdgeKind::surface;
+  std::uint8_t causes = 0;  ///< bits of synth::EdgeCause within a pixel, where they are known
 };
 
 /// Errors of some of a map's hypotheses.
@@ -37,6 +40,8 @@ struct MapErrors {
   DepthErrors all;                      ///< of which anything is known
   DepthErrors surface;                  ///< confident, on texture and creases
   DepthErrors depth_step;               ///< confident, at a step of the true depth
+  std::array<DepthErrors, 4> by_cause;  ///< confident, by synth::EdgeCause; edges may have several
+  DepthErrors without_cause;            ///< confident, where causes are known and there is none
   std::array<DepthErrors, 3> by_angle;  ///< confident; 0-30, 30-60, 60-90 deg
   double density_percent = 0;           ///< confident hypotheses of all edge pixels kept
   double scale = 1;                     ///< median estimated over true inverse depth, confident
@@ -44,11 +49,11 @@ struct MapErrors {
 
 /// Every hypothesis of which something is known and the truth is; the epipolar lines are those of
 /// the relation. Estimates are divided by `scale` first.
-std::vector<DepthSample> depth_samples(const vo::DepthMap& map, const vo::DepthImage& true_depth,
+std::vector<DepthSample> depth_samples(const vo::DepthMap& map, const TrueView& truth,
                                        const vo::FrameRelation& relation, double scale);
 
 /// `anchor_scale` 1 for a metric map; 0 divides by the median scale found.
-MapErrors map_errors(const vo::DepthMap& map, const vo::DepthImage& true_depth,
+MapErrors map_errors(const vo::DepthMap& map, const TrueView& truth,
                      const vo::FrameRelation& relation, double anchor_scale = 1);
 
 }  // namespace tools

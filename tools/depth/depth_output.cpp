@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "tools/ablate/table.h"
+#include "tools/depth/depth_course.h"
 #include "tools/depth/depth_pictures.h"
 #include "tools/depth/depth_table.h"
 #include "tools/depth/mono_run.h"
@@ -27,7 +28,7 @@ MapScale map_scale(const OdometryOptions& odometry) {
 }
 
 double divisor(const vo::DepthMap& map, const vo::DepthImage& true_depth, MapScale scale) {
-  return scale == MapScale::metric ? 1 : map_errors(map, true_depth, {}).scale;
+  return scale == MapScale::metric ? 1 : map_errors(map, {true_depth, {}}, {}).scale;
 }
 
 DepthOutput::DepthOutput(const std::filesystem::path& folder, int every,
@@ -48,6 +49,7 @@ MapObserver DepthOutput::observer(MapScale scale) {
 
 void DepthOutput::commit(const std::vector<MappedFrame>& frames) {
   vo::write_file(folder_.partial() / "depth.csv", as_csv(depth_table(frames)));
+  vo::write_file(folder_.partial() / "course.svg", draw_course(frames));
   if (!cloud_.empty()) {
     vo::write_file(folder_.partial() / "cloud.ply", cloud_);
   }

@@ -44,21 +44,23 @@ vo::PyramidOptions single_level() {
 class MappingRun {
  public:
   MappingRun(const vo::SequenceReader& sequence, const MappingOptions& options)
-      : camera_(sequence.camera().pinhole),
+      : sequence_(sequence),
+        camera_(sequence.camera().pinhole),
         options_(options),
         finder_(options.edges),
         levels_(vo::camera_levels(camera_, single_level())),
         map_(options.map) {}
 
-  MappedFrame add(const vo::RgbdFrame& frame, const vo::SE3& T_world_camera) {
+  MappedFrame add(const vo::RgbdFrame& frame, std::size_t index, const vo::SE3& T_world_camera) {
     vo::FramePyramid pyramid =
         vo::build_pyramid({frame.timestamp, frame.image, {}}, levels_, single_level());
     vo::add_edges(pyramid, finder_);
     MappedFrame mapped{.timestamp = frame.timestamp};
     if (map_.empty()) {
-      start(pyramid, frame.depth, T_world_camera);
+      start(pyramid, frame.depth);
+      set_anchor(frame.depth, index, T_world_camera);
       mapped.is_anchor = true;
-      mapped.errors = map_errors(map_, true_depth_, {});
+      mapped.errors = map_errors(map_, truth_, {});
       return mapped;
     }
     const vo::FrameRelation relation = noisy_relation(
@@ -68,12 +70,12 @@ class MappingRun {
     mapped.observations = map_.observe(pyramid, relation);
     map_.regularise();
     mapped.mapping_ms = observing.elapsed_ms();
-    mapped.errors = map_errors(map_, true_depth_, relation);
+    mapped.errors = map_errors(map_, truth_, relation);
     const vo::CpuStopwatch moving;
     if (map_.needs_new_anchor(pyramid, relation.T_cur_anchor)) {
       map_.propagate(pyramid, relation);
       map_.regularise();
-      set_anchor(frame.depth, T_world_camera);
+      set_anchor(frame.depth, index, T_world_camera);
       mapped.is_anchor = true;
     }
     mapped.mapping_ms += moving.elapsed_ms();
@@ -81,32 +83,31 @@ class MappingRun {
   }
 
   const vo::DepthMap& map() const { return map_; }
-  const vo::DepthImage& true_depth() const { return true_depth_; }
+  const vo::DepthImage& true_depth() const { return truth_.depth; }
   const vo::SE3& T_world_anchor() const { return T_world_anchor_; }
 
  private:
-  void start(const vo::FramePyramid& pyramid, const vo::DepthImage& depth,
-             const vo::SE3& T_world_camera) {
+  void start(const vo::FramePyramid& pyramid, const vo::DepthImage& depth) {
     map_.start(pyramid, options_.flat_depth);
     if (options_.start == DepthStart::random) {
       map_.guess_random(options_.seed);
     } else if (options_.start == DepthStart::rgbd) {
       map_.take_depth(depth, options_.rgbd_sigma);
     }
-    set_anchor(depth, T_world_camera);
   }
 
-  void set_anchor(const vo::DepthImage& depth, const vo::SE3& T_world_camera) {
-    true_depth_ = depth;
+  void set_anchor(const vo::DepthImage& depth, std::size_t index, const vo::SE3& T_world_camera) {
+    truth_ = {depth, true_edges(sequence_, index)};
     T_world_anchor_ = T_world_camera;
   }
 
+  const vo::SequenceReader& sequence_;
   vo::PinholeCamera camera_;
   const MappingOptions& options_;
   vo::EdgeFinder finder_;
   std::vector<vo::CameraLevel> levels_;
   vo::DepthMap map_;
-  vo::DepthImage true_depth_;
+  TrueView truth_;  ///< of the anchor
   vo::SE3 T_world_anchor_;
 };
 
@@ -149,7 +150,7 @@ std::vector<MappedFrame> map_sequence(const vo::SequenceReader& sequence,
     }
     const std::optional<vo::SE3> T_world_camera = vo::pose_at(truth, frame->timestamp);
     if (T_world_camera) {
-      frames.push_back(run.add(*frame, with_noise(*T_world_camera, options, i)));
+      frames.push_back(run.add(*frame, i, with_noise(*T_world_camera, options, i)));
       if (observe) {
         observe(i, run.map(), run.true_depth(), run.T_world_anchor());
       }

@@ -13,12 +13,14 @@ MapJudge::MapJudge(const vo::SequenceReader& truth, vo::MonoBootstrap bootstrap)
   }
 }
 
-void MapJudge::read_depth(double timestamp) {
+void MapJudge::read_truth(double timestamp) {
   if (timestamp == timestamp_) {
     return;
   }
   const auto found = index_of_.find(timestamp);
-  depth_ = found == index_of_.end() ? vo::DepthImage() : truth_.read(found->second).depth;
+  anchor_ = found == index_of_.end()
+                ? TrueView()
+                : TrueView{truth_.read(found->second).depth, true_edges(truth_, found->second)};
   timestamp_ = timestamp;
 }
 
@@ -27,8 +29,8 @@ std::optional<MappedFrame> MapJudge::judge(const vo::MonoOdometry& odometry,
   if (odometry.map().empty() || result.state != vo::MonoState::tracking) {
     return std::nullopt;
   }
-  read_depth(odometry.map().anchor().timestamp);
-  if (depth_.empty()) {
+  read_truth(odometry.map().anchor().timestamp);
+  if (anchor_.depth.empty()) {
     return std::nullopt;
   }
   MappedFrame mapped{.timestamp = result.tracking.timestamp,
@@ -38,7 +40,7 @@ std::optional<MappedFrame> MapJudge::judge(const vo::MonoOdometry& odometry,
   const vo::FrameRelation relation{result.tracking.T_world_camera.inverse() *
                                    odometry.T_world_anchor()};
   mapped.baseline_m = relation.T_cur_anchor.translation().norm();
-  mapped.errors = map_errors(odometry.map(), depth_, relation, is_metric_ ? 1 : 0);
+  mapped.errors = map_errors(odometry.map(), anchor_, relation, is_metric_ ? 1 : 0);
   return mapped;
 }
 

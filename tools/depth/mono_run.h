@@ -23,16 +23,16 @@ class MapJudge {
   /// Nothing while there is no map, and where its anchor has no depth image beside it.
   std::optional<MappedFrame> judge(const vo::MonoOdometry& odometry, const vo::MonoResult& result);
 
-  const vo::DepthImage& true_depth() const { return depth_; }  ///< of the last anchor judged
+  const vo::DepthImage& true_depth() const { return anchor_.depth; }  ///< of the last anchor judged
 
  private:
-  void read_depth(double timestamp);
+  void read_truth(double timestamp);
 
   const vo::SequenceReader& truth_;
   bool is_metric_;
   std::map<double, std::size_t> index_of_;  ///< by the stamp of the image
   double timestamp_ = -1;
-  vo::DepthImage depth_;
+  TrueView anchor_;
 };
 
 /// Tracks and maps a sequence as `edvo track --mode mono` does and judges every map.

@@ -37,6 +37,7 @@ class SequenceReader {
   const Trajectory& ground_truth() const { return ground_truth_; }  ///< empty when there is none
   std::size_t size() const { return entries_.size(); }
   double timestamp(std::size_t index) const { return entries_[index].timestamp; }
+  const std::filesystem::path& image_file(std::size_t index) const { return entries_[index].image; }
 
   /// Throws Error naming the image that cannot be read or has another size than the camera.
   RgbdFrame read(std::size_t index) const;
