@@ -322,10 +322,13 @@ TEST_F(LabProgram, ABasinOfAMonocularScenarioIsRefused) {
 TEST_F(LabProgram, ASweepKeepsListsTogetherAndTellsMedians) {
   const ProgramResult result = run_program(
       "sweep " + path("scenarios/good.toml") + " --quiet --cache " + path("cache") +
-      " --seeds 2 --set 'sensor.noise.read_noise=[0,0,0],[15,15,15]' --out " + path("noise"));
+      " --seeds 2 --set 'sensor.noise.full_well=[6000,6000,6000],[900,900,900]' --out " +
+      path("noise"));
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(rows_of(read("noise/sweep.csv")).size(), 3U);
-  EXPECT_THAT(read("noise/sweep.md"), HasSubstr("Medians read_noise=[15,15,15]; ate_mm "));
+  const auto rows = rows_of(read("noise/sweep.csv"));
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[2][1], "900 900 900");
+  EXPECT_THAT(read("noise/sweep.md"), HasSubstr("Medians full_well=900,900,900; ate_mm "));
 }
 
 TEST_F(LabProgram, ASweepHasARowPerCombination) {

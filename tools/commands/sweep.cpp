@@ -30,20 +30,22 @@ constexpr const char* kExamples =
     "sweep\n"
     "  edvo sweep scenarios/a.toml scenarios/b.toml --set path.rate=10,15,30 \\\n"
     "       --set odometry.preset=paper,default --seeds 3 --out sweep\n"
-    "  edvo sweep scenarios/a.toml --set 'sensor.noise.read_noise=[0,0,0],[15,15,15]' --out sweep";
+    "  edvo sweep scenarios/a.toml --set 'sensor.noise.full_well=[6000,6000,6000],[900,900,900]' "
+    "--out sweep";
 
 struct SweepArguments {
   LaboratoryArguments lab;
   std::vector<std::string> scenarios;
 };
 
-/// Commas within brackets do not separate.
+/// Commas within brackets do not separate; the brackets are no part of the value.
 std::vector<std::string> split_values(const std::string& list) {
   std::vector<std::string> values(list.empty() ? 0 : 1);
-  int depth = 0;
+  bool is_within = false;
   for (const char c : list) {
-    depth += c == '[' ? 1 : (c == ']' ? -1 : 0);
-    if (c == ',' && depth == 0) {
+    if (c == '[' || c == ']') {
+      is_within = c == '[';
+    } else if (c == ',' && !is_within) {
       values.emplace_back();
     } else {
       values.back() += c;

@@ -114,6 +114,12 @@ std::string last_part(const std::string& key) {
   return key.substr(key.rfind('.') + 1);
 }
 
+/// A list as a cell of a table that is written with commas between cells.
+std::string without_commas(std::string value) {
+  std::replace(value.begin(), value.end(), ',', ' ');
+  return value;
+}
+
 Table make_table(const std::vector<Combination>& rows, const SweepSettings& settings) {
   const std::vector<SweptMetric> metrics = shown_metrics(rows);
   Table table{.columns = {{"scenario"}}};
@@ -129,7 +135,7 @@ Table make_table(const std::vector<Combination>& rows, const SweepSettings& sett
   for (const Combination& row : rows) {
     std::vector<TableCell> cells{row.result.name};
     for (const auto& [key, value] : row.values) {
-      cells.emplace_back(value);
+      cells.emplace_back(without_commas(value));
     }
     for (const SweptMetric& swept : metrics) {
       const Estimate estimate = row.estimate(swept);
