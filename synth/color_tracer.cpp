@@ -102,16 +102,19 @@ void ColorTracer::end_leg(const PathLegs& bundle, int lane, PacketColors& colors
 
 void ColorTracer::meet_surface(const PathLegs& bundle, int lane, Step& step) const {
   const PathLeg& leg = bundle.legs[static_cast<std::size_t>(lane)];
-  const auto make = [&](int mesh, int triangle) {
-    return SurfaceTriangle(flat_, mesh, triangle, bundle.rays.share(lane));
+  const FlatMesh& mesh = flat_.meshes[static_cast<std::size_t>(bundle.rays.mesh(lane))];
+  const Material& material = *mesh.material;
+  const bool is_lit = !material.unlit && mode_ != RenderMode::unlit;
+  const auto make = [&](int mesh_index, int triangle_index) {
+    return SurfaceTriangle(flat_, mesh_index, triangle_index, bundle.rays.share(lane),
+                           is_lit ? SurfaceMaps::all : SurfaceMaps::color);
   };
-  if (!flat_.meshes[static_cast<std::size_t>(bundle.rays.mesh(lane))].moments.empty()) {
+  if (!mesh.moments.empty()) {
     step.memory.seen = {};
   }
   const SurfaceTriangle& triangle =
       step.memory.seen.get(bundle.rays.mesh(lane), bundle.rays.triangle(lane), make);
-  const Material& material = *triangle.mesh->material;
-  if (!material.unlit && mode_ != RenderMode::unlit) {
+  if (is_lit) {
     meet_lit_surface(bundle, lane, triangle, step);
     return;
   }

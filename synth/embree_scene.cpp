@@ -288,8 +288,8 @@ View::View(const FlatScene& flat, const Shot& shot)
   const int rows = is_at_rest() ? 1 : shot.camera.height;
   for (int v = 0; v < rows; ++v) {
     const Eye& eye = eyes_.of_row(v);
-    pencils_.push_back(
-        {eye.R_world_camera * inverse_K, (eye.position - flat.origin).cast<float>()});
+    pencils_.push_back({eye.R_world_camera * inverse_K, (eye.position - flat.origin).cast<float>(),
+                        share_of_row(v)});
   }
 }
 
@@ -314,7 +314,7 @@ Aim View::aim_from_row(int v, const Eigen::Vector2d& pixel) const {
   const Pencil& pencil = pencils_[pencils_.size() == 1 ? 0 : static_cast<std::size_t>(v)];
   const Eigen::Matrix3d& M = pencil.direction_from_pixel;
   const Eigen::Vector3d direction = M.col(0) * pixel.x() + M.col(1) * pixel.y() + M.col(2);
-  return {pencil.start, direction.cast<float>(), kNear, kInfinity, share_of_row(v)};
+  return {pencil.start, direction.cast<float>(), kNear, kInfinity, pencil.share};
 }
 
 void View::aim_at_centre(const cv::Point& pixel, RTCRayHit& ray) const {

@@ -166,6 +166,7 @@ class View {
   struct Pencil {
     Eigen::Matrix3d direction_from_pixel;  ///< R_world_camera K^-1
     Eigen::Vector3f start;                 ///< m, in the flat scene's coordinates
+    float share;                           ///< FlatScene::share_at
   };
 
   float share_at(double time) const { return flat_.share_at(shot_.scene_time + time); }

@@ -174,7 +174,8 @@ Eigen::Vector4f TexturePatch::color(const Eigen::Vector3f& weights, float log2_f
   return sample(*image, *texture, interpolate(uv, kCorners, weights), lod_at_1m + log2_footprint);
 }
 
-SurfaceTriangle::SurfaceTriangle(const FlatScene& flat, int mesh_index, int triangle, float share) {
+SurfaceTriangle::SurfaceTriangle(const FlatScene& flat, int mesh_index, int triangle, float share,
+                                 SurfaceMaps maps) {
   const MomentPair moments = moments_around(flat.meshes[mesh_index], share);
   mesh = moments.before;
   vertices = mesh->mesh->triangles[triangle];
@@ -197,6 +198,9 @@ SurfaceTriangle::SurfaceTriangle(const FlatScene& flat, int mesh_index, int tria
     return texture_patch(*flat.scene, *mesh, slot, vertices, has_area ? length : 0);
   };
   base_color = patch(material.base_color_texture);
+  if (maps == SurfaceMaps::color) {
+    return;
+  }
   metallic_roughness = patch(material.metallic_roughness_texture);
   normal_map = patch(material.normal_texture);
   occlusion = patch(material.occlusion_texture);

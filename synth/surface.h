@@ -44,10 +44,14 @@ struct TexturePatch {
   Eigen::Vector4f color(const Eigen::Vector3f& weights, float log2_footprint) const;
 };
 
+/// What of a material is asked for.
+enum class SurfaceMaps { color, all };
+
 /// What all points of a triangle have in common: neighbouring rays tend to hit the same one.
 struct SurfaceTriangle {
   SurfaceTriangle() = default;
-  SurfaceTriangle(const FlatScene& flat, int mesh, int triangle, float share = 0);
+  SurfaceTriangle(const FlatScene& flat, int mesh, int triangle, float share = 0,
+                  SurfaceMaps maps = SurfaceMaps::all);
 
   const FlatMesh* mesh = nullptr;  ///< at the moment before, where it moves
   std::array<int, 3> vertices{};

@@ -117,8 +117,7 @@ struct Level {
 };
 
 inline Eigen::Vector4f decode(const cv::Vec4b& texel, const std::array<float, 256>& values) {
-  return {values[texel[0]], values[texel[1]], values[texel[2]],
-          static_cast<float>(texel[3]) * kCodeStep};
+  return {values[texel[0]], values[texel[1]], values[texel[2]], kEvenCodes[texel[3]]};
 }
 
 Eigen::Vector4f sample_nearest(const Level& level, float u, float v) {
