@@ -37,6 +37,8 @@ void MonoOptions::validate() const {
   require(tracker.points.source == EdgeSource::reference &&
               tracker.points.selection == PointSelection::edges,
           "mono.points: expected source = reference and selection = edges, the map's points");
+  require(tracker.vignette == VignetteModel::ignore,
+          "mono.vignette: expected ignore, the map looks edges up in images as they are");
   require(tracker.align.max_depth_ratio == 0,
           "mono.align.max_depth_ratio: expected 0, there is no current depth to test against");
   tracker.validate();
@@ -48,6 +50,7 @@ MonoOptions mono_options() {
   options.tracker = preset_options(TrackerPreset::best_measured);
   options.tracker.symmetric = false;
   options.tracker.shutter = ShutterModel::given;
+  options.tracker.vignette = VignetteModel::ignore;
   options.tracker.points.min_depth = 1e-3;
   options.tracker.points.max_depth = 1e3;
   options.tracker.points.discontinuity_radius = 0;

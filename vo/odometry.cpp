@@ -56,6 +56,7 @@ TrackerOptions best_options() {
   options.symmetric = true;
   options.motion_model = MotionModel::best;
   options.shutter = ShutterModel::estimated;
+  options.vignette = VignetteModel::estimated;
   return options;
 }
 
@@ -95,7 +96,7 @@ TrackingResult RgbdOdometry::track(const RgbdFrame& frame) {
           "odometry: expected image and depth of the camera's ", camera_.width, "x", camera_.height,
           " px");
   Stopwatch watch;
-  current_ = build_pyramid(frame, levels_, options_.pyramid);
+  current_ = build_pyramid(frame, levels_, options_.pyramid, tracker_.vignette());
   stage_times_.pyramid_ms = watch.lap_ms();
   add_edges(current_, edge_finder_);
   stage_times_.edges_ms = watch.lap_ms();

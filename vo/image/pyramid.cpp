@@ -160,11 +160,13 @@ std::vector<CameraLevel> camera_levels(const PinholeCamera& camera, const Pyrami
 }
 
 FramePyramid build_pyramid(const RgbdFrame& frame, const std::vector<CameraLevel>& levels,
-                           const PyramidOptions& options) {
-  FramePyramid pyramid{frame.timestamp, {}};
+                           const PyramidOptions& options, const Vignette& vignette) {
+  FramePyramid pyramid{frame.timestamp, {}, vignette};
   for (const CameraLevel& level : levels) {
     if (pyramid.levels.empty()) {
-      pyramid.levels.push_back({level.camera, level.rays, to_gray(frame.image), {}, frame.depth});
+      GrayImage intensity = to_gray(frame.image);
+      take_out(vignette, level.camera, {}, intensity);
+      pyramid.levels.push_back({level.camera, level.rays, std::move(intensity), {}, frame.depth});
     } else {
       const PyramidLevel& finer = pyramid.levels.back();
       pyramid.levels.push_back({level.camera,

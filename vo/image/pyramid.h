@@ -8,6 +8,7 @@
 #include "vo/core/camera.h"
 #include "vo/core/image.h"
 #include "vo/image/edges.h"
+#include "vo/image/vignette.h"
 
 namespace vo {
 
@@ -70,11 +71,12 @@ struct PyramidLevel {
 struct FramePyramid {
   double timestamp = 0;  ///< s
   std::vector<PyramidLevel> levels;
+  Vignette vignette;  ///< taken out of the intensities
 };
 
-/// Intensity by 2x2 means, depth as the options say.
+/// Intensity by 2x2 means, the vignette taken out of it; depth as the options say.
 FramePyramid build_pyramid(const RgbdFrame& frame, const std::vector<CameraLevel>& levels,
-                           const PyramidOptions& options);
+                           const PyramidOptions& options, const Vignette& vignette = {});
 
 /// The same for a single frame.
 FramePyramid build_pyramid(const RgbdFrame& frame, const PinholeCamera& camera,

@@ -132,7 +132,7 @@ void summarize(const JointSystem& system, const JointProblem& problem, AlignResu
   if (result.usable()) {
     result.covariance = pose_covariance(problem, system, result.T_cur_ref);
   }
-  result.correlation = correlation(problem.first_view(result.T_cur_ref));
+  result.correlation = correlation(problem.forward_view(0, result.T_cur_ref));
 }
 
 /// Brightness found on one level is where the next one starts.

@@ -19,8 +19,9 @@ void CellScores::add(const PointScores& scores, const Projection& projection) {
   for (std::size_t i = 0; i < scores.weight.size(); ++i) {
     if (scores.weight[i] > 0) {
       Vector8d& sum = sums[cell_of(scores.u[i], scores.v[i])];
+      const float weighted = scores.weight[i] * scores.residual[i];
       for (std::size_t p = 0; p < kPassParameters; ++p) {
-        sum[static_cast<Eigen::Index>(p)] += static_cast<double>(scores.b[p][i]);
+        sum[static_cast<Eigen::Index>(p)] += static_cast<double>(weighted * scores.J[p][i]);
       }
     }
   }

@@ -94,8 +94,8 @@ PointView JointProblem::view(const ImagePair& pair, const SE3& T_cur_first) cons
           cur_motion};
 }
 
-PointView JointProblem::first_view(const SE3& T_cur_first) const {
-  return view(pairs_.front(), T_cur_first);
+PointView JointProblem::forward_view(std::size_t reference, const SE3& T_cur_first) const {
+  return view(pairs_[reference], T_cur_first);
 }
 
 /// d(left increment of the pair's transform) / d(left increment of T_cur_first). A backward pair's

@@ -18,6 +18,7 @@ struct AlignReference {
   const FramePyramid* frame = nullptr;  ///< where the current frame's points are looked up, if any
   FrameVelocity velocity;
   const SurfacePoints* surface = nullptr;  ///< where depth is compared, too: its own surfaces
+  Vignette vignette = {};                  ///< taken out of its intensities
 };
 
 /// Where the camera was one frame earlier: how fast it moves follows from the pose that is sought.
@@ -70,8 +71,8 @@ class JointProblem {
   /// The system's b, linearized at this pose, taken apart.
   JointScores scores(const JointSystem& system, const SE3& T_cur_first) const;
 
-  /// The first reference's points in the current image.
-  PointView first_view(const SE3& T_cur_first) const;
+  /// A reference's points in the current image; `models` has it at the same index.
+  PointView forward_view(std::size_t reference, const SE3& T_cur_first) const;
 
   /// Scale and brightness of each pair as its images show them at this pose, where the options say
   /// that they are estimated.

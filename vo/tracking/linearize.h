@@ -44,7 +44,7 @@ struct LinearSystem {
 LinearSystem linearize(const PointView& view, const AlignOptions& options,
                        const ResidualModel& model);
 
-/// The terms of the system's b, point by point.
+/// What the system sums, point by point.
 PointScores score_points(const PointView& view, const AlignOptions& options,
                          const ResidualModel& model);
 

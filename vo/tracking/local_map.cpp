@@ -8,6 +8,37 @@
 #include "vo/tracking/warp.h"
 
 namespace vo {
+namespace {
+
+/// Neglects how the vignette itself changes from pixel to pixel.
+void take_out(const Vignette& vignette, const PinholeCamera& camera, const Vignette& before,
+              EdgePointLevel& points) {
+  const VignetteTerms terms(camera);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector2d at_pixel = terms.at(points.pixel[i].x, points.pixel[i].y);
+    const auto gain = static_cast<float>(vignette.gain(at_pixel) / before.gain(at_pixel));
+    for (std::vector<float>* values :
+         {&points.intensity, &points.dI_dx, &points.dI_dy, &points.dI_dz}) {
+      (*values)[i] *= gain;
+    }
+  }
+}
+
+/// What the keyframe would be, had this vignette been taken out of its image.
+Keyframe without_vignette(Keyframe keyframe, const Vignette& vignette) {
+  const Vignette before = std::exchange(keyframe.pyramid.vignette, vignette);
+  EdgePoints points = *keyframe.points;
+  for (std::size_t l = 0; l < keyframe.pyramid.levels.size(); ++l) {
+    PyramidLevel& level = keyframe.pyramid.levels[l];
+    level.intensity = level.intensity.clone();
+    take_out(vignette, level.camera, before, level.intensity);
+    take_out(vignette, level.camera, before, points.levels[l]);
+  }
+  keyframe.points = std::make_shared<const EdgePoints>(std::move(points));
+  return keyframe;
+}
+
+}  // namespace
 
 void MapOptions::validate() const {
   require(references >= 1 && references <= 20, "map.references: expected 1 to 20, got ",
@@ -53,8 +84,20 @@ std::size_t LocalMap::memory_bytes() const {
   std::size_t bytes = 0;
   for (const std::shared_ptr<const Keyframe>& keyframe : keyframes_) {
     bytes += vo::memory_bytes(keyframe->pyramid) + vo::memory_bytes(*keyframe->points);
+    bytes += keyframe->surface != nullptr ? keyframe->surface->memory_bytes() : 0;
   }
   return bytes;
+}
+
+void LocalMap::take_out(const Vignette& vignette) {
+  constexpr double kNoticeable = 0.01;  // of the intensity at the corners
+  for (std::shared_ptr<const Keyframe>& keyframe : keyframes_) {
+    const Eigen::Vector2d corner = Eigen::Vector2d::Ones();
+    const double change = vignette.gain(corner) - keyframe->pyramid.vignette.gain(corner);
+    if (std::abs(change) > kNoticeable) {
+      keyframe = std::make_shared<const Keyframe>(without_vignette(*keyframe, vignette));
+    }
+  }
 }
 
 void LocalMap::set_last_velocity(const FrameVelocity& velocity) {

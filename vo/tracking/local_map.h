@@ -61,6 +61,7 @@ class LocalMap {
   const std::deque<std::shared_ptr<const Keyframe>>& keyframes() const { return keyframes_; }
   std::size_t memory_bytes() const;  ///< of the images and points of all keyframes
   void add(Keyframe keyframe);
+  void take_out(const Vignette& vignette);  ///< of the keyframes that it changes noticeably
   void set_last_velocity(const FrameVelocity& velocity);           ///< once the next frame has told
   void set_last_points(std::shared_ptr<const EdgePoints> points);  ///< as far as they are known now
 

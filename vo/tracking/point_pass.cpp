@@ -110,14 +110,8 @@ EDVO_INLINE void score_blocks(const PointView& view, const PassOptions& options,
   for (std::size_t first = 0; first < view.points.size(); first += kBlock) {
     const std::size_t count = std::min(kBlock, view.points.size() - first);
     linearize_block(view, options, warp, first, count, block);
-    for (std::size_t i = 0; i < kBlock; ++i) {
-      block.loss[i] = block.weight[i] * block.residual[i];
-    }
     for (std::size_t p = 0; p < kPassParameters; ++p) {
-      for (std::size_t i = 0; i < kBlock; ++i) {
-        block.J_weighted[p][i] = block.loss[i] * block.J[p][i];
-      }
-      store_row(block.J_weighted[p], first, count, scores.b[p]);
+      store_row(block.J[p], first, count, scores.J[p]);
     }
     store_row(block.u, first, count, scores.u);
     store_row(block.v, first, count, scores.v);
@@ -177,7 +171,7 @@ EDVO_TARGET_AVX2 void sample_avx2(const PointView& view, std::size_t stride,
 
 PointScores::PointScores(std::size_t points)
     : weight(points), residual(points), u(points), v(points) {
-  b.fill(std::vector<float>(points));
+  J.fill(std::vector<float>(points));
 }
 
 PassSums sum_points(const PointView& view, const PassOptions& options, InstructionSet set) {

@@ -40,10 +40,10 @@ struct PassSums {
   std::size_t seen = 0;
 };
 
-/// What each point adds to the right side of the normal equations, one element per point in each
-/// array. Where it is not seen its weight is 0.
+/// What each point adds to the normal equations, one element per point in each array: to b, w r J.
+/// Where it is not seen its weight is 0.
 struct PointScores {
-  std::array<std::vector<float>, kPassParameters> b;  ///< w r J
+  std::array<std::vector<float>, kPassParameters> J;
   std::vector<float> weight;
   std::vector<float> residual;  ///< intensity
   std::vector<float> u;         ///< px, in the image

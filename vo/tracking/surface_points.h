@@ -14,6 +14,7 @@ struct SurfacePoints {
   std::vector<Eigen::Vector3f> normal;    ///< of unit length, towards increasing depth
 
   std::size_t size() const { return position.size(); }
+  std::size_t memory_bytes() const { return size() * 2 * sizeof(Eigen::Vector3f); }
 };
 
 /// A plane is fitted around every eighth pixel: 1 / Z = a X / Z + b Y / Z + c, which is linear in

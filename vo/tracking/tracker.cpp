@@ -89,10 +89,11 @@ Tracker::References Tracker::references_for(const FramePyramid& current,
                                     ? keyframe->points
                                     : std::make_shared<const EdgePoints>(edge_points(
                                           keyframe->pyramid, current, options_.points)));
-    references.views.push_back(
-        {*references.points.back(), T_first_world * keyframe->T_world_keyframe,
-         options_.symmetric ? &keyframe->pyramid : nullptr,
-         keyframe->velocity.value_or(FrameVelocity()), keyframe->surface.get()});
+    references.views.push_back({*references.points.back(),
+                                T_first_world * keyframe->T_world_keyframe,
+                                options_.symmetric ? &keyframe->pyramid : nullptr,
+                                keyframe->velocity.value_or(FrameVelocity()),
+                                keyframe->surface.get(), keyframe->pyramid.vignette});
   }
   return references;
 }
@@ -114,6 +115,7 @@ TrackingResult Tracker::aligned_from(const FramePyramid& current, const SE3& T_w
   }
   TrackingResult result{.timestamp = current.timestamp, .T_world_camera = T_world_last_};
   result.readout_s = options_.align.readout;
+  result.vignette = current.vignette;
   result.reference_timestamp = first.pyramid.timestamp;
   result.T_cur_ref_guess = T_world_guess.inverse() * T_world_first;
   result.alignment = align(references.views, frame, result.T_cur_ref_guess, options_.align);
@@ -121,13 +123,25 @@ TrackingResult Tracker::aligned_from(const FramePyramid& current, const SE3& T_w
   if (result.reason == LostReason::none) {
     result.status = TrackingStatus::tracked;
     result.T_world_camera = T_world_first * result.alignment.T_cur_ref.inverse();
-    if (options_.shutter == ShutterModel::estimated && frame.previous &&
-        references.velocities_known()) {
-      readout_.update(references.views, frame, result.alignment.T_cur_ref, options_.align);
-      options_.align.readout = readout_.seconds();
-    }
+    calibrate(references, frame, result.alignment.T_cur_ref);
   }
   return result;
+}
+
+/// Takes in what a frame that was aligned from where it was expected says of the camera.
+void Tracker::calibrate(const References& references, const AlignCurrent& frame,
+                        const SE3& T_cur_first) {
+  if (!frame.previous) {
+    return;
+  }
+  if (options_.shutter == ShutterModel::estimated && references.velocities_known()) {
+    readout_.update(references.views, frame, T_cur_first, options_.align);
+    options_.align.readout = readout_.seconds();
+  }
+  if (options_.vignette == VignetteModel::estimated) {
+    vignette_.update(references.views, frame, T_cur_first, options_.align);
+    map_.take_out(vignette_.vignette());
+  }
 }
 
 /// Aligns from turned poses and from the keyframes that look most alike, too; the result with the

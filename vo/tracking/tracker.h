@@ -13,6 +13,7 @@
 #include "vo/tracking/local_map.h"
 #include "vo/tracking/readout_estimate.h"
 #include "vo/tracking/tracker_options.h"
+#include "vo/tracking/vignette_estimate.h"
 
 namespace vo {
 
@@ -51,6 +52,7 @@ struct TrackingResult {
   double reference_timestamp = 0;  ///< s, of the first reference
   SE3 T_cur_ref_guess;             ///< where the alignment started
   double readout_s = 0;            ///< of the rolling shutter, as this frame was aligned with
+  Vignette vignette;               ///< taken out of this frame
 };
 
 /// Tracks frames against keyframes. Knows nothing of where their depth came from.
@@ -74,6 +76,9 @@ class Tracker {
   void update_keyframe(std::shared_ptr<const EdgePoints> points);
   const LocalMap& map() const { return map_; }
 
+  /// To be taken out of the next frame.
+  const Vignette& vignette() const { return vignette_.vignette(); }
+
   /// The first reference's points as they were aligned to the last frame; for pictures and tests.
   const EdgePoints& reference_points() const { return *reference_points_; }
 
@@ -91,6 +96,7 @@ class Tracker {
   TrackingResult aligned_from(const FramePyramid& current, const SE3& T_world_guess);
   TrackingResult searched(const FramePyramid& current, const TrackingResult& first);
   References references_for(const FramePyramid& current, const SE3& T_world_guess) const;
+  void calibrate(const References& references, const AlignCurrent& frame, const SE3& T_cur_first);
   LostReason judge(const AlignResult& alignment) const;
   void accept(const FramePyramid& current, TrackingResult& result);
   bool can_be_reference(const FramePyramid& frame) const;
@@ -98,6 +104,7 @@ class Tracker {
   TrackerOptions options_;
   LocalMap map_;
   ReadoutEstimate readout_;
+  VignetteEstimate vignette_;
 
   std::shared_ptr<const EdgePoints> reference_points_;
   std::shared_ptr<const EdgePoints> current_points_;  ///< of the tracked frame, where symmetric

@@ -86,6 +86,17 @@ void visit_fields(Visitor& visit, LostOptions& options) {
         "whether turned poses and all keyframes are tried before a frame is lost");
 }
 
+/// How a fall-off of brightness towards the corners enters.
+enum class VignetteModel {
+  ignore,
+  estimated,  ///< found while tracking and taken out of every image
+};
+
+constexpr auto enum_names(VignetteModel) {
+  return std::array{std::pair{VignetteModel::ignore, "ignore"},
+                    std::pair{VignetteModel::estimated, "estimated"}};
+}
+
 struct TrackerOptions {
   PyramidOptions pyramid;
   EdgeOptions edges;
@@ -98,6 +109,7 @@ struct TrackerOptions {
   MotionModel motion_model = MotionModel::constant_velocity;
   LensModel lens = LensModel::distortion;
   ShutterModel shutter = ShutterModel::given;
+  VignetteModel vignette = VignetteModel::ignore;
 
   void validate() const;  ///< throws Error
 };
@@ -116,6 +128,7 @@ void visit_fields(Visitor& visit, TrackerOptions& options) {
   visit("motion_model", options.motion_model, "where the search for the next pose starts");
   visit("lens", options.lens, "how lens distortion enters the warp");
   visit("shutter", options.shutter, "how a rolling shutter enters the warp");
+  visit("vignette", options.vignette, "how a fall-off of brightness towards the corners enters");
 }
 
 }  // namespace vo
