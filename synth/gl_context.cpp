@@ -17,10 +17,9 @@ namespace {
 constexpr int kMajor = 4;
 constexpr int kMinor = 5;
 
-/// Stays loaded: drivers keep what is made once for a process, and would leave it behind.
 std::shared_ptr<void> open_library(const std::vector<const char*>& names, const char* package) {
   for (const char* name : names) {
-    if (void* library = dlopen(name, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)) {
+    if (void* library = dlopen(name, RTLD_NOW | RTLD_LOCAL)) {
       return {library, [](void* opened) { dlclose(opened); }};
     }
   }
