@@ -62,10 +62,10 @@ EDVO_TARGET_AVX2 void stop_rays_avx2(const Wall& wall, const RTCRay16& rays, flo
 
 Blocker::Blocker(const FlatScene& flat, const ShadowHit& hit) : hit_(hit) {
   const FlatMesh& mesh = flat.meshes[hit.mesh];
-  const std::array<int, 3>& vertices = mesh.mesh->triangles[hit.triangle];
-  wall_.a = mesh.positions[vertices[0]];
-  wall_.ab = mesh.positions[vertices[1]] - wall_.a;
-  wall_.ac = mesh.positions[vertices[2]] - wall_.a;
+  const auto [a, b, c] = corners_of(mesh, hit.triangle);
+  wall_.a = a;
+  wall_.ab = b - a;
+  wall_.ac = c - a;
   wall_.normal = wall_.ab.cross(wall_.ac);
   const float rounding = SurfaceTriangle(flat, hit.mesh, hit.triangle).rounding;
   const float longest = std::max({wall_.ab.norm(), wall_.ac.norm(), (wall_.ac - wall_.ab).norm()});

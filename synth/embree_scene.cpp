@@ -36,16 +36,31 @@ struct Query {
   ShadowHit* blocker = nullptr;  ///< where to note what cast a shadow
 };
 
-Query coherent_query(Sight sight) {
+Query query_for(Sight sight, RTCIntersectContextFlags coherence) {
   Query query;
   rtcInitIntersectContext(&query.context);
-  query.context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  query.context.flags = coherence;
   query.sight = sight;
   return query;
 }
 
+Query coherent_query(Sight sight) {
+  return query_for(sight, RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+}
+
 Query& query_of(const RTCFilterFunctionNArguments* arguments) {
   return *reinterpret_cast<Query*>(arguments->context);
+}
+
+/// A lane of the rays that were found to hit something.
+SurfaceHit hit_of(const RTCFilterFunctionNArguments* arguments, unsigned lane) {
+  RTCHitN* const hits = arguments->hit;
+  const unsigned count = arguments->N;
+  const float u = RTCHitN_u(hits, count, lane);
+  const float v = RTCHitN_v(hits, count, lane);
+  return {.mesh = mesh_of(RTCHitN_instID(hits, count, lane, 0), RTCHitN_geomID(hits, count, lane)),
+          .triangle = static_cast<int>(RTCHitN_primID(hits, count, lane)),
+          .weights = {1 - u - v, u, v}};
 }
 
 /// Notes the last of the triangles that rays were found to hit.
@@ -54,8 +69,8 @@ void note_blocker(const RTCFilterFunctionNArguments* arguments) {
   const unsigned count = arguments->N;
   for (unsigned i = 0; blocker != nullptr && i < count; ++i) {
     if (arguments->valid[i] == -1) {
-      *blocker = {static_cast<int>(RTCHitN_geomID(arguments->hit, count, i)),
-                  static_cast<int>(RTCHitN_primID(arguments->hit, count, i))};
+      const SurfaceHit hit = hit_of(arguments, i);
+      *blocker = {hit.mesh, hit.triangle};
     }
   }
 }
@@ -69,11 +84,7 @@ void drop_invisible(const RTCFilterFunctionNArguments* arguments) {
     if (arguments->valid[i] != -1) {
       continue;
     }
-    const float u = RTCHitN_u(arguments->hit, count, i);
-    const float v = RTCHitN_v(arguments->hit, count, i);
-    const SurfaceHit hit{.mesh = static_cast<int>(RTCHitN_geomID(arguments->hit, count, i)),
-                         .triangle = static_cast<int>(RTCHitN_primID(arguments->hit, count, i)),
-                         .weights = {1 - u - v, u, v}};
+    const SurfaceHit hit = hit_of(arguments, i);
     const Material& material = *flat.meshes[static_cast<std::size_t>(hit.mesh)].material;
     const bool is_layer = material.alpha_mode == AlphaMode::blend && sees_layers;
     if (!is_layer && surface_alpha(flat, hit) < solid_from(material)) {
@@ -82,41 +93,84 @@ void drop_invisible(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
-void set_vertices(RTCGeometry geometry, const FlatMesh& flat, unsigned time_step) {
+/// The last of the positions is but room for what Embree reads.
+void set_vertices(RTCGeometry geometry, const std::vector<Eigen::Vector3f>& positions,
+                  unsigned time_step) {
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, time_step, RTC_FORMAT_FLOAT3,
-                             flat.positions.data(), 0, sizeof(Eigen::Vector3f),
-                             flat.mesh->positions.size());
+                             positions.data(), 0, sizeof(Eigen::Vector3f), positions.size() - 1);
 }
 
 /// At each moment; Embree takes them to be spread evenly over the rays' time from 0 to 1.
 void set_vertices(RTCGeometry geometry, const FlatMesh& flat) {
   if (flat.moments.empty()) {
-    set_vertices(geometry, flat, 0);
+    set_vertices(geometry, flat.positions, 0);
     return;
   }
   const auto moments = static_cast<unsigned>(flat.moments.size());
   rtcSetGeometryTimeStepCount(geometry, moments);
   for (unsigned i = 0; i < moments; ++i) {
-    set_vertices(geometry, flat.moments[i], i);
+    set_vertices(geometry, flat.moments[i].positions, i);
   }
 }
 
-void attach(RTCDevice device, RTCScene hierarchy, const FlatScene& scene, unsigned index) {
-  const FlatMesh& flat = scene.meshes[index];
-  const Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
-  set_vertices(geometry.get(), flat);
-  rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                             flat.mesh->triangles.data(), 0, sizeof(flat.mesh->triangles[0]),
-                             flat.mesh->triangles.size());
-  if (flat.material->alpha_mode != AlphaMode::opaque) {
-    rtcSetGeometryUserData(geometry.get(), const_cast<FlatScene*>(&scene));  // only read
-    rtcSetGeometryIntersectFilterFunction(geometry.get(), drop_invisible);
-    rtcSetGeometryOccludedFilterFunction(geometry.get(), drop_invisible);
+void set_triangles(RTCGeometry geometry, const Mesh& mesh) {
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                             mesh.triangles.data(), 0, sizeof(mesh.triangles[0]),
+                             mesh.triangles.size());
+}
+
+void set_filters(RTCGeometry geometry, const FlatScene& scene, const Mesh& mesh) {
+  if (material_of(*scene.scene, mesh).alpha_mode != AlphaMode::opaque) {
+    rtcSetGeometryUserData(geometry, const_cast<FlatScene*>(&scene));  // only read
+    rtcSetGeometryIntersectFilterFunction(geometry, drop_invisible);
+    rtcSetGeometryOccludedFilterFunction(geometry, drop_invisible);
   } else {
-    rtcSetGeometryOccludedFilterFunction(geometry.get(), note_blocker);
+    rtcSetGeometryOccludedFilterFunction(geometry, note_blocker);
   }
-  rtcCommitGeometry(geometry.get());
-  rtcAttachGeometryByID(hierarchy, geometry.get(), index);
+}
+
+void attach(RTCScene hierarchy, RTCGeometry geometry, unsigned index) {
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(hierarchy, geometry, index);
+}
+
+Geometry triangles_of(RTCDevice device, const FlatScene& scene, const SharedMesh& shared) {
+  Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
+  set_vertices(geometry.get(), shared.positions, 0);
+  set_triangles(geometry.get(), *shared.mesh);
+  set_filters(geometry.get(), scene, *shared.mesh);
+  return geometry;
+}
+
+Geometry triangles_of(RTCDevice device, const FlatScene& scene, const FlatMesh& mesh) {
+  Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
+  set_vertices(geometry.get(), mesh);
+  set_triangles(geometry.get(), *mesh.mesh);
+  set_filters(geometry.get(), scene, *mesh.mesh);
+  return geometry;
+}
+
+void set_transform(RTCGeometry geometry, const FlatScene& scene, const FlatMesh& mesh,
+                   unsigned time_step) {
+  const Eigen::Matrix<float, 3, 4> transform = T_flat_shared(scene, mesh).affine().cast<float>();
+  rtcSetGeometryTransform(geometry, time_step, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform.data());
+}
+
+/// Between moments Embree blends the matrices: vertices go straight.
+Geometry instance_of(RTCDevice device, RTCScene shared, const FlatScene& scene,
+                     const FlatMesh& mesh) {
+  Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
+  rtcSetGeometryInstancedScene(geometry.get(), shared);
+  const auto moments = static_cast<unsigned>(mesh.moments.size());
+  if (moments == 0) {
+    set_transform(geometry.get(), scene, mesh, 0);
+  } else {
+    rtcSetGeometryTimeStepCount(geometry.get(), moments);
+  }
+  for (unsigned i = 0; i < moments; ++i) {
+    set_transform(geometry.get(), scene, mesh.moments[i], i);
+  }
+  return geometry;
 }
 
 void aim(RTCRay& ray, const Aim& aim) {
@@ -153,6 +207,25 @@ struct alignas(64) FirstLanes {
   LaneMask mask;
 };
 
+/// What to say of shadow rays: Embree 3.13 gets stuck with those through instances that are said to
+/// be coherent.
+RTCIntersectContextFlags shadow_coherence(const FlatScene& flat) {
+  return flat.shared_meshes.empty() ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                    : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+}
+
+/// At a right angle to the triangle that was hit, on either side. What Embree says of a shared mesh
+/// is in that mesh's frame.
+Eigen::Vector3f across_triangle(const FlatScene& flat, const HitPacket& packet, int lane) {
+  const FlatMesh& mesh = flat.meshes[static_cast<std::size_t>(packet.mesh(lane))];
+  if (mesh.shared == kNone) {
+    const RTCHit16& hit = packet.lanes.hit;
+    return {hit.Ng_x[lane], hit.Ng_y[lane], hit.Ng_z[lane]};
+  }
+  const auto [a, b, c] = corners_of(mesh, packet.triangle(lane), packet.share(lane));
+  return (b - a).cross(c - a);
+}
+
 Eigen::Matrix3d inverse_of_intrinsics(const vo::PinholeCamera& camera) {
   Eigen::Matrix3d result = Eigen::Matrix3d::Identity();
   result(0, 0) = 1 / camera.fx;
@@ -168,19 +241,34 @@ float shadow_reach(const PlacedLight& light) {
   return light.has_place() ? 1 : kInfinity;
 }
 
-EmbreeScene::EmbreeScene(const FlatScene& flat) : device_(rtcNewDevice(nullptr)) {
+EmbreeScene::EmbreeScene(const FlatScene& flat)
+    : shadow_coherence_(shadow_coherence(flat)), device_(rtcNewDevice(nullptr)) {
   vo::require(device_ != nullptr, "Embree: no device, error ", rtcGetDeviceError(nullptr));
   std::string error;
   rtcSetDeviceErrorFunction(device_.get(), keep_first_error, &error);
-  hierarchy_.reset(rtcNewScene(device_.get()));
-  rtcSetSceneFlags(hierarchy_.get(), RTC_SCENE_FLAG_ROBUST);
-  rtcSetSceneBuildQuality(hierarchy_.get(), RTC_BUILD_QUALITY_HIGH);
+  for (const SharedMesh& shared : flat.shared_meshes) {
+    shared_.push_back(new_hierarchy());
+    attach(shared_.back().get(), triangles_of(device_.get(), flat, shared).get(), 0);
+    rtcCommitScene(shared_.back().get());
+  }
+  hierarchy_ = new_hierarchy();
   for (unsigned i = 0; i < flat.meshes.size(); ++i) {
-    attach(device_.get(), hierarchy_.get(), flat, i);
+    const FlatMesh& mesh = flat.meshes[i];
+    const Geometry geometry =
+        mesh.shared == kNone ? triangles_of(device_.get(), flat, mesh)
+                             : instance_of(device_.get(), shared_[mesh.shared].get(), flat, mesh);
+    attach(hierarchy_.get(), geometry.get(), i);
   }
   rtcCommitScene(hierarchy_.get());
   rtcSetDeviceErrorFunction(device_.get(), nullptr, nullptr);
   vo::require(error.empty(), "Embree: ", error);
+}
+
+EmbreeScene::Hierarchy EmbreeScene::new_hierarchy() const {
+  Hierarchy hierarchy(rtcNewScene(device_.get()));
+  rtcSetSceneFlags(hierarchy.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(hierarchy.get(), RTC_BUILD_QUALITY_HIGH);
+  return hierarchy;
 }
 
 void EmbreeScene::intersect(std::vector<RTCRayHit>& rays) const {
@@ -190,7 +278,7 @@ void EmbreeScene::intersect(std::vector<RTCRayHit>& rays) const {
 }
 
 void EmbreeScene::occlude(std::vector<RTCRay>& rays) const {
-  Query query = coherent_query(Sight::solid);
+  Query query = query_for(Sight::solid, shadow_coherence_);
   rtcOccluded1M(hierarchy_.get(), &query.context, rays.data(), static_cast<unsigned>(rays.size()),
                 sizeof(RTCRay));
 }
@@ -202,7 +290,7 @@ void EmbreeScene::intersect(HitPacket& packet, Sight sight) const {
 }
 
 void EmbreeScene::occlude(ShadowPacket& packet, ShadowHit& blocker) const {
-  Query query = coherent_query(Sight::solid);
+  Query query = query_for(Sight::solid, shadow_coherence_);
   query.blocker = &blocker;
   rtcOccluded16(packet.active.data(), hierarchy_.get(), &query.context, &packet.lanes);
   const float* const left = packet.lanes.tfar;
@@ -225,7 +313,7 @@ bool is_occluded(const RTCRay& ray) {
 }
 
 SurfaceHit surface_hit(const RTCHit& hit) {
-  return {.mesh = static_cast<int>(hit.geomID),
+  return {.mesh = mesh_of(hit.instID[0], hit.geomID),
           .triangle = static_cast<int>(hit.primID),
           .weights = {1 - hit.u - hit.v, hit.u, hit.v}};
 }
@@ -349,15 +437,14 @@ std::optional<double> View::depth_of(const DepthPlane& plane, const cv::Point& p
 }
 
 float View::exact_depth(const cv::Point& pixel, const RTCRayHit& ray) const {
-  const DepthPlane plane =
-      plane_of(static_cast<int>(ray.hit.geomID), static_cast<int>(ray.hit.primID), pixel.y);
+  const SurfaceHit hit = surface_hit(ray.hit);
+  const DepthPlane plane = plane_of(hit.mesh, hit.triangle, pixel.y);
   const std::optional<double> depth = depth_of(plane, pixel);
   return depth ? static_cast<float>(*depth) : ray.ray.tfar;
 }
 
 cv::Vec3f View::normal(const cv::Point& pixel, const HitPacket& packet, int lane) const {
-  const RTCHit16& hit = packet.lanes.hit;
-  const Eigen::Vector3f across(hit.Ng_x[lane], hit.Ng_y[lane], hit.Ng_z[lane]);
+  const Eigen::Vector3f across = across_triangle(flat_, packet, lane);
   const Eigen::Vector3f outward =
       across.dot(packet.direction(lane)) > 0 ? Eigen::Vector3f(-across) : across;
   const Eigen::Vector3f unit =

@@ -22,13 +22,18 @@
 
 namespace synth {
 
+/// Of FlatScene::meshes, by Embree's numbers of a hit.
+inline int mesh_of(unsigned instance, unsigned geometry) {
+  return static_cast<int>(instance == RTC_INVALID_GEOMETRY_ID ? geometry : instance);
+}
+
 /// Rays that go nearly the same way and are traced together: the first `size` lanes.
 struct HitPacket {
   RTCRayHit16 lanes;
   int size = 0;
 
   bool has_hit(int lane) const { return lanes.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID; }
-  int mesh(int lane) const { return static_cast<int>(lanes.hit.geomID[lane]); }
+  int mesh(int lane) const { return mesh_of(lanes.hit.instID[0][lane], lanes.hit.geomID[lane]); }
   int triangle(int lane) const { return static_cast<int>(lanes.hit.primID[lane]); }
   Eigen::Vector3f weights(int lane) const {  ///< of the triangle's vertices
     const float u = lanes.hit.u[lane];
@@ -84,8 +89,14 @@ class EmbreeScene {
     void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
   };
 
+  using Hierarchy = std::unique_ptr<RTCSceneTy, Release>;
+
+  Hierarchy new_hierarchy() const;
+
+  RTCIntersectContextFlags shadow_coherence_;
   std::unique_ptr<RTCDeviceTy, Release> device_;
-  std::unique_ptr<RTCSceneTy, Release> hierarchy_;
+  std::vector<Hierarchy> shared_;  ///< of FlatScene::shared_meshes
+  Hierarchy hierarchy_;
 };
 
 bool has_hit(const RTCRayHit& ray);

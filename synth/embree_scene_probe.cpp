@@ -55,8 +55,10 @@ Vector3f closest_point(const Vector3f& p, const std::array<Vector3f, 3>& corners
 /// Shrinks the query to the triangle.
 bool come_nearer(RTCPointQueryFunctionArguments* arguments) {
   const auto& query = *static_cast<const DistanceQuery*>(arguments->userPtr);
-  const std::array<Vector3f, 3> corners =
-      corners_of(query.flat.meshes[arguments->geomID], arguments->primID);
+  const RTCPointQueryContext& context = *arguments->context;
+  const unsigned instance = context.instStackSize > 0 ? context.instID[0] : RTC_INVALID_GEOMETRY_ID;
+  const std::array<Vector3f, 3> corners = corners_of(
+      query.flat.meshes[mesh_of(instance, arguments->geomID)], static_cast<int>(arguments->primID));
   const float distance = (closest_point(query.point, corners) - query.point).norm();
   if (!(distance < arguments->query->radius)) {
     return false;
@@ -81,8 +83,9 @@ RTCRayHit ray_along(const Vector3f& from, const Vector3f& direction, float reach
 
 /// Of the triangle's own winding, which a mirroring instance turns round.
 bool shows_its_front(const FlatScene& flat, const RTCRayHit& ray) {
-  const FlatMesh& mesh = flat.meshes[ray.hit.geomID];
-  const auto& [a, b, c] = corners_of(mesh, ray.hit.primID);
+  const SurfaceHit hit = surface_hit(ray.hit);
+  const FlatMesh& mesh = flat.meshes[hit.mesh];
+  const auto [a, b, c] = corners_of(mesh, hit.triangle);
   const Vector3f normal = (b - a).cross(c - a);
   const Vector3f direction(ray.ray.dir_x, ray.ray.dir_y, ray.ray.dir_z);
   const bool is_mirrored = mesh.T_world_mesh.linear().determinant() < 0;
@@ -90,15 +93,6 @@ bool shows_its_front(const FlatScene& flat, const RTCRayHit& ray) {
 }
 
 }  // namespace
-
-std::array<Vector3f, 3> corners_of(const FlatMesh& mesh, unsigned triangle) {
-  const std::array<int, 3>& indices = mesh.mesh->triangles[triangle];
-  std::array<Vector3f, 3> corners;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    corners.at(i) = mesh.positions[static_cast<std::size_t>(indices.at(i))];
-  }
-  return corners;
-}
 
 float distance_to_surface(const EmbreeScene& embree, const FlatScene& flat, const Vector3f& point,
                           float reach) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include <Eigen/Core>
@@ -10,8 +9,6 @@
 
 /// All in the flat scene's coordinates, m.
 namespace synth {
-
-std::array<Eigen::Vector3f, 3> corners_of(const FlatMesh& mesh, unsigned triangle);
 
 /// Distance of a point to the nearest triangle, or `reach` where that is nearer.
 float distance_to_surface(const EmbreeScene& embree, const FlatScene& flat,

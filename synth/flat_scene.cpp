@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <Eigen/LU>
 
@@ -12,14 +13,22 @@ namespace {
 
 const Material kDefaultMaterial;  // glTF's, of a mesh without one
 
+Eigen::Vector3f place_position(const FlatMesh& flat, const Eigen::Vector3f& position) {
+  const Eigen::Vector3d p_world = flat.T_world_mesh * position.cast<double>();
+  return (p_world - flat.origin).cast<float>();
+}
+
+Eigen::Vector3f place_normal(const Eigen::Matrix3d& N, const Eigen::Vector3f& normal) {
+  return (N * normal.cast<double>()).normalized().cast<float>();
+}
+
 /// Without vertices.
 FlatMesh unplaced(const Scene& scene, std::size_t index) {
   const Instance& instance = scene.instances[index];
   FlatMesh flat;
   flat.mesh = &scene.meshes[instance.mesh];
   flat.instance = static_cast<int>(index);
-  const int material = flat.mesh->material;
-  flat.material = material == kNone ? &kDefaultMaterial : &scene.materials[material];
+  flat.material = &material_of(scene, *flat.mesh);
   flat.T_world_mesh = instance.T_world_mesh;
   flat.side = instance.T_world_mesh.linear().determinant() < 0 ? -1.0F : 1.0F;
   return flat;
@@ -33,48 +42,61 @@ Eigen::AlignedBox3d bounds(const FlatMesh& flat) {
   return box;
 }
 
-void place_vertices(const Eigen::Vector3d& origin, FlatMesh& flat) {
+/// Nothing where they are shared.
+void place_vertices(FlatMesh& flat) {
+  if (flat.shared != kNone) {
+    return;
+  }
   const Mesh& mesh = *flat.mesh;
   flat.positions.resize(mesh.positions.size() + 1, Eigen::Vector3f::Zero());
   std::transform(mesh.positions.begin(), mesh.positions.end(), flat.positions.begin(),
-                 [&](const Eigen::Vector3f& position) -> Eigen::Vector3f {
-                   const Eigen::Vector3d p_world = flat.T_world_mesh * position.cast<double>();
-                   return (p_world - origin).cast<float>();
-                 });
+                 [&](const Eigen::Vector3f& position) { return place_position(flat, position); });
   const Eigen::Matrix3d N = cofactors(flat.T_world_mesh.linear());
   flat.normals.resize(mesh.normals.size());
   std::transform(mesh.normals.begin(), mesh.normals.end(), flat.normals.begin(),
-                 [&](const Eigen::Vector3f& normal) -> Eigen::Vector3f {
-                   return (N * normal.cast<double>()).normalized().cast<float>();
-                 });
+                 [&](const Eigen::Vector3f& normal) { return place_normal(N, normal); });
 }
 
+/// A shared mesh does not bend.
 bool moves_between(const std::vector<FlatMesh>& moments) {
   return std::any_of(moments.begin(), moments.end(), [&](const FlatMesh& moment) {
     return moment.T_world_mesh.matrix() != moments[0].T_world_mesh.matrix() ||
-           moment.mesh->positions != moments[0].mesh->positions;
+           (moment.shared == kNone && moment.mesh->positions != moments[0].mesh->positions);
   });
 }
 
-void add_moments(const std::vector<Scene>& scenes, const Eigen::Vector3d& origin, FlatMesh& flat) {
+void add_moments(const std::vector<Scene>& scenes, FlatMesh& flat) {
+  std::vector<FlatMesh> moments;
   for (const Scene& scene : scenes) {
-    flat.moments.push_back(unplaced(scene, static_cast<std::size_t>(flat.instance)));
+    FlatMesh& moment =
+        moments.emplace_back(unplaced(scene, static_cast<std::size_t>(flat.instance)));
+    moment.origin = flat.origin;
+    moment.shared = flat.shared;
   }
-  if (!moves_between(flat.moments)) {
-    flat.moments.clear();
-  }
-  for (FlatMesh& moment : flat.moments) {
-    place_vertices(origin, moment);
+  if (moves_between(moments)) {
+    std::for_each(moments.begin(), moments.end(), place_vertices);
+    flat.moments = std::move(moments);
   }
 }
 
-Eigen::Vector3d corner_of(const FlatMesh& mesh, int vertex) {
-  return mesh.T_world_mesh * mesh.mesh->positions[vertex].cast<double>();
+/// Gives the instances that can do without vertices of their own the shared ones.
+void share_meshes(const std::vector<Scene>& moments, FlatScene& flat) {
+  const std::vector<bool> sharing = sharing_instances(*flat.scene, moments);
+  std::vector<int> shared_of_mesh(flat.scene->meshes.size(), kNone);
+  for (FlatMesh& mesh : flat.meshes) {
+    if (!sharing[static_cast<std::size_t>(mesh.instance)]) {
+      continue;
+    }
+    int& shared = shared_of_mesh[static_cast<std::size_t>(mesh.mesh - flat.scene->meshes.data())];
+    if (shared == kNone) {
+      shared = static_cast<int>(flat.shared_meshes.size());
+      flat.shared_meshes.push_back(shared_mesh(*mesh.mesh));
+    }
+    mesh.shared = shared;
+  }
 }
 
-}  // namespace
-
-FlatScene flatten(const Scene& scene) {
+FlatScene flatten(const Scene& scene, const std::vector<Scene>& moments) {
   FlatScene flat;
   flat.scene = &scene;
   Eigen::AlignedBox3d box;
@@ -88,19 +110,42 @@ FlatScene flatten(const Scene& scene) {
   if (!box.isEmpty()) {
     flat.origin = box.center();
   }
+  share_meshes(moments, flat);
   for (FlatMesh& mesh : flat.meshes) {
-    place_vertices(flat.origin, mesh);
+    mesh.origin = flat.origin;
+    place_vertices(mesh);
+    add_moments(moments, mesh);
   }
   return flat;
 }
 
+Eigen::Vector3d corner_of(const FlatMesh& mesh, int vertex) {
+  return mesh.T_world_mesh * mesh.mesh->positions[vertex].cast<double>();
+}
+
+}  // namespace
+
+const Material& material_of(const Scene& scene, const Mesh& mesh) {
+  return mesh.material == kNone ? kDefaultMaterial : scene.materials[mesh.material];
+}
+
+Eigen::Vector3f FlatMesh::position(int vertex) const {
+  return shared == kNone ? positions[vertex] : place_position(*this, mesh->positions[vertex]);
+}
+
+Eigen::Vector3f FlatMesh::normal(int vertex) const {
+  return shared == kNone ? normals[vertex]
+                         : place_normal(cofactors(T_world_mesh.linear()), mesh->normals[vertex]);
+}
+
+FlatScene flatten(const Scene& scene) {
+  return flatten(scene, {});
+}
+
 FlatScene flatten(const SceneDuring& during) {
-  FlatScene flat = flatten(during.now);
+  FlatScene flat = flatten(during.now, during.moments);
   flat.begin = during.begin;
   flat.end = during.end;
-  for (FlatMesh& mesh : flat.meshes) {
-    add_moments(during.moments, flat.origin, mesh);
-  }
   return flat;
 }
 
@@ -116,6 +161,24 @@ MomentPair moments_around(const FlatMesh& mesh, float share) {
   const float place = share * static_cast<float>(intervals);
   const std::size_t before = std::min(static_cast<std::size_t>(place), intervals - 1);
   return {&mesh.moments[before], &mesh.moments[before + 1], place - static_cast<float>(before)};
+}
+
+std::array<Eigen::Vector3f, 3> corners_of(const FlatMesh& mesh, int triangle, float share) {
+  const MomentPair moments = moments_around(mesh, share);
+  const std::array<int, 3>& vertices = mesh.mesh->triangles[triangle];
+  std::array<Eigen::Vector3f, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    corners[i] = moments.before->position(vertices[i]);
+    if (moments.share != 0) {
+      corners[i] += moments.share * (moments.after->position(vertices[i]) - corners[i]);
+    }
+  }
+  return corners;
+}
+
+Eigen::Affine3d T_flat_shared(const FlatScene& flat, const FlatMesh& mesh) {
+  return Eigen::Translation3d(-flat.origin) * mesh.T_world_mesh *
+         Eigen::Translation3d(flat.shared_meshes[mesh.shared].centre);
 }
 
 Eigen::AlignedBox3d visible_bounds(const FlatScene& flat) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -8,21 +9,30 @@
 
 #include "synth/scene.h"
 #include "synth/scene_motion.h"
+#include "synth/shared_mesh.h"
 
 namespace synth {
 
-/// An instance with its vertices where they stand. The normals are unit or zero; none if the mesh
-/// has none.
+/// An instance with its vertices where they stand, unless it shares them.
 struct FlatMesh {
   const Mesh* mesh = nullptr;
   const Material* material = nullptr;
   int instance = kNone;  ///< of Scene::instances
   Eigen::Affine3d T_world_mesh = Eigen::Affine3d::Identity();
-  float side = 1;                          ///< -1 where T_world_mesh mirrors
+  float side = 1;                                    ///< -1 where T_world_mesh mirrors
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< FlatScene's
+  int shared = kNone;                                ///< of FlatScene::shared_meshes
   std::vector<Eigen::Vector3f> positions;  ///< and one more: Embree reads 16 bytes at each
   std::vector<Eigen::Vector3f> normals;
   std::vector<FlatMesh> moments;  ///< of a mesh that moves meanwhile: where it stands at each
+
+  bool has_normals() const { return !mesh->normals.empty(); }
+  Eigen::Vector3f position(int vertex) const;  ///< m, in the flat scene's coordinates
+  Eigen::Vector3f normal(int vertex) const;    ///< unit or zero; only of meshes that have them
 };
+
+/// What the mesh is made of; glTF's default if it does not say.
+const Material& material_of(const Scene& scene, const Mesh& mesh);
 
 /// A scene's triangles without its hierarchy. All float coordinates are the world's less `origin`,
 /// the middle of the scene, which keeps their precision wherever the scene stands. Refers to the
@@ -31,8 +41,9 @@ struct FlatScene {
   const Scene* scene = nullptr;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, world
   std::vector<FlatMesh> meshes;                      ///< each has a triangle
-  double begin = 0;                                  ///< s, of the first moment
-  double end = 0;                                    ///< s, of the last
+  std::vector<SharedMesh> shared_meshes;
+  double begin = 0;  ///< s, of the first moment
+  double end = 0;    ///< s, of the last
 
   /// How far a time of the scene's animations lies from the first moment to the last, 0 to 1.
   float share_at(double time) const;
@@ -52,6 +63,12 @@ struct MomentPair {
 
 /// `share` is FlatScene::share_at.
 MomentPair moments_around(const FlatMesh& mesh, float share);
+
+/// Corners of a triangle, m, in the flat scene's coordinates. `share` is FlatScene::share_at.
+std::array<Eigen::Vector3f, 3> corners_of(const FlatMesh& mesh, int triangle, float share = 0);
+
+/// From the vertices of the shared mesh that it shows to the flat scene's coordinates.
+Eigen::Affine3d T_flat_shared(const FlatScene& flat, const FlatMesh& mesh);
 
 /// The box around all that can be seen, m, world.
 Eigen::AlignedBox3d visible_bounds(const FlatScene& flat);

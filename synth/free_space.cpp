@@ -80,7 +80,7 @@ Eigen::Vector3d FreeSpace::beside_surface(const Eigen::Vector4d& shares) const {
   const auto mesh_index = static_cast<std::size_t>(next - triangles_before_.begin()) - 1;
   const FlatMesh& mesh = tracer_.flat().meshes[mesh_index];
   const std::array<Eigen::Vector3f, 3> corners =
-      corners_of(mesh, static_cast<unsigned>(index - triangles_before_[mesh_index]));
+      corners_of(mesh, static_cast<int>(index - triangles_before_[mesh_index]));
   const double root = std::sqrt(shares[1]);  // evenly over the triangle
   const Eigen::Vector3d a = corners[0].cast<double>();
   const Eigen::Vector3d ab = corners[1].cast<double>() - a;

@@ -23,17 +23,15 @@ void add_attribute(const GlFunctions& gl, GLuint location, const std::vector<Val
   gl.EnableVertexAttribArray(location);
 }
 
-GlMesh upload(const GlFunctions& gl, const FlatMesh& flat) {
-  GlMesh made;
-  made.flat = &flat;
-  const Mesh& mesh = *flat.mesh;
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    made.bounds.extend(flat.positions[i]);
-  }
-  gl.GenVertexArrays(1, &made.vertices);
-  gl.BindVertexArray(made.vertices);
-  add_attribute(gl, 0, flat.positions);
-  add_attribute(gl, 1, flat.normals);
+/// The vertex array object of a mesh whose positions and normals are these.
+GLuint upload(const GlFunctions& gl, const Mesh& mesh,
+              const std::vector<Eigen::Vector3f>& positions,
+              const std::vector<Eigen::Vector3f>& normals) {
+  GLuint vertices = 0;
+  gl.GenVertexArrays(1, &vertices);
+  gl.BindVertexArray(vertices);
+  add_attribute(gl, 0, positions);
+  add_attribute(gl, 1, normals);
   for (GLuint set = 0; set < kTexcoordSets; ++set) {
     add_attribute(gl, kTexcoords + set, mesh.texcoords[set]);
   }
@@ -45,8 +43,15 @@ GlMesh upload(const GlFunctions& gl, const FlatMesh& flat) {
   gl.BufferData(GL_ELEMENT_ARRAY_BUFFER,
                 static_cast<GLsizeiptr>(mesh.triangles.size() * sizeof(mesh.triangles[0])),
                 mesh.triangles.data(), GL_STATIC_DRAW);
-  made.indices = static_cast<GLsizei>(3 * mesh.triangles.size());
-  return made;
+  return vertices;
+}
+
+Eigen::AlignedBox3f bounds_of(const FlatMesh& flat) {
+  Eigen::AlignedBox3f bounds;
+  for (std::size_t i = 0; i < flat.mesh->positions.size(); ++i) {
+    bounds.extend(flat.position(static_cast<int>(i)));
+  }
+  return bounds;
 }
 
 GLint wrap_of(Wrap wrap) {
@@ -95,8 +100,17 @@ GLuint upload(const GlFunctions& gl, const Texture& texture, const TextureImage&
 
 GlScene upload(const GlFunctions& gl, const FlatScene& flat) {
   GlScene made;
+  std::vector<GLuint> shared;
+  for (const SharedMesh& mesh : flat.shared_meshes) {
+    shared.push_back(upload(gl, *mesh.mesh, mesh.positions, mesh.mesh->normals));
+  }
   for (const FlatMesh& mesh : flat.meshes) {
-    made.meshes.push_back(upload(gl, mesh));
+    made.meshes.push_back({.vertices = mesh.shared == kNone
+                                           ? upload(gl, *mesh.mesh, mesh.positions, mesh.normals)
+                                           : shared[static_cast<std::size_t>(mesh.shared)],
+                           .indices = static_cast<GLsizei>(3 * mesh.mesh->triangles.size()),
+                           .flat = &mesh,
+                           .bounds = bounds_of(mesh)});
   }
   for (const Texture& texture : flat.scene->textures) {
     made.textures.push_back(

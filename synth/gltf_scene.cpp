@@ -18,6 +18,7 @@
 #include "synth/gltf_select.h"
 #include "synth/gltf_skin.h"
 #include "synth/scene_motion.h"
+#include "synth/shared_mesh.h"
 #include "vo/core/error.h"
 
 namespace synth {
@@ -28,8 +29,12 @@ using vo::require;
 /// Bounds what nodes that share a mesh of many primitives may multiply to.
 constexpr std::size_t kMostInstances = 1'000'000;
 
-/// A position and a normal, which renderers keep for each vertex of each instance.
+/// A position and a normal, which renderers keep for each vertex of each instance that does not
+/// share them.
 constexpr std::size_t kPlacedVertexBytes = 2 * sizeof(Eigen::Vector3f);
+
+/// Bounds the time that looking at each vertex of each instance takes.
+constexpr std::size_t kMostPlacedVertices = std::size_t{1} << 29U;
 
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
@@ -56,6 +61,7 @@ class SceneReader {
     motion.loop = options.loop;
     motion.animations = read_animations(reading_, forest_, options.animation);
     Scene scene = at_rest();
+    require_room(scene);
     if (moves(scene_) || moves_cameras(scene_)) {
       scene.motion = std::move(motion);
     }
@@ -122,10 +128,23 @@ class SceneReader {
     require(scene_.instances.size() < kMostInstances, model_.path.string(),
             ": has more instances of primitives than ", kMostInstances,
             ", expected at most as many");
-    const std::size_t vertices = scene_.meshes[at(instance.mesh)].positions.size();
-    placed_budget_.take(vertices * kPlacedVertexBytes, model_.path.string());
     scene_.instances.push_back(instance);
     scene_.motion.instance_nodes.push_back(moved_by);
+  }
+
+  void require_room(const Scene& scene) const {
+    const std::vector<bool> sharing = sharing_instances(scene);
+    MemoryBudget budget;
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < sharing.size(); ++i) {
+      const std::size_t vertices = scene.meshes[at(scene.instances[i].mesh)].positions.size();
+      sum += vertices;
+      require(sum <= kMostPlacedVertices, model_.path.string(), ": its instances have more than ",
+              kMostPlacedVertices, " vertices in all, expected at most as many");
+      if (!sharing[i]) {
+        budget.take(vertices * kPlacedVertexBytes, model_.path.string());
+      }
+    }
   }
 
   bool has_targets(int gltf_mesh) const {
@@ -246,7 +265,7 @@ class SceneReader {
   }
 
   const GltfModel& model_;
-  MemoryBudget budget_, placed_budget_;
+  MemoryBudget budget_;
   Scene scene_;
   GltfReading reading_;
   MaterialReader materials_;

@@ -10,7 +10,7 @@ namespace {
 
 using Corners = std::array<Eigen::Vector3d, 3>;  ///< m, world
 
-Corners corners_of(const FlatMesh& mesh, int triangle) {
+Corners world_corners(const FlatMesh& mesh, int triangle) {
   Corners corners;
   for (int i = 0; i < 3; ++i) {
     const int vertex = mesh.mesh->triangles[triangle][i];
@@ -61,7 +61,7 @@ TrianglePoint point_of(const FlatScene& flat, const RTCRayHit& hit, const Ray& r
                       .triangle = surface.triangle,
                       .weights = surface.weights.cast<double>(),
                       .depth = hit.ray.tfar};
-  refine(corners_of(flat.meshes[surface.mesh], surface.triangle), ray, optical_axis, point);
+  refine(world_corners(flat.meshes[surface.mesh], surface.triangle), ray, optical_axis, point);
   return point;
 }
 
@@ -110,14 +110,14 @@ PointImage PointTracer::trace(const vo::PinholeCamera& camera,
 }
 
 Eigen::Vector3d PointTracer::position(const TrianglePoint& point) const {
-  const Corners corners = corners_of(flat_.meshes[point.mesh], point.triangle);
+  const Corners corners = world_corners(flat_.meshes[point.mesh], point.triangle);
   return point.weights[0] * corners[0] + point.weights[1] * corners[1] +
          point.weights[2] * corners[2];
 }
 
 Eigen::Vector3d PointTracer::face_normal(const TrianglePoint& point,
                                          const Eigen::Vector3d& eye) const {
-  const Corners corners = corners_of(flat_.meshes[point.mesh], point.triangle);
+  const Corners corners = world_corners(flat_.meshes[point.mesh], point.triangle);
   const Eigen::Vector3d normal =
       (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
   return normal.dot(eye - corners[0]) < 0 ? Eigen::Vector3d(-normal) : normal;

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "synth/cofactors.h"
 #include "synth/embree_scene.h"
 #include "synth/flat_scene.h"
 #include "synth/gl_context.h"
@@ -251,10 +252,16 @@ void Rasterizer::set_mesh(const GlProgram& program, const GlMesh& mesh,
                           const Camera& camera) const {
   const bool rows_grow_down = camera.pinhole.fy > 0;
   program.set("front_is_ccw", rows_grow_down == (mesh.flat->side > 0) ? 0.0F : 1.0F);
-  program.set("has_normals", mesh.flat->normals.empty() ? 0.0F : 1.0F);
+  program.set("has_normals", mesh.flat->has_normals() ? 1.0F : 0.0F);
   program.set("has_tangents", mesh.flat->mesh->tangents.empty() ? 0.0F : 1.0F);
   program.set("R_world_mesh", Eigen::Matrix3f(mesh.flat->T_world_mesh.linear().cast<float>()));
   program.set("tangent_side", mesh.flat->side);
+  program.set("is_shared", mesh.flat->shared == kNone ? 0.0F : 1.0F);
+  if (mesh.flat->shared != kNone) {
+    const Eigen::Affine3d T = T_flat_shared(flat_, *mesh.flat);
+    program.set("shared_place", Eigen::Vector3f(T.translation().cast<float>()));
+    program.set("normal_axes", Eigen::Matrix3f(cofactors(T.linear()).cast<float>()));
+  }
 }
 
 /// Meshes by their distance from the eye: what they hide need not be shaded.

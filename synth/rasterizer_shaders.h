@@ -14,6 +14,9 @@ layout(location = 5) in vec4 tangent;
 uniform mat4 projection;
 uniform mat3 R_camera_world;
 uniform mat3 R_world_mesh;  // of tangents: any scale
+uniform float is_shared;  // positions and normals are the mesh's, not the world's
+uniform vec3 shared_place;
+uniform mat3 normal_axes;  // any scale
 uniform vec3 eye;
 uniform float tangent_side;  // -1 where the mesh is mirrored
 out vec3 p_camera;
@@ -23,8 +26,10 @@ out vec2 uv_1;
 out vec4 vertex_color;
 out vec4 vertex_tangent;
 void main() {
-  p_camera = R_camera_world * (position - eye);
-  vertex_normal = R_camera_world * normal;
+  vec3 p_world = is_shared > 0 ? R_world_mesh * position + shared_place : position;
+  vec3 normal_world = is_shared > 0 ? normalize(normal_axes * normal) : normal;
+  p_camera = R_camera_world * (p_world - eye);
+  vertex_normal = R_camera_world * normal_world;
   uv_0 = texcoord_0;
   uv_1 = texcoord_1;
   vertex_color = color;

@@ -50,18 +50,30 @@ TexturePatch texture_patch(const Scene& scene, const FlatMesh& flat, const Textu
   return patch;
 }
 
-Eigen::Vector3f between(const MomentPair& moments, std::vector<Eigen::Vector3f> FlatMesh::*values,
-                        int vertex) {
-  const Eigen::Vector3f& before = (moments.before->*values)[vertex];
+Eigen::Vector3f normal_between(const MomentPair& moments, int vertex) {
+  const Eigen::Vector3f before = moments.before->normal(vertex);
   if (moments.share == 0) {
     return before;
   }
-  return before + moments.share * ((moments.after->*values)[vertex] - before);
+  return before + moments.share * (moments.after->normal(vertex) - before);
+}
+
+/// The greatest coordinate that takes part in finding a hit, m.
+float extent_of(const FlatScene& flat, const SurfaceTriangle& triangle) {
+  const std::array<Eigen::Vector3f, 3>& corners = triangle.corners;
+  const Eigen::Array3f extent =
+      corners[0].array().abs().max(corners[1].array().abs()).max(corners[2].array().abs());
+  const FlatMesh& mesh = *triangle.mesh;
+  if (mesh.shared == kNone) {
+    return extent.maxCoeff();
+  }
+  const Eigen::Vector3d place = T_flat_shared(flat, mesh).translation();
+  return extent.maxCoeff() + place.cast<float>().cwiseAbs().maxCoeff();
 }
 
 /// Unit, on the front side.
 Eigen::Vector3f vertex_normal(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights) {
-  if (triangle.mesh->normals.empty()) {
+  if (!triangle.mesh->has_normals()) {
     return triangle.normal;
   }
   constexpr float kMinLength = 1e-3F;  // shorter: opposite normals that cancel out
@@ -179,20 +191,16 @@ SurfaceTriangle::SurfaceTriangle(const FlatScene& flat, int mesh_index, int tria
   const MomentPair moments = moments_around(flat.meshes[mesh_index], share);
   mesh = moments.before;
   vertices = mesh->mesh->triangles[triangle];
-  for (std::size_t i = 0; i < 3; ++i) {
-    corners[i] = between(moments, &FlatMesh::positions, vertices[i]);
-    if (!mesh->normals.empty()) {
-      normals[i] = between(moments, &FlatMesh::normals, vertices[i]);
-    }
+  corners = corners_of(flat.meshes[mesh_index], triangle, share);
+  for (std::size_t i = 0; i < 3 && mesh->has_normals(); ++i) {
+    normals[i] = normal_between(moments, vertices[i]);
   }
   const Eigen::Vector3f cross =
       mesh->side * (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   const float length = cross.norm();
   const bool has_area = length > std::numeric_limits<float>::min();
   normal = has_area ? Eigen::Vector3f(cross / length) : Eigen::Vector3f::Zero();
-  const Eigen::Array3f extent =
-      corners[0].array().abs().max(corners[1].array().abs()).max(corners[2].array().abs());
-  rounding = 16 * std::numeric_limits<float>::epsilon() * extent.maxCoeff();
+  rounding = 16 * std::numeric_limits<float>::epsilon() * extent_of(flat, *this);
   const Material& material = *mesh->material;
   const auto patch = [&](const TextureSlot& slot) {
     return texture_patch(*flat.scene, *mesh, slot, vertices, has_area ? length : 0);

@@ -69,10 +69,11 @@ void SurfaceTracer::trace_row(const View& view, int v, SurfaceView& surfaces) co
     if (!has_hit({ray, hit})) {
       continue;
     }
-    const SurfacePoint point = surface_point(
-        flat_, surface_hit(hit), {ray.dir_x, ray.dir_y, ray.dir_z}, pixel_width * ray.tfar);
+    const SurfaceHit seen = surface_hit(hit);
+    const SurfacePoint point =
+        surface_point(flat_, seen, {ray.dir_x, ray.dir_y, ray.dir_z}, pixel_width * ray.tfar);
     record(view, {u, v}, {ray, hit}, point, surfaces);
-    if (!flat_.meshes[hit.geomID].material->unlit) {
+    if (!flat_.meshes[seen.mesh].material->unlit) {
       lit.push_back(point);
       lit_columns.push_back(u);
     }

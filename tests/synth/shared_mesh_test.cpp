@@ -1,0 +1,315 @@
+#include "synth/shared_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "synth/embree_scene_probe.h"
+#include "synth/motion_truth.h"
+#include "synth/pixel_truth.h"
+#include "synth/point_tracer.h"
+#include "synth/scene_motion.h"
+#include "synth/surface_tracer.h"
+#include "tests/synth/quads.h"
+
+namespace synth {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kRows = 64;  // of squares, on a ball
+constexpr int kCopies = 14;
+
+/// Bumpy and smooth, not at the middle of its frame: 8192 triangles.
+Mesh ball() {
+  Mesh mesh;
+  for (int row = 0; row <= kRows; ++row) {
+    for (int column = 0; column <= kRows; ++column) {
+      const double theta = std::numbers::pi * row / kRows;
+      const double phi = 2 * std::numbers::pi * column / kRows;
+      const Vector3d normal(std::sin(theta) * std::cos(phi), std::cos(theta),
+                            std::sin(theta) * std::sin(phi));
+      const double radius = 0.5 + 0.05 * std::sin(5 * theta) * std::sin(6 * phi);
+      mesh.positions.emplace_back((radius * normal + Vector3d(3, 0.5, 0)).cast<float>());
+      mesh.normals.emplace_back(normal.cast<float>());
+      mesh.texcoords[0].emplace_back(static_cast<float>(4 * column) / kRows,
+                                     static_cast<float>(2 * row) / kRows);
+    }
+  }
+  for (int row = 0; row < kRows; ++row) {
+    for (int column = 0; column < kRows; ++column) {
+      const int a = row * (kRows + 1) + column;
+      const int b = a + kRows + 1;
+      mesh.triangles.insert(mesh.triangles.end(), {{a, a + 1, b}, {a + 1, b + 1, b}});
+    }
+  }
+  return mesh;
+}
+
+/// Black and white, with holes where it is black.
+TextureImage checker() {
+  TextureImage image;
+  for (int size = 8; size > 0; size /= 2) {
+    cv::Mat_<cv::Vec4b> level(size, size, cv::Vec4b(128, 128, 128, 128));
+    for (int i = 0; size == 8 && i < size * size; ++i) {
+      const bool is_white = (i % size + i / size) % 2 == 0;
+      level(i / size, i % size) = is_white ? cv::Vec4b(255, 200, 90, 255) : cv::Vec4b(0, 0, 0, 0);
+    }
+    image.levels.push_back(level);
+  }
+  return image;
+}
+
+/// Where the copies stand: turned, mirrored, stretched and one of them sheared.
+Eigen::Affine3d place(int copy) {
+  const Vector3d at(copy % 5 - 2.2, 0.9 * (copy / 5) - 1, 3 + 0.3 * (copy % 3));
+  const double side = copy % 3 == 1 ? -0.7 : 0.7;
+  Eigen::Affine3d T =
+      Eigen::Translation3d(at) * Eigen::AngleAxisd(0.7 * copy, Vector3d(1, 2, 3).normalized()) *
+      Eigen::Scaling(side, 0.5 + 0.05 * copy, 0.6) * Eigen::Translation3d(-3, -0.5, 0);
+  if (copy == 7) {
+    T.linear().col(0) += 40 * T.linear().col(1);
+  }
+  return T;
+}
+
+/// Copies of two meshes, one of them with holes, before a wall, in the light of a lamp.
+Scene copies() {
+  Scene scene;
+  add(scene, square_at(5, 16), diffuse({0.5F, 0.6F, 0.7F}));
+  add(scene, ball(), diffuse({0.9F, 0.5F, 0.3F}));
+  add(scene, ball(), diffuse({1, 1, 1}));
+  scene.images.push_back(checker());
+  scene.textures.push_back({.image = 0});
+  scene.materials[2].base_color_texture.texture = 0;
+  scene.materials[2].alpha_mode = AlphaMode::mask;
+  scene.instances.resize(1);
+  for (int copy = 0; copy < 2 * kCopies; ++copy) {
+    scene.instances.push_back({.mesh = 1 + copy % 2, .T_world_mesh = place(copy)});
+  }
+  scene.lights.push_back(point_light({-1, -3, 0.5}, {40, 40, 30}));
+  return scene;
+}
+
+/// The same with a mesh of its own for each.
+Scene apart(const Scene& scene) {
+  Scene result = scene;
+  result.meshes.clear();
+  for (Instance& instance : result.instances) {
+    result.meshes.push_back(scene.meshes[instance.mesh]);
+    instance.mesh = static_cast<int>(result.meshes.size()) - 1;
+  }
+  return result;
+}
+
+/// All but the wall turn about the optical axis and come nearer for four seconds.
+Scene moving(Scene scene) {
+  MotionNode turning;
+  scene.motion.nodes = {{}, turning};
+  scene.motion.instance_nodes = {0};
+  for (std::size_t i = 1; i < scene.instances.size(); ++i) {
+    scene.motion.nodes.push_back({.parent = 1, .T_parent_node = scene.instances[i].T_world_mesh});
+    scene.motion.instance_nodes.push_back(static_cast<int>(scene.motion.nodes.size()) - 1);
+  }
+  scene.motion.light_nodes = {static_cast<int>(scene.motion.nodes.size())};
+  scene.motion.nodes.push_back(
+      {.T_parent_node = Eigen::Affine3d(Eigen::Translation3d(scene.lights[0].position))});
+  const AnimationCurve turn{
+      .width = 4, .times = {0, 4}, .values = {0, 0, 0, 1, 0, 0, 1, 0}, .holds_quaternions = true};
+  const AnimationCurve approach{.width = 3, .times = {0, 4}, .values = {0, 0, 0, 0.2F, 0, -1}};
+  scene.motion.animations = {
+      {.duration = 4,
+       .channels = {{.node = 1, .property = AnimatedProperty::rotation, .curve = turn},
+                    {.node = 1, .property = AnimatedProperty::translation, .curve = approach}}}};
+  return scene;
+}
+
+vo::PinholeCamera camera() {
+  return vo::PinholeCamera::from_horizontal_fov(160, 120, 70);
+}
+
+/// How two pictures of the same differ.
+struct Difference {
+  int ids = 0;       ///< pixels
+  int depths = 0;    ///< pixels of the same ids, by more than the tolerated share
+  int normals = 0;   ///< the same, by more than 1e-3
+  int colors = 0;    ///< pixels, by more than 0.01
+  int compared = 0;  ///< pixels that see something
+};
+
+Difference difference(const RenderedFrame& a, const RenderedFrame& b, float depth_tolerance) {
+  Difference result;
+  for (int v = 0; v < a.depth.rows; ++v) {
+    for (int u = 0; u < a.depth.cols; ++u) {
+      result.compared += a.depth(v, u) > 0 ? 1 : 0;
+      const bool is_same = a.instance(v, u) == b.instance(v, u);
+      result.ids += is_same && a.material(v, u) == b.material(v, u) ? 0 : 1;
+      const float step = std::abs(a.depth(v, u) - b.depth(v, u));
+      result.depths += is_same && step > depth_tolerance * a.depth(v, u) ? 1 : 0;
+      result.normals += is_same && cv::norm(a.normal(v, u) - b.normal(v, u)) > 1e-3 ? 1 : 0;
+      result.colors += cv::norm(a.radiance(v, u) - b.radiance(v, u)) > 0.01 ? 1 : 0;
+    }
+  }
+  return result;
+}
+
+/// Rays along edges may meet or miss them, and a triangle's neighbour, by rounding.
+void expect_same(const RenderedFrame& a, const RenderedFrame& b, float depth_tolerance = 1e-6F) {
+  const Difference differing = difference(a, b, depth_tolerance);
+  const int few = static_cast<int>(a.depth.total() / 1000);
+  EXPECT_GT(differing.compared, 10'000);
+  EXPECT_LE(differing.ids, few);
+  EXPECT_LE(differing.depths, few);
+  EXPECT_LE(differing.normals, few);
+  EXPECT_LE(differing.colors, 2 * few);
+}
+
+Shot all_of(const Shot& shot) {
+  Shot result = shot;
+  result.channels = {.color = true, .depth = true, .normal = true, .ids = true};
+  return result;
+}
+
+TEST(SharedMesh, IsOneOfManyTriangles) {
+  EXPECT_EQ(flatten(apart(copies())).shared_meshes.size(), 0U);
+  Scene scene = copies();
+  const FlatScene flat = flatten(scene);
+  ASSERT_EQ(flat.shared_meshes.size(), 2U);
+  EXPECT_EQ(flat.shared_meshes[0].mesh, &scene.meshes[1]);
+  scene.instances.resize(1 + kCopies);  // half of them
+  EXPECT_EQ(flatten(scene).shared_meshes.size(), 0U);
+}
+
+TEST(SharedMesh, IsNotForWhatIsShearedFlatOrShortLived) {
+  Scene scene = copies();
+  scene.instances[3].T_world_mesh.linear().col(2).setZero();
+  const std::vector<bool> sharing = sharing_instances(scene);
+  EXPECT_FALSE(sharing[0]);
+  EXPECT_FALSE(sharing[1 + 7]);
+  EXPECT_FALSE(sharing[3]);
+  EXPECT_EQ(std::count(sharing.begin(), sharing.end(), true), 2 * kCopies - 2);
+  Scene mirrored = scene;
+  mirrored.instances[5].T_world_mesh.linear() *= -1;  // goes through a point on its way
+  EXPECT_FALSE(sharing_instances(scene, {scene, mirrored})[5]);
+  EXPECT_TRUE(sharing_instances(scene, {scene, mirrored})[6]);
+}
+
+TEST(SharedMesh, PlacesVerticesWhereAMeshOfItsOwnHasThem) {
+  const Scene scene = copies();
+  const Scene separate = apart(scene);
+  const FlatScene shared = flatten(scene);
+  const FlatScene own = flatten(separate);
+  EXPECT_EQ(shared.origin, own.origin);
+  for (std::size_t i = 0; i < own.meshes.size(); ++i) {
+    for (const int vertex : {0, 1, 3}) {
+      EXPECT_EQ(shared.meshes[i].position(vertex), own.meshes[i].positions[vertex]);
+    }
+  }
+  EXPECT_EQ(shared.meshes[2].normal(700), own.meshes[2].normals[700]);
+}
+
+TEST(SharedMesh, IsSeenAsMeshesOfTheirOwnAre) {
+  const Scene scene = copies();
+  const Scene separate = apart(scene);
+  const Shot shot = all_of(still(camera(), {}));
+  for (const RenderMode mode : {RenderMode::unlit, RenderMode::direct, RenderMode::path}) {
+    const RenderOptions options{.mode = mode, .samples = 4, .bounces = 2};
+    const RenderedFrame frame = make_renderer(scene, options)->render(shot);
+    const RenderedFrame expected = make_renderer(separate, options)->render(shot);
+    if (mode != RenderMode::path) {  // whose random turns multiply roundings
+      expect_same(frame, expected);
+    }
+    EXPECT_NEAR(cv::mean(frame.radiance)[0], cv::mean(expected.radiance)[0], 1e-3);
+  }
+}
+
+TEST(SharedMesh, IsDrawnAsMeshesOfTheirOwnAre) {
+  const Scene scene = copies();
+  const Scene separate = apart(scene);
+  const RenderOptions options{.kind = RendererKind::rasterizer, .samples = 1};
+  const Shot shot = all_of(still(camera(), {}));
+  const RenderedFrame frame = make_renderer(scene, options)->render(shot);
+  constexpr float kDrawn = 1e-5F;  // OpenGL's depth is single precision throughout
+  expect_same(frame, make_renderer(separate, options)->render(shot), kDrawn);
+}
+
+TEST(SharedMesh, MovesAsMeshesOfTheirOwnDo) {
+  const Scene scene = moving(copies());
+  const Scene separate = moving(apart(copies()));
+  Shot shot = all_of(still(camera(), {}));
+  shot.shutter = {.exposure_time = 0.1, .readout_time = 0.2};
+  shot.scene_time = 2;
+  const SceneDuring during = scene_during(scene, 2, 1.7, 2.3);
+  const SceneDuring separately = scene_during(separate, 2, 1.7, 2.3);
+  ASSERT_EQ(flatten(during).shared_meshes.size(), 2U);
+  const RenderOptions options{.mode = RenderMode::direct, .samples = 4};
+  const RenderedFrame frame = make_renderer(during, options)->render(shot);
+  const RenderedFrame expected = make_renderer(separately, options)->render(shot);
+  expect_same(frame, expected);
+  const RenderedFrame at_rest =
+      make_renderer(during.now, options)->render(all_of(still(camera(), {})));
+  EXPECT_GT(difference(frame, at_rest, 1).colors, 1000);
+}
+
+TEST(SharedMesh, HasTheTruthOfMeshesOfTheirOwn) {
+  const Scene scene = moving(copies());
+  const Scene separate = moving(apart(copies()));
+  const Scene now = scene_at(scene, 1);
+  const Scene next = scene_at(scene, 1.1);
+  const Scene now_apart = scene_at(separate, 1);
+  const Scene next_apart = scene_at(separate, 1.1);
+  const PointTracer tracer(now);
+  const PointTracer next_tracer(next);
+  const PointTracer tracer_apart(now_apart);
+  const PointTracer next_apart_tracer(next_apart);
+  const PointImage points = tracer.trace(camera(), {});
+  const PointImage expected = tracer_apart.trace(camera(), {});
+  const cv::Mat_<cv::Vec2f> flow = optical_flow(points, {next_tracer, camera(), {}});
+  const cv::Mat_<cv::Vec2f> expected_flow =
+      optical_flow(expected, {next_apart_tracer, camera(), {}});
+  int differing = 0;
+  for (int v = 0; v < flow.rows; ++v) {
+    for (int u = 0; u < flow.cols; ++u) {
+      differing += cv::norm(flow(v, u) - expected_flow(v, u)) > 1e-4 ? 1 : 0;
+    }
+  }
+  const int few = static_cast<int>(flow.total() / 1000);
+  EXPECT_LE(differing, few);
+  EXPECT_LE(cv::countNonZero(moved_points(points, tracer, next_tracer) !=
+                             moved_points(expected, tracer_apart, next_apart_tracer)),
+            few);
+  EXPECT_LE(cv::countNonZero(occlusion(points, {next_tracer, camera(), {}}) !=
+                             occlusion(expected, {next_apart_tracer, camera(), {}})),
+            few);
+  EXPECT_LE(cv::countNonZero(instance_truth(points, tracer.scene()) !=
+                             instance_truth(expected, tracer_apart.scene())),
+            few);
+}
+
+TEST(SharedMesh, IsAsFarAwayAsMeshesOfTheirOwn) {
+  const Scene scene = copies();
+  const Scene separate = apart(scene);
+  const SurfaceTracer shared(scene, 0.1);
+  const SurfaceTracer own(separate, 0.1);
+  for (const Eigen::Vector3f& point :
+       {Eigen::Vector3f(0, 0, -2), Eigen::Vector3f(0.4F, 0.3F, -0.4F), Eigen::Vector3f(-1, 1, 0)}) {
+    EXPECT_NEAR(distance_to_surface(shared.embree(), shared.flat(), point, 9),
+                distance_to_surface(own.embree(), own.flat(), point, 9), 1e-5);
+    const std::vector<Eigen::Vector3f> ways = {{0.1F, 0.2F, 1}, {-0.3F, -0.1F, 1}, {0, 0.3F, 1}};
+    const std::vector<ProbeHit> hits = probe(shared.embree(), shared.flat(), point, ways);
+    const std::vector<ProbeHit> expected = probe(own.embree(), own.flat(), point, ways);
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      EXPECT_NEAR(hits[i].distance, expected[i].distance, 1e-5);
+      EXPECT_EQ(hits[i].front, expected[i].front);
+    }
+  }
+  const SurfaceView view = shared.trace(camera(), {});
+  const SurfaceView expected = own.trace(camera(), {});
+  EXPECT_LE(cv::countNonZero(cv::abs(view.light_share - expected.light_share) > 1e-3F), 20);
+}
+
+}  // namespace
+}  // namespace synth
