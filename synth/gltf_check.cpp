@@ -13,6 +13,7 @@
 #include "synth/gltf_check_nodes.h"
 #include "synth/gltf_check_skins.h"
 #include "synth/gltf_draco.h"
+#include "synth/gltf_instancing.h"
 #include "synth/gltf_json.h"
 #include "synth/gltf_meshopt.h"
 #include "synth/gltf_uri.h"
@@ -24,15 +25,14 @@ namespace {
 using vo::require;
 
 constexpr std::array kSupportedExtensions = {
-    "EXT_meshopt_compression", "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",     "KHR_materials_emissive_strength",
-    "KHR_materials_unlit",     "KHR_mesh_quantization",
-    "KHR_texture_transform"};
+    "EXT_mesh_gpu_instancing",         "EXT_meshopt_compression",
+    "KHR_draco_mesh_compression",      "KHR_lights_punctual",
+    "KHR_materials_emissive_strength", "KHR_materials_unlit",
+    "KHR_mesh_quantization",           "KHR_texture_transform"};
 
 /// The glTF Transform commands that write a file without the extension.
-constexpr std::array<std::pair<const char*, const char*>, 6> kConversions = {
+constexpr std::array<std::pair<const char*, const char*>, 5> kConversions = {
     {{"KHR_meshopt_compression", "copy"},
-     {"EXT_mesh_gpu_instancing", "uninstance"},
      {"KHR_texture_basisu", "ktxdecompress"},
      {"EXT_texture_webp", "png"},
      {"EXT_texture_avif", "png"},
@@ -179,6 +179,7 @@ void check_document(const GltfFile& file) {
   }
   check_meshes(root);
   check_node_graph(root);
+  check_instancing(root);
   check_skins(root);
   check_motion(root);
   check_meshopt(root);

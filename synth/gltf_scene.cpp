@@ -9,6 +9,7 @@
 
 #include "synth/gltf_accessor.h"
 #include "synth/gltf_animation.h"
+#include "synth/gltf_instancing.h"
 #include "synth/gltf_material.h"
 #include "synth/gltf_mesh.h"
 #include "synth/gltf_nodes.h"
@@ -102,18 +103,18 @@ class SceneReader {
   void read_node(int index) {
     const tinygltf::Node& node = model_.content.nodes[at(index)];
     const int moved_by = forest_.of_gltf[at(index)];
-    const Eigen::Affine3d& T_world_node = T_world_node_[at(moved_by)];
+    const Eigen::Affine3d T_world_node = T_world_node_[at(moved_by)];
     require(T_world_node.matrix().allFinite(), model_.place("nodes", index),
             ": its transform overflows, expected finite numbers");
     if (node.mesh != kNone) {
       is_read_[at(node.mesh)] = true;
     }
-    if (node.mesh != kNone && (node.skin != kNone || has_targets(node.mesh))) {
-      add_bending(node, moved_by, T_world_node);
-    } else if (node.mesh != kNone) {
-      for (const int mesh : meshes_of(node.mesh)) {
-        add_instance({mesh, T_world_node}, moved_by);
+    if (node.mesh != kNone && is_instancing(node) && node.skin == kNone) {
+      for (const int instance : instance_nodes(index)) {
+        add_mesh_of(node, moved_by, instance);
       }
+    } else if (node.mesh != kNone) {
+      add_mesh_of(node, moved_by, moved_by);
     }
     const auto light = node.extensions.find("KHR_lights_punctual");
     if (light != node.extensions.end()) {
@@ -121,6 +122,36 @@ class SceneReader {
     }
     if (node.camera != kNone) {
       add_camera(node, moved_by, T_world_node);
+    }
+  }
+
+  /// A node below the one that is instancing for each instance of its mesh.
+  std::vector<int> instance_nodes(int index) {
+    const tinygltf::Node& node = model_.content.nodes[at(index)];
+    const int parent = forest_.of_gltf[at(index)];
+    std::vector<int> nodes;
+    for (const Eigen::Affine3d& T_node_instance :
+         read_instancing(reading_, node, model_.place("nodes", index))) {
+      T_world_node_.push_back(T_world_node_[at(parent)] * T_node_instance);
+      require(T_world_node_.back().matrix().allFinite(), model_.place("nodes", index),
+              ": the transform of instance ", nodes.size(), " overflows, expected finite numbers");
+      nodes.push_back(static_cast<int>(forest_.nodes.size()));
+      forest_.nodes.push_back({.parent = parent, .T_parent_node = T_node_instance});
+    }
+    return nodes;
+  }
+
+  /// The node's mesh where another one stands.
+  void add_mesh_of(const tinygltf::Node& node, int moved_by, int stands_at) {
+    if (node.skin != kNone && is_instancing(node)) {
+      add_note(reading_.notes, "instances of skinned meshes are left out");
+    }
+    if (node.skin != kNone || has_targets(node.mesh)) {
+      add_bending(node, moved_by, stands_at);
+      return;
+    }
+    for (const int mesh : meshes_of(node.mesh)) {
+      add_instance({mesh, T_world_node_[at(stands_at)]}, stands_at);
     }
   }
 
@@ -179,7 +210,7 @@ class SceneReader {
   }
 
   /// Each node has meshes of its own, as each may bend in its own way.
-  void add_bending(const tinygltf::Node& node, int moved_by, const Eigen::Affine3d& T_world_node) {
+  void add_bending(const tinygltf::Node& node, int moved_by, int stands_at) {
     const auto& primitives = model_.content.meshes[at(node.mesh)].primitives;
     for (std::size_t i = 0; i < primitives.size(); ++i) {
       auto geometry = read_primitive(reading_, primitives[i], place_of(node.mesh, i));
@@ -202,7 +233,7 @@ class SceneReader {
                                       .tangents = mesh.tangents,
                                       .targets = std::move(geometry->targets),
                                       .followed = std::move(joints)});
-      add_instance({add_mesh(std::move(geometry->mesh)), T_world_node}, moved_by);
+      add_instance({add_mesh(std::move(geometry->mesh)), T_world_node_[at(stands_at)]}, stands_at);
       scene_.motion.bending.push_back(bending);
     }
   }

@@ -31,6 +31,8 @@ TEST(Inspect, SaysWhatAFileHolds) {
   EXPECT_EQ(summary["triangles"], 1);
   EXPECT_EQ(summary["draw_calls"], 1);
   EXPECT_EQ(summary["vertices"], 3);
+  EXPECT_EQ(summary["shown_triangles"], 1);
+  EXPECT_EQ(summary["sharing_instances"], 0);
   EXPECT_EQ(summary["bounds"]["min"], json({1.0, 2.0, 3.0}));
   EXPECT_EQ(summary["bounds"]["max"], json({1.0, 2.0, 3.0}));
   EXPECT_EQ(summary["materials"], json({"brass"}));

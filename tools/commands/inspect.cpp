@@ -8,6 +8,7 @@
 
 #include "synth/gltf_summary.h"
 #include "synth/scene_motion.h"
+#include "synth/shared_mesh.h"
 #include "tools/cli/options.h"
 #include "tools/commands/commands.h"
 
@@ -17,14 +18,12 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr const char* kHelp =
-    "Reads a glTF 2.0 scene and says what is in it. triangles, draw_calls and vertices are those "
-    "of\n"
-    "the file, each primitive once, as the Khronos validator counts; bounds are those of the "
-    "scene's\n"
-    "meshes where their nodes put them, before skins and morph targets; bounds_at_rest is what is\n"
-    "rendered. Lengths in m, world: right-handed, y up. Exit code 3 and a sentence if it cannot "
-    "be\n"
-    "read.";
+    "Reads a glTF 2.0 scene and says what is in it. triangles, draw_calls and vertices are those\n"
+    "of the file, each primitive once, as the Khronos validator counts; bounds are those of the\n"
+    "scene's meshes where their nodes put them, before skins, morph targets and\n"
+    "EXT_mesh_gpu_instancing; shown_triangles and bounds_at_rest are of what is rendered;\n"
+    "sharing_instances have a mesh that is kept once for all of them. Lengths in m, world:\n"
+    "right-handed, y up. Exit code 3 and a sentence if it cannot be read.";
 
 constexpr const char* kExamples =
     "Examples:\n"
@@ -95,6 +94,19 @@ std::size_t count_moving(const synth::Scene& scene) {
   return static_cast<std::size_t>(std::count(moving.begin(), moving.end(), true));
 }
 
+std::size_t count_sharing(const synth::Scene& scene) {
+  const std::vector<bool> sharing = synth::sharing_instances(scene);
+  return static_cast<std::size_t>(std::count(sharing.begin(), sharing.end(), true));
+}
+
+std::size_t count_shown_triangles(const synth::Scene& scene) {
+  std::size_t count = 0;
+  for (const synth::Instance& instance : scene.instances) {
+    count += scene.meshes[static_cast<std::size_t>(instance.mesh)].triangles.size();
+  }
+  return count;
+}
+
 ordered_json as_json(const InspectArguments& arguments, const synth::GltfSummary& summary) {
   return {{"scene", arguments.scene},
           {"triangles", summary.triangles},
@@ -106,6 +118,8 @@ ordered_json as_json(const InspectArguments& arguments, const synth::GltfSummary
           {"nodes", summary.nodes},
           {"instances", summary.scene.instances.size()},
           {"moving_instances", count_moving(summary.scene)},
+          {"sharing_instances", count_sharing(summary.scene)},
+          {"shown_triangles", count_shown_triangles(summary.scene)},
           {"materials", summary.materials},
           {"textures", summary.textures},
           {"images", summary.images},
@@ -145,7 +159,9 @@ void print_table(const synth::GltfSummary& summary) {
   std::cout << "triangles       " << summary.triangles << " in " << summary.draw_calls
             << " draw calls, " << summary.vertices << " vertices\n"
             << "instances       " << summary.scene.instances.size() << ", "
-            << count_moving(summary.scene) << " moving\n"
+            << count_moving(summary.scene) << " moving, " << count_sharing(summary.scene)
+            << " sharing a mesh; they show " << count_shown_triangles(summary.scene)
+            << " triangles\n"
             << "bounds          " << as_text(summary.bounds) << "\n"
             << "bounds at rest  " << as_text(summary.bounds_at_rest) << "\n"
             << "scenes          " << as_text(summary.scenes) << "\n"
