@@ -110,6 +110,28 @@ TEST(GltfInstancing, IsOfTheNodesOfTheScene) {
   EXPECT_EQ(load_gltf(document.write(folder)).instances.size(), 1U);
 }
 
+/// Instances of 1000 triangles, all of whose corners are zero, as glTF reads accessors without
+/// data.
+GltfDocument crowd(std::size_t instances) {
+  GltfDocument document;
+  document.json["accessors"] = {
+      {{"type", "VEC3"}, {"componentType", kFloat}, {"count", 3000}},
+      {{"type", "VEC3"}, {"componentType", kFloat}, {"count", instances}}};
+  document.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", 0}}}}}}}};
+  document.json["nodes"] = {{{"mesh", 0}}};
+  attributes_of(document)["TRANSLATION"] = 1;
+  return document;
+}
+
+TEST(GltfInstancing, NeedsMemoryForOneMeshUnlessEachNeedsACopy) {
+  GltfDocument document = crowd(20'000);  // copies would need more than a GiB
+  const support::TempFolder folder;
+  EXPECT_EQ(load_gltf(document.write(folder)).instances.size(), 20'000U);
+  document.json["nodes"][0]["scale"] = {1, 1, 0};
+  EXPECT_THAT(error_of(document), HasSubstr("bytes of memory, expected at most"));
+  EXPECT_THAT(error_of(crowd(200'000)), HasSubstr("more than 536870912 vertices in all"));
+}
+
 class BadInstancing : public testing::TestWithParam<Replacement> {};
 
 TEST_P(BadInstancing, IsNamed) {
