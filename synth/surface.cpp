@@ -51,11 +51,11 @@ TexturePatch texture_patch(const Scene& scene, const FlatMesh& flat, const Textu
 }
 
 Eigen::Vector3f normal_between(const MomentPair& moments, int vertex) {
-  const Eigen::Vector3f before = moments.before->normal(vertex);
-  if (moments.share == 0) {
-    return before;
+  Eigen::Vector3f normal = moments.before->normal(vertex);
+  if (moments.share != 0) {
+    normal += moments.share * (moments.after->normal(vertex) - normal);
   }
-  return before + moments.share * (moments.after->normal(vertex) - before);
+  return normal;
 }
 
 /// The greatest coordinate that takes part in finding a hit, m.

@@ -65,7 +65,8 @@ TextureImage checker() {
 
 /// Where the copies stand: turned, mirrored, stretched and one of them sheared.
 Eigen::Affine3d place(int copy) {
-  const Vector3d at(copy % 5 - 2.2, 0.9 * (copy / 5) - 1, 3 + 0.3 * (copy % 3));
+  const int row = copy / 5;
+  const Vector3d at(copy % 5 - 2.2, 0.9 * row - 1, 3 + 0.3 * (copy % 3));
   const double side = copy % 3 == 1 ? -0.7 : 0.7;
   Eigen::Affine3d T =
       Eigen::Translation3d(at) * Eigen::AngleAxisd(0.7 * copy, Vector3d(1, 2, 3).normalized()) *
