@@ -84,6 +84,26 @@ TEST(Comparison, WhatCanNoLongerBeMeasuredIsAnAlarm) {
   EXPECT_THAT(tools::describe(found[0]), HasSubstr("it can no longer be measured"));
 }
 
+TEST(Comparison, ASeedThatCannotBeMeasuredIsNoAlarmByItself) {
+  const TestResults all = results_of({0.010, 0.012, 0.011, 0.013, 0.010});
+  TestResults some = results_of({0.010, 0.012, 0.011, 0.013, kUnknown});
+  EXPECT_TRUE(alarms(all, some).empty()) << "one of five may be chance";
+  const std::vector<Change> changes = tools::compare_results(all, some, {});
+  EXPECT_THAT(changes.front().note, HasSubstr("measured in 4 of 5 seeds, was in 5 of 5"));
+  EXPECT_TRUE(alarms(some, some).empty());
+  EXPECT_EQ(alarms(some, results_of({0.020, 0.024, 0.0221, 0.026, kUnknown})).size(), 1U)
+      << "those that are measured are compared";
+}
+
+TEST(Comparison, FarFewerMeasuredSeedsAreAnAlarm) {
+  const std::vector<double> errors(8, 0.010);
+  std::vector<double> fewer(8, kUnknown);
+  fewer[0] = 0.010;
+  const std::vector<Change> found = alarms(results_of(errors), results_of(fewer));
+  ASSERT_EQ(found.size(), 1U) << "one of eight, by Fisher's test 0.0014";
+  EXPECT_EQ(found[0].kind, tools::ChangeKind::worse);
+}
+
 TEST(Comparison, SequencesThatChangedAreSaid) {
   TestResults after = results_of({0.02});
   after.scenarios[0].trials[0].sequence = "other";

@@ -153,6 +153,26 @@ TEST_F(LabProgram, TwoRunsShareACache) {
   EXPECT_FALSE(support::has_leftovers(folder_.path() / "cache/sequences"));
 }
 
+TEST_F(LabProgram, AFullDiskIsTemporaryAndTheNextRunGoesOn) {
+  fs::create_directory(folder_.path() / "cache");
+  folder_.write("twice.sh", "mount -t tmpfs -o size=64k none " + path("cache") +
+                                " 2>/dev/null || exit 77\n" + "\"$@\"; echo first $?\n" +
+                                "mount -o remount,size=64m " + path("cache") + "; exec \"$@\"\n");
+  const ProgramResult result =
+      run_program("test --quiet --cache " + path("cache") + " " + path("scenarios") + " --json " +
+                      path("r.json"),
+                  "unshare --map-root-user --mount sh " + path("twice.sh") + " ");
+  if (result.exit_code == 77 || result.err.find("unshare") != std::string::npos) {
+    GTEST_SKIP() << "a disk of limited size needs namespaces of users, which are not permitted";
+  }
+  EXPECT_THAT(result.out, HasSubstr("good: "));
+  EXPECT_THAT(result.out, HasSubstr("No space left on device; finished frames are kept in "));
+  EXPECT_THAT(result.out, HasSubstr("first 75\n"));
+  EXPECT_THAT(result.out, HasSubstr("PASS  1 scenarios")) << result.err;
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(json::parse(read("r.json"))["passed"], true);
+}
+
 TEST_F(LabProgram, AChangeOfTheBaselineIsAViolation) {
   const std::string options = path("scenarios/good.toml") + " --baseline " + path("base.json");
   EXPECT_EQ(test(options).exit_code, 3) << "there is none";

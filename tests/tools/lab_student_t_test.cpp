@@ -64,6 +64,13 @@ TEST(StudentT, IndependentSamplesOfEqualSizeAndVarianceHaveThePooledTest) {
               tools::student_two_sided(2 / std::sqrt(2.0 / 3), 4), 1e-12);
 }
 
+TEST(StudentT, FishersTestCountsTheTablesThatAreNoLikelier) {
+  EXPECT_NEAR(tools::fisher_p_value({3, 4}, {1, 4}), 34.0 / 70, 1e-12) << "the lady tasting tea";
+  EXPECT_NEAR(tools::fisher_p_value({4, 4}, {0, 4}), 2.0 / 70, 1e-12);
+  EXPECT_NEAR(tools::fisher_p_value({5, 5}, {4, 5}), 1, 1e-12);
+  EXPECT_NEAR(tools::fisher_p_value({1, 10}, {11, 14}), 0.0027594562, 1e-9) << "printed examples";
+}
+
 TEST(StudentT, HolmRejectsStepByStep) {
   const std::vector<double> p_values{0.012, 0.5, 0.001, 0.02};
   EXPECT_EQ(tools::holm_rejections(p_values, 0.05), (std::vector<bool>{true, false, true, true}))

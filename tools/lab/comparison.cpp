@@ -8,6 +8,7 @@
 
 #include "tools/ablate/statistics.h"
 #include "tools/ablate/table.h"
+#include "tools/lab/student_t.h"
 #include "tools/report/report.h"
 #include "vo/core/error.h"
 
@@ -88,14 +89,37 @@ Pair pair_of(const ScenarioResult& before, const ScenarioResult& after) {
   return pair;
 }
 
-bool all_finite(const std::vector<double>& values) {
-  return !values.empty() &&
-         std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+Share measured_share(const std::vector<double>& values) {
+  const auto count =
+      std::count_if(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+  return {static_cast<int>(count), static_cast<int>(values.size())};
 }
 
-/// NaN without values or where one is none.
-double mean_of(const std::vector<double>& values) {
-  return all_finite(values) ? spread(values).mean : std::numeric_limits<double>::quiet_NaN();
+double ratio(const Share& share) {
+  return share.of == 0 ? 0 : static_cast<double>(share.having) / share.of;
+}
+
+/// Of the values that were measured; NaN without any.
+double mean_of(std::vector<double> values) {
+  std::erase_if(values, [](double v) { return !std::isfinite(v); });
+  return values.empty() ? std::numeric_limits<double>::quiet_NaN() : spread(values).mean;
+}
+
+/// Those alone that were measured, of pairs both.
+Samples measured(const Samples& samples) {
+  Samples kept{.before = {}, .after = {}, .paired = samples.paired};
+  const std::size_t count = std::max(samples.before.size(), samples.after.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool was = i < samples.before.size() && std::isfinite(samples.before[i]);
+    const bool is = i < samples.after.size() && std::isfinite(samples.after[i]);
+    if (was && (is || !samples.paired)) {
+      kept.before.push_back(samples.before[i]);
+    }
+    if (is && (was || !samples.paired)) {
+      kept.after.push_back(samples.after[i]);
+    }
+  }
+  return kept;
 }
 
 bool all_positive(const std::vector<double>& values) {
@@ -137,28 +161,39 @@ void judge_size(Change& change, const MetricTraits& traits, const ComparisonOpti
   change.is_large = std::abs(difference) > traits.negligible && std::abs(change.percent) > allowed;
 }
 
-/// A metric that was measured and is not, or the other way round, needs no statistics.
-void judge_missing(Change& change, const Samples& samples) {
-  const bool was = all_finite(samples.before);
-  const bool is = all_finite(samples.after);
-  change.is_large = was != is;
-  change.p_value = was != is ? 0 : 1;
-  change.kind = was == is ? ChangeKind::none : was ? ChangeKind::worse : ChangeKind::different;
-  change.note = was == is ? "" : was ? "it can no longer be measured" : "it could not be measured";
+/// A metric that more or fewer seeds have. All against none needs no statistics.
+void judge_missing(Change& change, const Share& before, const Share& after) {
+  const double was = ratio(before);
+  const double is = ratio(after);
+  change.is_large = true;
+  change.p_value = std::abs(was - is) == 1 ? 0 : fisher_p_value(before, after);
+  change.kind = is < was ? ChangeKind::worse : ChangeKind::different;
+  if (before.having == 0 || after.having == 0) {
+    change.note = after.having == 0 ? "it can no longer be measured" : "it could not be measured";
+  } else {
+    change.note = vo::concat("it is measured in ", after.having, " of ", after.of,
+                             " seeds, was in ", before.having, " of ", before.of);
+  }
 }
 
 Change compare_metric(const Pair& pair, const std::string& metric,
                       const ComparisonOptions& options) {
-  const Samples samples{values_of(pair.before, metric), values_of(pair.after, metric), pair.paired};
-  Change change{.scenario = pair.after.name,
-                .metric = metric,
-                .before = mean_of(samples.before),
-                .after = mean_of(samples.after)};
-  if (all_finite(samples.before) && all_finite(samples.after)) {
+  const Samples all{values_of(pair.before, metric), values_of(pair.after, metric), pair.paired};
+  const Share was = measured_share(all.before);
+  const Share is = measured_share(all.after);
+  const Samples samples = measured(all);
+  Change change{.scenario = pair.after.name, .metric = metric};
+  if (ratio(was) != ratio(is)) {
+    change.before = mean_of(all.before);
+    change.after = mean_of(all.after);
+    judge_missing(change, was, is);
+    return change;
+  }
+  change.before = mean_of(samples.before);
+  change.after = mean_of(samples.after);
+  if (!samples.before.empty() && !samples.after.empty()) {
     judge_size(change, traits_of(metric), options);
     change.p_value = p_value_of(samples);
-  } else {
-    judge_missing(change, samples);
   }
   return change;
 }

@@ -59,6 +59,10 @@ double squared_error_of_mean(std::span<const double> values) {
   return deviation * deviation / static_cast<double>(values.size());
 }
 
+double log_binomial(int n, int k) {
+  return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0);
+}
+
 /// Whether what differs between values is no more than how numbers are rounded.
 bool is_rounding(double deviation, double mean) {
   return deviation <= 1e-12 * std::abs(mean);
@@ -130,6 +134,21 @@ double welch_p_value(std::span<const double> before, std::span<const double> aft
                          (a * a / (static_cast<double>(before.size()) - 1) +
                           b * b / (static_cast<double>(after.size()) - 1));
   return student_two_sided(difference / std::sqrt(a + b), freedom);
+}
+
+double fisher_p_value(const Share& before, const Share& after) {
+  const int having = before.having + after.having;
+  const auto log_ways = [&](int of_before) {
+    return log_binomial(before.of, of_before) + log_binomial(after.of, having - of_before);
+  };
+  const double log_all = log_binomial(before.of + after.of, having);
+  constexpr double kRounding = 1e-9;
+  const double seen = log_ways(before.having) + kRounding;
+  double p_value = 0;
+  for (int k = std::max(0, having - after.of); k <= std::min(having, before.of); ++k) {
+    p_value += log_ways(k) <= seen ? std::exp(log_ways(k) - log_all) : 0;
+  }
+  return std::min(p_value, 1.0);
 }
 
 std::vector<bool> holm_rejections(std::span<const double> p_values, double level) {

@@ -34,6 +34,16 @@ double paired_p_value(std::span<const double> before, std::span<const double> af
 /// more.
 double welch_p_value(std::span<const double> before, std::span<const double> after);
 
+/// How many of a sample have a property.
+struct Share {
+  int having = 0;
+  int of = 0;
+};
+
+/// Two-sided p-value of the hypothesis that the property is as frequent in both (Fisher's exact
+/// test).
+double fisher_p_value(const Share& before, const Share& after);
+
 /// Which hypotheses are rejected so that a true one is among them with at most the probability
 /// `level` (Holm 1979), as many as there are p-values.
 std::vector<bool> holm_rejections(std::span<const double> p_values, double level);
