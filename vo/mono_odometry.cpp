@@ -5,6 +5,7 @@
 
 #include "vo/core/error.h"
 #include "vo/core/stopwatch.h"
+#include "vo/tracking/tracker.h"
 
 namespace vo {
 namespace {
@@ -71,6 +72,10 @@ MonoOdometry::MonoOdometry(const PinholeCamera& camera, const MonoOptions& optio
       T_world_anchor_(T_world_first) {
   options_.validate();
 }
+
+MonoOdometry::MonoOdometry(MonoOdometry&& other) noexcept = default;
+MonoOdometry& MonoOdometry::operator=(MonoOdometry&& other) noexcept = default;
+MonoOdometry::~MonoOdometry() = default;
 
 MonoResult MonoOdometry::track(const RgbdFrame& frame) {
   require(frame.image.size() == cv::Size(camera_.width, camera_.height),

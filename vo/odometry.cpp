@@ -4,6 +4,7 @@
 
 #include "vo/core/error.h"
 #include "vo/core/stopwatch.h"
+#include "vo/tracking/tracker.h"
 
 namespace vo {
 namespace {
@@ -88,7 +89,11 @@ RgbdOdometry::RgbdOdometry(const PinholeCamera& camera, const TrackerOptions& op
       options_(options),
       edge_finder_(options.edges),
       levels_(camera_levels(camera_, options.pyramid)),
-      tracker_(options, T_world_first) {}
+      tracker_(std::make_unique<Tracker>(options, T_world_first)) {}
+
+RgbdOdometry::RgbdOdometry(RgbdOdometry&& other) noexcept = default;
+RgbdOdometry& RgbdOdometry::operator=(RgbdOdometry&& other) noexcept = default;
+RgbdOdometry::~RgbdOdometry() = default;
 
 TrackingResult RgbdOdometry::track(const RgbdFrame& frame) {
   const cv::Size expected(camera_.width, camera_.height);
@@ -96,15 +101,15 @@ TrackingResult RgbdOdometry::track(const RgbdFrame& frame) {
           "odometry: expected image and depth of the camera's ", camera_.width, "x", camera_.height,
           " px");
   Stopwatch watch;
-  current_ = build_pyramid(frame, levels_, options_.pyramid, tracker_.vignette());
+  current_ = build_pyramid(frame, levels_, options_.pyramid, tracker_->vignette());
   stage_times_.pyramid_ms = watch.lap_ms();
   add_edges(current_, edge_finder_);
   stage_times_.edges_ms = watch.lap_ms();
 
-  TrackingResult result = tracker_.track(current_);
+  TrackingResult result = tracker_->track(current_);
   stage_times_.alignment_ms = watch.lap_ms();
-  if (tracker_.needs_keyframe(current_, result)) {
-    tracker_.set_keyframe(current_, result.T_world_camera);
+  if (tracker_->needs_keyframe(current_, result)) {
+    tracker_->set_keyframe(current_, result.T_world_camera);
     result.is_keyframe = true;
   }
   if (result.status != TrackingStatus::lost) {

@@ -1,16 +1,21 @@
 #pragma once
 
 #include <array>
-#include <optional>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "vo/core/camera.h"
 #include "vo/core/image.h"
 #include "vo/core/trajectory.h"
-#include "vo/tracking/tracker.h"
+#include "vo/image/edges.h"
+#include "vo/image/pyramid.h"
+#include "vo/tracking/tracker_options.h"
+#include "vo/tracking/tracking_result.h"
 
 namespace vo {
+
+class Tracker;
 
 /// Option values under one name; no code path asks which preset it was.
 enum class TrackerPreset {
@@ -45,6 +50,9 @@ class RgbdOdometry {
  public:
   explicit RgbdOdometry(const PinholeCamera& camera, const TrackerOptions& options = {},
                         const SE3& T_world_first = {});
+  RgbdOdometry(RgbdOdometry&& other) noexcept;
+  RgbdOdometry& operator=(RgbdOdometry&& other) noexcept;
+  ~RgbdOdometry();
 
   /// Throws Error when image or depth have another size than the camera.
   TrackingResult track(const RgbdFrame& frame);
@@ -52,14 +60,14 @@ class RgbdOdometry {
   const Trajectory& trajectory() const { return trajectory_; }    ///< frames that are not lost
   const StageTimes& stage_times() const { return stage_times_; }  ///< of the last frame
   const FramePyramid& current() const { return current_; }        ///< the last frame
-  const Tracker& tracker() const { return tracker_; }
+  const Tracker& tracker() const { return *tracker_; }
 
  private:
   PinholeCamera camera_;
   TrackerOptions options_;
   EdgeFinder edge_finder_;
   std::vector<CameraLevel> levels_;
-  Tracker tracker_;
+  std::unique_ptr<Tracker> tracker_;
   FramePyramid current_;
   Trajectory trajectory_;
   StageTimes stage_times_;

@@ -5,6 +5,7 @@
 #include "tools/ablate/statistics.h"
 #include "tools/ablate/study.h"
 #include "vo/core/error.h"
+#include "vo/tracking/align.h"
 
 namespace tools {
 namespace {

@@ -3,6 +3,7 @@
 #include "tools/ablate/statistics.h"
 #include "tools/ablate/study.h"
 #include "vo/core/error.h"
+#include "vo/tracking/tracker.h"
 
 namespace tools {
 namespace {

@@ -12,6 +12,8 @@
 #include "tools/report/pictures.h"
 #include "vo/core/error.h"
 #include "vo/io/png.h"
+#include "vo/tracking/align.h"
+#include "vo/tracking/linearize.h"
 
 namespace tools {
 namespace {

@@ -8,7 +8,7 @@
 #include "tools/pipeline/result_files.h"
 #include "tools/scenario/scenario.h"
 #include "vo/core/progress.h"
-#include "vo/mono_odometry.h"
+#include "vo/mono_options.h"
 #include "vo/odometry.h"
 
 namespace tools {

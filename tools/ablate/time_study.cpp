@@ -9,6 +9,7 @@
 #include "tools/report/linear_fit.h"
 #include "vo/core/error.h"
 #include "vo/core/stopwatch.h"
+#include "vo/tracking/align.h"
 
 namespace tools {
 namespace {

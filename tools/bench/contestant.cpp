@@ -8,6 +8,7 @@
 #include "vo/core/fields.h"
 #include "vo/core/stopwatch.h"
 #include "vo/mono_odometry.h"
+#include "vo/tracking/tracker.h"
 
 namespace tools {
 namespace {

@@ -9,6 +9,7 @@
 #include "tools/lab/heat_map.h"
 #include "tools/lab/job_pool.h"
 #include "vo/core/error.h"
+#include "vo/tracking/align.h"
 
 namespace tools {
 namespace {

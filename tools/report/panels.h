@@ -7,7 +7,11 @@
 
 #include "vo/core/image.h"
 #include "vo/image/pyramid.h"
-#include "vo/tracking/tracker.h"
+#include "vo/tracking/tracking_result.h"
+
+namespace vo {
+class Tracker;
+}  // namespace vo
 
 namespace tools {
 

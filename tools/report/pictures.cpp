@@ -5,6 +5,9 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "vo/tracking/tracker.h"
+#include "vo/tracking/warp.h"
+
 namespace tools {
 namespace {
 

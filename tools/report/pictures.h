@@ -1,12 +1,18 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include <opencv2/core.hpp>
 
 #include "vo/core/image.h"
+#include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
-#include "vo/tracking/tracker.h"
+#include "vo/tracking/tracking_result.h"
+
+namespace vo {
+class Tracker;
+}  // namespace vo
 
 namespace tools {
 

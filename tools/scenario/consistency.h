@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "vo/core/trajectory.h"
-#include "vo/tracking/tracker.h"
+#include "vo/tracking/tracking_result.h"
 
 namespace tools {
 

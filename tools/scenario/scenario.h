@@ -14,7 +14,7 @@
 #include "tools/pipeline/path_options.h"
 #include "vo/core/camera.h"
 #include "vo/evaluation/evaluate.h"
-#include "vo/mono_odometry.h"
+#include "vo/mono_options.h"
 #include "vo/odometry.h"
 
 namespace tools {

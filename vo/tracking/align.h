@@ -1,53 +1,15 @@
 #pragma once
 
-#include <array>
 #include <span>
-#include <utility>
 
 #include "vo/core/se3.h"
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
 #include "vo/tracking/align_options.h"
+#include "vo/tracking/align_result.h"
 #include "vo/tracking/joint_problem.h"
 
 namespace vo {
-
-/// Why the alignment ended on the finest level it reached.
-enum class Termination {
-  converged,       ///< the next step is below its limits
-  no_better_step,  ///< the last step raised the cost and was undone
-  max_iterations,  ///< still improving
-  too_few_points,  ///< too few edge points with depth, or too few in view
-  singular,        ///< the points do not determine six degrees of freedom
-};
-
-constexpr auto enum_names(Termination) {
-  return std::array{std::pair{Termination::converged, "converged"},
-                    std::pair{Termination::no_better_step, "no_better_step"},
-                    std::pair{Termination::max_iterations, "max_iterations"},
-                    std::pair{Termination::too_few_points, "too_few_points"},
-                    std::pair{Termination::singular, "singular"}};
-}
-
-struct AlignResult {
-  SE3 T_cur_ref;  ///< ref is the first reference
-  Termination termination = Termination::too_few_points;
-  int iterations = 0;           ///< all levels together
-  std::size_t points = 0;       ///< of the finest level, seen, of all pairs of images together
-  double visible_fraction = 0;  ///< of the first reference's points of the finest level
-  double correlation = 0;       ///< of first reference and current intensities at visible points
-  double cost = 0;              ///< robust, per point of the finest level, in squares of its scale
-  double conditioning = 0;      ///< least over greatest eigenvalue of the scaled normal equations;
-                                ///< near 0 a direction of motion is not determined
-  double gain = 1;    ///< the current image shows gain I_ref + offset, ref the first reference
-  double offset = 0;  ///< intensity
-  /// Of the left increment delta of exp(delta) T_cur_ref; see pose_covariance().
-  Matrix6d covariance = Matrix6d::Zero();
-
-  bool usable() const {
-    return termination != Termination::too_few_points && termination != Termination::singular;
-  }
-};
 
 /// The pose that agrees best with all references: Gauss-Newton on SE(3), coarse to fine, steps that
 /// raise the cost undone. Pure: same input, same output.

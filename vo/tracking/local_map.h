@@ -10,7 +10,7 @@
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
 #include "vo/tracking/frame_velocity.h"
-#include "vo/tracking/linearize.h"
+#include "vo/tracking/map_options.h"
 #include "vo/tracking/surface_points.h"
 
 namespace vo {
@@ -24,23 +24,6 @@ struct Keyframe {
       velocity;  ///< of the camera in its own frame, m/s and rad/s; if known
   std::shared_ptr<const SurfacePoints> surface;  ///< where depth is aligned, too
 };
-
-/// Which keyframes are kept, and which of them a frame is aligned to.
-struct MapOptions {
-  int references = 1;        ///< keyframes that a frame is aligned to at once
-  int max_keyframes = 40;    ///< kept; the oldest is forgotten
-  double min_overlap = 0.5;  ///< share of a keyframe's points that a reference must see
-
-  void validate() const;  ///< throws Error
-};
-
-template <typename Visitor>
-void visit_fields(Visitor& visit, MapOptions& options) {
-  visit("references", options.references, "keyframes that a frame is aligned to at once");
-  visit("max_keyframes", options.max_keyframes, "kept; the oldest is forgotten");
-  visit("min_overlap", options.min_overlap,
-        "share of a keyframe's points in view for it to be aligned to");
-}
 
 /// How the points of one frame move in the image of another.
 struct ImageMotion {

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <utility>
 
+#include "vo/tracking/linearize.h"
+
 namespace vo {
 namespace {
 

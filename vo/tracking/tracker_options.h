@@ -7,7 +7,7 @@
 #include "vo/image/edges.h"
 #include "vo/image/pyramid.h"
 #include "vo/tracking/align_options.h"
-#include "vo/tracking/local_map.h"
+#include "vo/tracking/map_options.h"
 
 namespace vo {
 

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <utility>
+
+#include "vo/core/se3.h"
+#include "vo/image/vignette.h"
+#include "vo/tracking/align_result.h"
+
+namespace vo {
+
+enum class TrackingStatus { initialized, tracked, lost };
+
+constexpr auto enum_names(TrackingStatus) {
+  return std::array{std::pair{TrackingStatus::initialized, "initialized"},
+                    std::pair{TrackingStatus::tracked, "tracked"},
+                    std::pair{TrackingStatus::lost, "lost"}};
+}
+
+/// Why a frame is lost.
+enum class LostReason {
+  none,             ///< it is not
+  too_few_points,   ///< too few edge pixels with depth, or too few of them in view
+  undetermined,     ///< the points leave a direction of motion open
+  out_of_view,      ///< too small a share of the reference is in view
+  images_disagree,  ///< the images do not look alike where they were brought to agree
+};
+
+constexpr auto enum_names(LostReason) {
+  return std::array{std::pair{LostReason::none, "none"},
+                    std::pair{LostReason::too_few_points, "too_few_points"},
+                    std::pair{LostReason::undetermined, "undetermined"},
+                    std::pair{LostReason::out_of_view, "out_of_view"},
+                    std::pair{LostReason::images_disagree, "images_disagree"}};
+}
+
+struct TrackingResult {
+  double timestamp = 0;  ///< s
+  SE3 T_world_camera;    ///< the last tracked pose when lost
+  TrackingStatus status = TrackingStatus::lost;
+  LostReason reason = LostReason::none;
+  bool is_keyframe = false;
+  AlignResult alignment;           ///< to the first reference; meaningless when initialized
+  double reference_timestamp = 0;  ///< s, of the first reference
+  SE3 T_cur_ref_guess;             ///< where the alignment started
+  double readout_s = 0;            ///< of the rolling shutter, as this frame was aligned with
+  Vignette vignette;               ///< taken out of this frame
+};
+
+}  // namespace vo
