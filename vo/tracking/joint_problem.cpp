@@ -5,6 +5,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include "vo/tracking/row_moments.h"
+
 namespace vo {
 namespace {
 
@@ -29,10 +31,6 @@ void place_at_pixels(const std::vector<cv::Point>& pixels, PointScores& scores) 
     scores.u[i] = static_cast<float>(pixels[i].x);
     scores.v[i] = static_cast<float>(pixels[i].y);
   }
-}
-
-RowMotion row_motion(const FrameVelocity& velocity, double doubts, double readout) {
-  return {velocity.twist + doubts * velocity.doubt, readout};
 }
 
 /// Sums over points.
@@ -82,10 +80,9 @@ JointProblem::JointProblem(std::span<const AlignReference> references, const Ali
 PointView JointProblem::view(const ImagePair& pair, const SE3& T_cur_first) const {
   const AlignReference& reference = *pair.reference;
   const SE3 T_cur_ref = T_cur_first * reference.T_first_ref;
-  const RowMotion ref_motion = row_motion(reference.velocity, reference_doubt_, readout_);
+  const RowMotion ref_motion(reference.velocity.twist, readout_);
   const RowMotion cur_motion =
-      readout_ != 0 ? row_motion(current_.velocity(T_cur_first), current_doubt_, readout_)
-                    : RowMotion();
+      readout_ != 0 ? RowMotion(current_.velocity(T_cur_first).twist, readout_) : RowMotion();
   if (pair.backward) {
     return {current_.points->levels[level_], reference.frame->levels[level_], T_cur_ref.inverse(),
             cur_motion, ref_motion};
@@ -121,6 +118,11 @@ void JointProblem::add_part(std::size_t pair, const SE3& T_cur_first, JointSyste
   system.cost += inverse_variance * part.cost;
   system.points += part.points;
   system.total += part.total;
+}
+
+/// References stand beside each other, as the first pairs have them.
+std::size_t JointProblem::index_of(const ImagePair& pair) const {
+  return static_cast<std::size_t>(pair.reference - &first());
 }
 
 /// The first reference's surfaces in the current depth image.
@@ -179,21 +181,37 @@ CellScores::Projection JointProblem::projection(std::size_t pair, const LinearSy
   return J.transpose() * eliminated / (models_[pair].scale * models_[pair].scale);
 }
 
+/// To first order, with the points' weights as they are.
+void JointProblem::add_velocities(const ImagePair& pair, const PointView& seen,
+                                  const PointScores& scores,
+                                  const CellScores::Projection& projection,
+                                  JointScores& result) const {
+  if (readout_ == 0) {
+    return;
+  }
+  const RowMoments moments = RowMoments::of(seen, scores);
+  const Matrix6d by_points = readout_ * projection * moments.points * adjoint(seen.T_cur_ref);
+  const Matrix6d by_image = -readout_ * projection * moments.image;
+  result.by_current_velocity += pair.backward ? by_points : by_image;
+  result.by_reference_velocity[index_of(pair)] += pair.backward ? by_image : by_points;
+}
+
 JointScores JointProblem::scores(const JointSystem& system, const SE3& T_cur_first) const {
-  JointScores result;
+  const std::size_t references = index_of(pairs_.back()) + 1;
+  JointScores result{.references = {references, CellScores(camera())},
+                     .by_reference_velocity = {references, Matrix6d::Zero()}};
   CurvatureSums sums;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const ImagePair& pair = pairs_[i];
     const PointView seen = view(pair, T_cur_first);
+    const CellScores::Projection to_pose = projection(i, system.parts[i], T_cur_first);
     PointScores scores = score_points(seen, options_, models_[i]);
+    add_velocities(pair, seen, scores, to_pose, result);
     if (pair.backward) {
       place_at_pixels(seen.points.pixel, scores);
     }
     sums.add(scores, options_, models_[i].scale);
-    const auto reference = static_cast<std::size_t>(pair.reference - &first());
-    result.references.resize(std::max(result.references.size(), reference + 1),
-                             CellScores(camera()));
-    result.references[reference].add(scores, projection(i, system.parts[i], T_cur_first));
+    result.references[index_of(pair)].add(scores, to_pose);
   }
   add_depth(T_cur_first, result.references.front());
   result.curvature_share = sums.curvature / sums.weight;

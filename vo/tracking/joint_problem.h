@@ -56,6 +56,10 @@ struct JointSystem {
 struct JointScores {
   std::vector<CellScores> references;
   double curvature_share = 1;  ///< mean curvature of the loss over the mean weight
+
+  /// d b / d velocity, of the current frame's and of each reference's; 0 without a rolling shutter.
+  Matrix6d by_current_velocity = Matrix6d::Zero();
+  std::vector<Matrix6d> by_reference_velocity;
 };
 
 /// The current frame and all its references at one pyramid level: the references' points looked up
@@ -86,11 +90,11 @@ class JointProblem {
   void set_models(std::vector<ResidualModel> models) { models_ = std::move(models); }
   void set_readout(double readout) { readout_ = readout; }  ///< s
   double readout() const { return readout_; }
-
-  /// Takes velocities as off by their doubt, times these.
-  void set_doubts(double current, double references) {
-    current_doubt_ = current;
-    reference_doubt_ = references;
+  const FrameVelocity& reference_velocity(std::size_t reference) const {
+    return pairs_[reference].reference->velocity;
+  }
+  FrameVelocity current_velocity(const SE3& T_cur_first) const {
+    return current_.velocity(T_cur_first);
   }
   const AlignOptions& options() const { return options_; }
   std::size_t level() const { return level_; }
@@ -107,10 +111,13 @@ class JointProblem {
   Matrix6d increment_jacobian(const ImagePair& pair, const SE3& T_cur_first) const;
   void add_part(std::size_t pair, const SE3& T_cur_first, JointSystem& system) const;
   const AlignReference& first() const { return *pairs_.front().reference; }
+  std::size_t index_of(const ImagePair& pair) const;
   DepthView depth_view(const SE3& T_cur_first) const;
   double depth_weight() const;
   void add_depth(const SE3& T_cur_first, JointSystem& system) const;
   void add_depth(const SE3& T_cur_first, CellScores& scores) const;
+  void add_velocities(const ImagePair& pair, const PointView& seen, const PointScores& scores,
+                      const CellScores::Projection& projection, JointScores& result) const;
   CellScores::Projection projection(std::size_t pair, const LinearSystem& part,
                                     const SE3& T_cur_first) const;
 
@@ -118,8 +125,6 @@ class JointProblem {
   std::size_t level_;
   const AlignOptions& options_;
   double readout_;
-  double current_doubt_ = 0;
-  double reference_doubt_ = 0;
   std::vector<ImagePair> pairs_;
   std::vector<ResidualModel> models_;
   double distance_scale_ = 0;  ///< m, of the distances from the first reference's surfaces

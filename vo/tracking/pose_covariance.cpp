@@ -62,42 +62,54 @@ double bias_variance(const Matrix6d& H, const PinholeCamera& camera) {
   return kBiasPx * kBiasPx * squared_gradients / 2;
 }
 
-/// By how much a pose moves when the velocities are off by what is in doubt, to first order.
-Vector6d shift_by_doubts(JointProblem problem, const JointSystem& system, const SE3& T_cur_first,
-                         double current, double references) {
-  problem.set_doubts(current, references);
-  return system.H.ldlt().solve(problem.linearize(T_cur_first).b - system.b);
+/// Of a velocity that is off in every direction alike, by as much as is in doubt.
+Matrix6d velocity_covariance(const FrameVelocity& velocity) {
+  Vector6d variance;
+  variance.head<3>().setConstant(velocity.doubt.head<3>().squaredNorm() / 3);
+  variance.tail<3>().setConstant(velocity.doubt.tail<3>().squaredNorm() / 3);
+  return variance.asDiagonal();
 }
 
-/// Of the velocities that rows are moved with.
-Matrix6d shutter_covariance(const JointProblem& problem, const JointSystem& system,
-                            const SE3& T_cur_first) {
-  if (problem.readout() == 0) {
-    return Matrix6d::Zero();
+/// Of b, by the velocities that rows are moved with.
+Matrix6d shutter_scatter(const JointProblem& problem, const JointScores& scores,
+                         const SE3& T_cur_first) {
+  const Matrix6d& K = scores.by_current_velocity;
+  Matrix6d sum = K * velocity_covariance(problem.current_velocity(T_cur_first)) * K.transpose();
+  for (std::size_t r = 0; r < scores.by_reference_velocity.size(); ++r) {
+    const Matrix6d& K_ref = scores.by_reference_velocity[r];
+    sum += K_ref * velocity_covariance(problem.reference_velocity(r)) * K_ref.transpose();
   }
-  const Vector6d by_current = shift_by_doubts(problem, system, T_cur_first, 1, 0);
-  const Vector6d by_references = shift_by_doubts(problem, system, T_cur_first, 0, 1);
-  return by_current * by_current.transpose() + by_references * by_references.transpose();
+  return sum;
+}
+
+/// H^-1 S H^-1, the covariance of the increment that follows from that of b.
+Matrix6d propagated(const Matrix6d& H, const Matrix6d& scatter_of_b) {
+  const Matrix6d H_inverse = H.ldlt().solve(Matrix6d::Identity());
+  const Matrix6d covariance = H_inverse * scatter_of_b * H_inverse;
+  return (covariance + covariance.transpose()) / 2;
+}
+
+/// What differs from cell to cell.
+Matrix6d cell_covariance(const JointSystem& system, const JointScores& scores) {
+  constexpr double kMinCurvatureShare = 0.25;
+  const double share = std::max(scores.curvature_share, kMinCurvatureShare);
+  const double factor = birge_factor(scores.references) / (share * share);
+  return factor * propagated(system.H, scatter(sum_of(scores.references)));
 }
 
 }  // namespace
 
 Matrix6d sandwich_covariance(const JointProblem& problem, const JointSystem& system,
                              const SE3& T_cur_first) {
-  constexpr double kMinCurvatureShare = 0.25;
-  const JointScores scores = problem.scores(system, T_cur_first);
-  const double share = std::max(scores.curvature_share, kMinCurvatureShare);
-  const double factor = birge_factor(scores.references) / (share * share);
-  const Matrix6d H_inverse = system.H.ldlt().solve(Matrix6d::Identity());
-  const Matrix6d covariance = factor * H_inverse * scatter(sum_of(scores.references)) * H_inverse;
-  return (covariance + covariance.transpose()) / 2;
+  return cell_covariance(system, problem.scores(system, T_cur_first));
 }
 
 Matrix6d pose_covariance(const JointProblem& problem, const JointSystem& system,
                          const SE3& T_cur_first) {
+  const JointScores scores = problem.scores(system, T_cur_first);
   const Matrix6d H_inverse = system.H.ldlt().solve(Matrix6d::Identity());
-  return sandwich_covariance(problem, system, T_cur_first) +
-         shutter_covariance(problem, system, T_cur_first) +
+  return cell_covariance(system, scores) +
+         propagated(system.H, shutter_scatter(problem, scores, T_cur_first)) +
          bias_variance(system.H, problem.camera()) * (H_inverse + H_inverse.transpose()) / 2;
 }
 

@@ -24,9 +24,9 @@ Matrix6d sandwich_covariance(const JointProblem& problem, const JointSystem& sys
 /// The same, and 0.005 px of interpolation bias that all pixels share: as if H knew of one pixel
 /// only. Found on rendered sequences with perfect depth, where it brings NEES to 0.5 to 1.5.
 ///
-/// With a rolling shutter also what the pose would move by if the velocities that its rows are
-/// moved with were off by their doubt, the current frame's and the references' each as one
-/// direction.
+/// With a rolling shutter also what the pose would move by if the velocities that rows are moved
+/// with were off by their doubt, of each frame by itself and in any direction: to first order, from
+/// how b changes with each velocity.
 ///
 /// What all references share is in none of them: depth that lags behind the image, a read-out time
 /// that is not found yet.

@@ -1,5 +1,8 @@
 #include "vo/tracking/pose_covariance.h"
 
+#include <array>
+#include <cmath>
+#include <optional>
 #include <random>
 
 #include <Eigen/Cholesky>
@@ -123,26 +126,60 @@ TEST(PoseCovariance, CellsOfAllReferencesSumToTheSystemsRightSide) {
   EXPECT_LT((sum - system.b).norm(), 1e-4 * system.b.norm());
 }
 
-/// A rolling shutter whose velocity is in doubt adds the square of what that velocity would change.
-TEST(PoseCovariance, HoldsWhatDoubtfulVelocitiesWouldChange) {
-  const vo::FramePyramid first = pyramid_at(SE3());
-  const vo::FramePyramid current = pyramid_at(motion());
-  const vo::EdgePoints points = vo::edge_points(first, first, {});
-  const vo::AlignOptions options{
+/// Sum over six directions of the squared change of a pose by a velocity that is off in each.
+template <typename AlignedWith>
+vo::Matrix6d scatter_by_velocity(const Vector6d& doubt, const AlignedWith& aligned_with) {
+  vo::Matrix6d sum = vo::Matrix6d::Zero();
+  const SE3 certain = aligned_with(Vector6d::Zero()).T_cur_ref;
+  for (int k = 0; k < 6; ++k) {
+    Vector6d off = Vector6d::Zero();
+    off[k] = (k < 3 ? doubt.head<3>() : doubt.tail<3>()).norm() / std::sqrt(3.0);
+    const Vector6d change = (aligned_with(off).T_cur_ref * certain.inverse()).log();
+    sum += change * change.transpose();
+  }
+  return sum;
+}
+
+/// A rolling shutter whose velocities are in doubt adds the squares of what others would change.
+class DoubtfulVelocity : public testing::Test {
+ protected:
+  vo::AlignResult aligned(const vo::FrameVelocity& of_reference,
+                          const std::optional<vo::PreviousFrame>& before_current) const {
+    const std::array references{vo::AlignReference{points_, SE3(), nullptr, of_reference}};
+    return vo::align(references, vo::AlignCurrent{current_, nullptr, before_current},
+                     motion().inverse(), options_);
+  }
+
+  static void expect_near(const vo::Matrix6d& added, const vo::Matrix6d& expected) {
+    EXPECT_GT(expected.norm(), 1e-10);
+    EXPECT_LT((added - expected).norm(), 0.15 * expected.norm());
+  }
+
+  const Vector6d doubt_ = (Vector6d() << 0.002, 0.001, -0.002, 0.005, 0.008, -0.006).finished();
+  const vo::FramePyramid first_ = pyramid_at(SE3());
+  const vo::FramePyramid current_ = pyramid_at(motion());
+  const vo::EdgePoints points_ = vo::edge_points(first_, first_, {});
+  const vo::AlignOptions options_{
       .min_translation = 1e-9, .min_rotation_deg = 1e-7, .readout = 0.02};
-  const Vector6d doubt = (Vector6d() << 0.002, 0.001, -0.002, 0.005, 0.008, -0.006).finished();
-  const auto aligned = [&](const vo::FrameVelocity& velocity) {
-    const std::array references{vo::AlignReference{points, SE3(), nullptr, velocity}};
-    return vo::align(references, vo::AlignCurrent{current}, motion().inverse(), options);
+};
+
+TEST_F(DoubtfulVelocity, OfAReferenceIsInTheCovariance) {
+  const vo::Matrix6d expected = scatter_by_velocity(doubt_, [&](const Vector6d& off) {
+    return aligned({off, Vector6d::Zero()}, {});
+  });
+  expect_near(aligned({Vector6d::Zero(), doubt_}, {}).covariance - aligned({}, {}).covariance,
+              expected);
+}
+
+TEST_F(DoubtfulVelocity, OfTheCurrentFrameIsInTheCovariance) {
+  constexpr double kSeconds = 10;  // so long that the pose that is sought hardly changes velocities
+  const auto velocity_changed_by = [&](const Vector6d& off) {
+    return aligned(
+        {}, vo::PreviousFrame{motion().inverse(), kSeconds, vo::MeanVelocity{-2 * off, kSeconds}});
   };
-  const vo::AlignResult certain = aligned({});
-  const vo::AlignResult doubtful = aligned({Vector6d::Zero(), doubt});
-  const Vector6d change =
-      (aligned({doubt, Vector6d::Zero()}).T_cur_ref * certain.T_cur_ref.inverse()).log();
-  const vo::Matrix6d expected = change * change.transpose();
-  const vo::Matrix6d added = doubtful.covariance - certain.covariance;
-  EXPECT_GT(change.norm(), 1e-5);
-  EXPECT_LT((added - expected).norm(), 0.1 * expected.norm());
+  const vo::AlignResult certain = velocity_changed_by(Vector6d::Zero());
+  expect_near(velocity_changed_by(doubt_).covariance - certain.covariance,
+              scatter_by_velocity(doubt_, velocity_changed_by));
 }
 
 }  // namespace
