@@ -13,9 +13,6 @@ namespace {
 /// A start that corners gave is this uncertain between them, relative.
 constexpr double kInterpolatedSigma = 0.25;
 
-/// What a map of the start is worth before its frames are tracked once more, relative.
-constexpr double kStartSigma = 0.03;
-
 bool needs_depth(MonoBootstrap bootstrap) {
   return bootstrap == MonoBootstrap::rgbd || bootstrap == MonoBootstrap::file;
 }
@@ -33,6 +30,9 @@ void MonoOptions::validate() const {
   require(min_confident >= 1, "mono.min_confident: expected at least 1, got ", min_confident);
   require(max_lost_frames >= 1, "mono.max_lost_frames: expected at least 1, got ", max_lost_frames);
   require(parallax_px > 0, "mono.parallax_px: expected above 0, got ", parallax_px);
+  require(wanted_parallax_px >= parallax_px,
+          "mono.wanted_parallax_px: expected at least parallax_px, ", parallax_px, ", got ",
+          wanted_parallax_px);
   require(!tracker.symmetric,
           "mono.symmetric: expected false, the current frame's points have no depth of their own");
   require(tracker.points.source == EdgeSource::reference &&
@@ -145,8 +145,9 @@ void MonoOdometry::start_from_guesses(MonoResult& result) {
 
 void MonoOdometry::initialise(MonoResult& result) {
   if (initialiser_ == nullptr || initialiser_->is_exhausted()) {
-    const double parallax_px = options_.parallax_px * camera_.width / 640;
-    initialiser_ = std::make_unique<MonoInitialiser>(current_, parallax_px, start_depth_);
+    const double scale = camera_.width / 640.0;
+    const StartParallax parallax{scale * options_.parallax_px, scale * options_.wanted_parallax_px};
+    initialiser_ = std::make_unique<MonoInitialiser>(current_, parallax, start_depth_);
     result.tracking.reason = LostReason::undetermined;
     return;
   }
@@ -173,7 +174,6 @@ void MonoOdometry::map_first_frame(const MonoInitialiser& solved) {
   for (std::size_t i = 1; i < frames.size(); ++i) {
     map_.observe(frames[i].pyramid, {frames[i].T_frame_first});
   }
-  map_.loosen(kStartSigma);
   map_.regularise();
 }
 

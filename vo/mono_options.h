@@ -32,7 +32,8 @@ struct MonoOptions {
   std::uint64_t seed = 0;     ///< of random depths
   int min_confident = 150;    ///< hypotheses; fewer and the map is lost
   int max_lost_frames = 15;   ///< in a row; then a new map is started
-  double parallax_px = 4;     ///< median, at 640 px width, that ends an unknown start
+  double parallax_px = 4;     ///< median, at 640 px width, that an unknown start needs at least
+  double wanted_parallax_px = 12;  ///< likewise, that it waits for while corners are in view
   TrackerOptions tracker;
   DepthMapOptions map;
 
@@ -48,7 +49,9 @@ void visit_fields(Visitor& visit, MonoOptions& options) {
   visit("min_confident", options.min_confident, "fewer confident hypotheses are a lost map");
   visit("max_lost_frames", options.max_lost_frames, "in a row, then a new map is started");
   visit("parallax_px", options.parallax_px,
-        "median parallax that ends an unknown start, px at 640 px width");
+        "median parallax that an unknown start needs, px at 640 px width");
+  visit("wanted_parallax_px", options.wanted_parallax_px,
+        "that it waits for while corners are in view, px at 640 px width");
   visit_fields(visit, options.tracker);
   visit("depth_map", options.map, "");
 }

@@ -58,8 +58,8 @@ TEST(MonoOdometry, KeepsTheScaleOfADepthImage) {
 }
 
 TEST(MonoOdometry, FindsAnUnknownPlaneUpToScale) {
-  const TrackedWalk done = tracked(options_with(MonoBootstrap::automatic), 25);
-  ASSERT_EQ(done.estimate.size(), 25U);
+  const TrackedWalk done = tracked(options_with(MonoBootstrap::automatic), 60);
+  ASSERT_EQ(done.estimate.size(), 60U);
   EXPECT_EQ(done.results.front().state, MonoState::initialising);
   EXPECT_EQ(done.results.back().state, MonoState::tracking);
   const vo::TrajectoryErrors errors =

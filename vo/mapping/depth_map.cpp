@@ -59,14 +59,6 @@ void DepthMap::take_depth(const DepthImage& depth, double relative_sigma) {
   }
 }
 
-void DepthMap::loosen(double relative_sigma) {
-  for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
-    const float sigma = static_cast<float>(relative_sigma) * hypotheses_.inverse_depth[i];
-    hypotheses_.variance[i] = std::max(hypotheses_.variance[i], sigma * sigma);
-    hypotheses_.smoothed_variance[i] = hypotheses_.variance[i];
-  }
-}
-
 void DepthMap::guess_random(std::uint64_t seed) {
   const double far = 1 / options_.max_depth;
   const double near = 1 / options_.min_depth;

@@ -42,9 +42,6 @@ class DepthMap {
   /// it has none, nothing is known.
   void take_depth(const DepthImage& depth, double relative_sigma);
 
-  /// Takes all depths for less certain than this, relative; nothing becomes more certain.
-  void loosen(double relative_sigma);
-
   /// Random guesses between the options' limits, uniform in inverse depth.
   void guess_random(std::uint64_t seed);
 

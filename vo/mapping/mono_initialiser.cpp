@@ -17,16 +17,59 @@ SE3 scaled(const SE3& T, double scale) {
   return {T.rotation(), scale * T.translation()};
 }
 
+/// Poses of all views from the places' depths, each from where it is or else from the one before.
+void place(StartViews& start, double robust_scale) {
+  SE3 T_before;
+  for (StartView& view : start.views) {
+    std::vector<double> inverse_depth;
+    for (const std::size_t place : view.places) {
+      inverse_depth.push_back(start.inverse_depth[place]);
+    }
+    view.T_frame_first = fit_pose(view.pairs, inverse_depth, T_before, robust_scale);
+    T_before = view.T_frame_first;
+  }
+}
+
+/// At most so many, evenly spread, the last one included.
+StartViews spread(const StartViews& start, std::size_t count) {
+  const std::size_t stride = (start.views.size() + count - 1) / count;
+  StartViews few{{}, start.inverse_depth};
+  for (std::size_t back = 0; back < start.views.size(); back += stride) {
+    few.views.insert(few.views.begin(), start.views[start.views.size() - 1 - back]);
+  }
+  return few;
+}
+
+/// Poses and depths that fit all frames, where those of the last alone are given.
+StartViews adjusted(StartViews start, double robust_scale) {
+  constexpr std::size_t kMaxViews = 12;
+  place(start, robust_scale);
+  StartViews few = spread(start, kMaxViews);
+  adjust(few, robust_scale);
+  start.inverse_depth = std::move(few.inverse_depth);
+  place(start, robust_scale);
+  return start;
+}
+
 }  // namespace
 
-MonoInitialiser::MonoInitialiser(const FramePyramid& first, double min_parallax_px,
+MonoInitialiser::MonoInitialiser(const FramePyramid& first, const StartParallax& parallax,
                                  double median_depth)
-    : min_parallax_px_(min_parallax_px), median_depth_(median_depth), tracks_(first, kCorners) {
+    : parallax_(parallax), median_depth_(median_depth), tracks_(first, kCorners) {
   frames_.push_back({first, SE3()});
 }
 
 bool MonoInitialiser::is_exhausted() const {
   return frames_.size() >= kMaxFrames || tracks_.alive() < std::max(kMinPairs, tracks_.size() / 3);
+}
+
+/// Whether waiting for more parallax would cost too many corners, or more time than it should take.
+bool MonoInitialiser::is_running_out() const {
+  constexpr double kMinAlive = 0.4;
+  const double patience =
+      static_cast<double>(frames_to_least_) * parallax_.wanted_px / parallax_.least_px;
+  return static_cast<double>(frames_.size()) >= std::min(patience, kMaxFrames - 1.0) ||
+         static_cast<double>(tracks_.alive()) < kMinAlive * static_cast<double>(tracks_.size());
 }
 
 std::vector<RayPair> MonoInitialiser::ray_pairs() const {
@@ -71,11 +114,17 @@ InitialiserReport MonoInitialiser::judge() {
   report.flow_px = upper_median(flow);
   const RotationFit turn = fit_rotation(pairs);
   report.parallax_px = focal_px * turn.parallax;
-  if (report.parallax_px < min_parallax_px_) {
-    if (report.flow_px > kTurned * min_parallax_px_ &&
-        report.parallax_px < kNoParallax * min_parallax_px_) {
+  if (report.parallax_px < parallax_.least_px) {
+    if (report.flow_px > kTurned * parallax_.least_px &&
+        report.parallax_px < kNoParallax * parallax_.least_px) {
       report.verdict = InitialiserVerdict::pure_rotation;
     }
+    return report;
+  }
+  if (frames_to_least_ == 0) {
+    frames_to_least_ = frames_.size();
+  }
+  if (report.parallax_px < parallax_.wanted_px && !is_running_out()) {
     return report;
   }
   const TwoViewFit fit = fit_two_views(pairs, turn.T_second_first, kRobustPx / focal_px);
@@ -86,37 +135,40 @@ InitialiserReport MonoInitialiser::judge() {
   if (report.parallax_px < kMinSignal * focal_px * fit.residual) {
     return report;
   }
-  const double scale = median_depth_ * upper_median(fit.inverse_depth);
-  for (std::size_t k = 0; k < fit.inverse_depth.size(); ++k) {
-    known_pixels_.push_back(tracks_.start(corners_.back()[k]));
-    known_inverse_depth_.push_back(fit.inverse_depth[k] / scale);
-  }
-  frames_.back().T_frame_first = scaled(fit.T_second_first, scale);
-  place_frames();
+  take(adjusted(views(fit.inverse_depth), kRobustPx / focal_px));
   report.verdict = InitialiserVerdict::solved;
   return report;
 }
 
-/// The frames between the first and the last, by the corners that have a depth.
-void MonoInitialiser::place_frames() {
-  const double focal_px = frames_.front().pyramid.levels.front().camera.fx;
-  std::vector<int> depth_of_corner(tracks_.size(), -1);
+/// What all frames see of the places that have a depth.
+StartViews MonoInitialiser::views(const std::vector<double>& inverse_depth) const {
+  std::vector<int> place_of_corner(tracks_.size(), -1);
   for (std::size_t k = 0; k < corners_.back().size(); ++k) {
-    depth_of_corner[corners_.back()[k]] = static_cast<int>(k);
+    place_of_corner[corners_.back()[k]] = static_cast<int>(k);
   }
-  SE3 T_guess;
-  for (std::size_t f = 0; f + 1 < pairs_.size(); ++f) {
-    std::vector<RayPair> pairs;
-    std::vector<double> inverse_depth;
+  StartViews start{{}, inverse_depth};
+  for (std::size_t f = 0; f < pairs_.size(); ++f) {
+    StartView& view = start.views.emplace_back();
     for (std::size_t k = 0; k < pairs_[f].size(); ++k) {
-      const int known = depth_of_corner[corners_[f][k]];
-      if (known >= 0) {
-        pairs.push_back(pairs_[f][k]);
-        inverse_depth.push_back(known_inverse_depth_[static_cast<std::size_t>(known)]);
+      const int place = place_of_corner[corners_[f][k]];
+      if (place >= 0) {
+        view.pairs.push_back(pairs_[f][k]);
+        view.places.push_back(static_cast<std::size_t>(place));
       }
     }
-    T_guess = fit_pose(pairs, inverse_depth, T_guess, kRobustPx / focal_px);
-    frames_[f + 1].T_frame_first = T_guess;
+  }
+  return start;
+}
+
+/// Sets the scale.
+void MonoInitialiser::take(const StartViews& adjusted) {
+  const double scale = median_depth_ * upper_median(adjusted.inverse_depth);
+  for (std::size_t k = 0; k < adjusted.inverse_depth.size(); ++k) {
+    known_pixels_.push_back(tracks_.start(corners_.back()[k]));
+    known_inverse_depth_.push_back(adjusted.inverse_depth[k] / scale);
+  }
+  for (std::size_t f = 0; f < adjusted.views.size(); ++f) {
+    frames_[f + 1].T_frame_first = scaled(adjusted.views[f].T_frame_first, scale);
   }
 }
 

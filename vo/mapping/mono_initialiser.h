@@ -9,6 +9,7 @@
 #include "vo/core/se3.h"
 #include "vo/image/pyramid.h"
 #include "vo/mapping/corner_tracks.h"
+#include "vo/mapping/start_adjustment.h"
 #include "vo/mapping/two_view.h"
 
 namespace vo {
@@ -34,6 +35,12 @@ struct InitialiserReport {
   double parallax_px = 0;  ///< median of what no rotation explains
 };
 
+/// How far the camera must have moved, as the median parallax of the corners.
+struct StartParallax {
+  double least_px = 4;    ///< it is solved with, when corners run out
+  double wanted_px = 12;  ///< it is waited for, so long as that takes in proportion
+};
+
 /// A frame of the start and where it was taken from.
 struct StartFrame {
   FramePyramid pyramid;
@@ -42,11 +49,11 @@ struct StartFrame {
 
 /// Finds structure and motion of an unknown scene at once: the first frame is held, corners are
 /// followed until the camera has moved far enough, then the motion and all inverse depths are
-/// fitted together. Scale is chosen so that the median depth is what was asked for.
+/// fitted together, at first to the last frame alone, then to all. Scale is chosen so that the
+/// median depth is what was asked for.
 class MonoInitialiser {
  public:
-  /// `min_parallax_px` of the median corner.
-  MonoInitialiser(const FramePyramid& first, double min_parallax_px, double median_depth);
+  MonoInitialiser(const FramePyramid& first, const StartParallax& parallax, double median_depth);
 
   InitialiserReport add(const FramePyramid& frame);
 
@@ -61,9 +68,12 @@ class MonoInitialiser {
  private:
   std::vector<RayPair> ray_pairs() const;
   InitialiserReport judge();
-  void place_frames();
+  bool is_running_out() const;
+  StartViews views(const std::vector<double>& inverse_depth) const;
+  void take(const StartViews& adjusted);
 
-  double min_parallax_px_;
+  StartParallax parallax_;
+  std::size_t frames_to_least_ = 0;  ///< until the least parallax was there, 0 before
   double median_depth_;
   CornerTracks tracks_;
   std::vector<StartFrame> frames_;

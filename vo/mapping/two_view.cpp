@@ -6,54 +6,16 @@
 #include <Eigen/Cholesky>
 
 #include "vo/core/median.h"
+#include "vo/mapping/pair_terms.h"
 
 namespace vo {
 namespace {
 
-using Row6 = Eigen::Matrix<double, 2, 6>;
-
-/// Residual of one pair and its derivatives. The point is P = R ray + d t, up to its scale.
-struct PairTerms {
-  Eigen::Vector2d r;
-  Row6 by_pose;  ///< left increment [translation; rotation]
-  Eigen::Vector2d by_depth;
-  bool in_front = false;
-};
-
-PairTerms terms_of(const RayPair& pair, const SE3& T, double d) {
-  PairTerms terms;
-  const Eigen::Vector3d P = T.rotation() * pair.first.homogeneous() + d * T.translation();
-  terms.in_front = P.z() > 1e-3;
-  if (!terms.in_front) {
-    return terms;
-  }
-  Eigen::Matrix<double, 2, 3> by_point;
-  by_point << 1, 0, -P.x() / P.z(), 0, 1, -P.y() / P.z();
-  by_point /= P.z();
-  terms.r = P.hnormalized() - pair.second;
-  terms.by_pose << d * by_point, -by_point * skew(P);
-  terms.by_depth = by_point * T.translation();
-  return terms;
-}
-
-/// Cauchy's weight and loss.
-double weight_of(double square, double scale) {
-  return 1 / (1 + square / (scale * scale));
-}
-
-double loss_of(double square, double scale) {
-  return scale * scale * std::log1p(square / (scale * scale));
-}
-
 double total_loss(const std::vector<RayPair>& pairs, const SE3& T, const std::vector<double>& d,
                   double scale) {
-  constexpr double kBehind = 4;  // a pair behind the camera is as bad as this many scales
   double sum = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const PairTerms terms = terms_of(pairs[i], T, d[i]);
-    const double square =
-        terms.in_front && d[i] > 0 ? terms.r.squaredNorm() : kBehind * kBehind * scale * scale;
-    sum += loss_of(square, scale);
+    sum += pair_loss(pairs[i], T, d[i], scale);
   }
   return sum;
 }
@@ -79,7 +41,7 @@ ReducedSystem reduced_system(const std::vector<RayPair>& pairs, const SE3& T,
     if (!terms.in_front) {
       continue;
     }
-    const double w = weight_of(terms.r.squaredNorm(), scale);
+    const double w = cauchy_weight(terms.r.squaredNorm(), scale);
     system.coupling[i] = w * terms.by_pose.transpose() * terms.by_depth;
     system.H_depth[i] += w * terms.by_depth.squaredNorm();
     system.b_depth[i] = w * terms.by_depth.dot(terms.r);
@@ -152,7 +114,7 @@ RotationFit fit_rotation(const std::vector<RayPair>& pairs) {
     for (const RayPair& pair : pairs) {
       const PairTerms terms = terms_of(pair, fit.T_second_first, 0);
       if (terms.in_front) {
-        const double w = weight_of(terms.r.squaredNorm(), scale);
+        const double w = cauchy_weight(terms.r.squaredNorm(), scale);
         const Eigen::Matrix<double, 2, 3> J = terms.by_pose.rightCols<3>();
         H += w * J.transpose() * J;
         b += w * J.transpose() * terms.r;
@@ -224,7 +186,7 @@ SE3 fit_pose(const std::vector<RayPair>& pairs, const std::vector<double>& inver
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const PairTerms terms = terms_of(pairs[i], T, inverse_depth[i]);
       if (terms.in_front) {
-        const double w = weight_of(terms.r.squaredNorm(), robust_scale);
+        const double w = cauchy_weight(terms.r.squaredNorm(), robust_scale);
         H += w * terms.by_pose.transpose() * terms.by_pose;
         b += w * terms.by_pose.transpose() * terms.r;
       }

@@ -13,7 +13,7 @@ using vo::InitialiserVerdict;
 using vo::SE3;
 
 /// 1.5 cm a frame past the plane at 2 m: about 2 px.
-SE3 walk(int frame) {
+SE3 walk(double frame) {
   return SE3::exp((vo::Vector6d() << 0.015 * frame, 0.005 * frame, 0.004 * frame, 0, 0.002 * frame,
                    0.001 * frame)
                       .finished());
@@ -38,7 +38,7 @@ TEST(CornerTracks, FollowPlacesOfThePlane) {
 }
 
 TEST(MonoInitialiser, FindsPosesAndDepthsOfAnUnknownPlane) {
-  vo::MonoInitialiser initialiser(grey_frame(small_camera(), walk(0)), 6, 2);
+  vo::MonoInitialiser initialiser(grey_frame(small_camera(), walk(0)), {6, 6}, 2);
   vo::InitialiserReport report;
   int frame = 0;
   while (report.verdict != InitialiserVerdict::solved && frame < 30) {
@@ -59,8 +59,26 @@ TEST(MonoInitialiser, FindsPosesAndDepthsOfAnUnknownPlane) {
   }
 }
 
+/// Parallax when it is solved, on a walk that is slow enough to choose.
+double parallax_at_start(const vo::StartParallax& parallax) {
+  vo::MonoInitialiser initialiser(grey_frame(small_camera(), walk(0)), parallax, 2);
+  vo::InitialiserReport report;
+  for (int i = 1; i < 60 && report.verdict != InitialiserVerdict::solved; ++i) {
+    report = initialiser.add(grey_frame(small_camera(), walk(0.3 * i)));
+  }
+  return report.verdict == InitialiserVerdict::solved ? report.parallax_px : 0;
+}
+
+TEST(MonoInitialiser, WaitsForMoreParallaxWhileCornersAreInView) {
+  constexpr double kOutOfReach = 1000;  // px
+  const double hasty = parallax_at_start({2, 2});
+  EXPECT_GE(hasty, 2);
+  EXPECT_GT(parallax_at_start({2, 5}), 1.3 * hasty);
+  EXPECT_GE(parallax_at_start({2, kOutOfReach}), 2) << "it does not wait until nothing is left";
+}
+
 TEST(MonoInitialiser, RecognisesATurn) {
-  vo::MonoInitialiser initialiser(grey_frame(small_camera(), SE3()), 6, 2);
+  vo::MonoInitialiser initialiser(grey_frame(small_camera(), SE3()), {6, 6}, 2);
   vo::InitialiserReport report;
   for (int i = 1; i <= 12; ++i) {
     const SE3 turn = SE3::exp((vo::Vector6d() << 0, 0, 0, 0.002 * i, 0.008 * i, 0).finished());

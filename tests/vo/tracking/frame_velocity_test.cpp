@@ -16,7 +16,7 @@ TEST(FrameVelocity, IsExactUnderSteadyAcceleration) {
   const MeanVelocity last{(x(0.03) - x(0)) / 0.03, 0.03};
   const vo::FrameVelocity at_end = vo::velocity_at_end(last, before);
   EXPECT_LT((at_end.twist - (v + 0.03 * a)).norm(), 1e-12);
-  EXPECT_LT((at_end.doubt - (at_end.twist - last.twist) / 2).norm(), 1e-12);
+  EXPECT_LT((at_end.doubt - (at_end.twist - last.twist)).norm(), 1e-12);
 }
 
 TEST(FrameVelocity, IsTheMeanWhereNothingIsKnownOfBefore) {
