@@ -17,7 +17,15 @@ SE3 scaled(const SE3& T, double scale) {
   return {T.rotation(), scale * T.translation()};
 }
 
-/// Poses of all views from the places' depths, each from where it is or else from the one before.
+double median_flow(const std::vector<RayPair>& pairs) {
+  std::vector<double> flow;
+  for (const RayPair& pair : pairs) {
+    flow.push_back((pair.second - pair.first).norm());
+  }
+  return upper_median(flow);
+}
+
+/// Poses of all views from the places' depths, each sought from where the one before is.
 void place(StartViews& start, double robust_scale) {
   SE3 T_before;
   for (StartView& view : start.views) {
@@ -98,20 +106,13 @@ InitialiserReport MonoInitialiser::add(const FramePyramid& frame) {
 InitialiserReport MonoInitialiser::judge() {
   constexpr double kTurned = 2;         // times the parallax asked for: the image moved a lot
   constexpr double kNoParallax = 0.15;  // times the same: no more than corners err
-  constexpr double kMaxResidual = 1;    // px
-  constexpr double kMinInFront = 0.9;
-  constexpr double kMinSignal = 15;  // parallax over what is left of it
   const std::vector<RayPair>& pairs = pairs_.back();
   const double focal_px = frames_.front().pyramid.levels.front().camera.fx;
   InitialiserReport report;
   if (pairs.size() < kMinPairs) {
     return report;
   }
-  std::vector<double> flow;
-  for (const RayPair& pair : pairs) {
-    flow.push_back(focal_px * (pair.second - pair.first).norm());
-  }
-  report.flow_px = upper_median(flow);
+  report.flow_px = focal_px * median_flow(pairs);
   const RotationFit turn = fit_rotation(pairs);
   report.parallax_px = focal_px * turn.parallax;
   if (report.parallax_px < parallax_.least_px) {
@@ -127,17 +128,24 @@ InitialiserReport MonoInitialiser::judge() {
   if (report.parallax_px < parallax_.wanted_px && !is_running_out()) {
     return report;
   }
-  const TwoViewFit fit = fit_two_views(pairs, turn.T_second_first, kRobustPx / focal_px);
+  report.verdict = solve(turn, report.parallax_px);
+  return report;
+}
+
+InitialiserVerdict MonoInitialiser::solve(const RotationFit& turn, double parallax_px) {
+  constexpr double kMaxResidual = 1;  // px
+  constexpr double kMinInFront = 0.9;
+  constexpr double kMinSignal = 15;  // parallax over what is left of it
+  const double focal_px = frames_.front().pyramid.levels.front().camera.fx;
+  const TwoViewFit fit = fit_two_views(pairs_.back(), turn.T_second_first, kRobustPx / focal_px);
   if (focal_px * fit.residual > kMaxResidual || fit.in_front < kMinInFront) {
-    report.verdict = InitialiserVerdict::inconsistent;
-    return report;
+    return InitialiserVerdict::inconsistent;
   }
-  if (report.parallax_px < kMinSignal * focal_px * fit.residual) {
-    return report;
+  if (parallax_px < kMinSignal * focal_px * fit.residual) {
+    return InitialiserVerdict::waiting;
   }
   take(adjusted(views(fit.inverse_depth), kRobustPx / focal_px));
-  report.verdict = InitialiserVerdict::solved;
-  return report;
+  return InitialiserVerdict::solved;
 }
 
 /// What all frames see of the places that have a depth.

@@ -68,6 +68,7 @@ class MonoInitialiser {
  private:
   std::vector<RayPair> ray_pairs() const;
   InitialiserReport judge();
+  InitialiserVerdict solve(const RotationFit& turn, double parallax_px);
   bool is_running_out() const;
   StartViews views(const std::vector<double>& inverse_depth) const;
   void take(const StartViews& adjusted);
