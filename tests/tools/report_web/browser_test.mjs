@@ -66,6 +66,13 @@ test('the verdict table comes first and the first failed scenario is shown', asy
   assert.deepEqual(complaints, []);
 });
 
+test('metrics that are neither measured nor bounded are left out', async () => {
+  const isOwn = ({ value, holds }) => value !== null || holds !== null;
+  const { name, metrics } = data.scenarios.find((scenario) => !scenario.metrics.every(isOwn));
+  await open({ hash: link(name) });
+  assert.equal(await page.locator('.metrics tbody tr').count(), metrics.filter(isOwn).length);
+});
+
 test('arrow keys scrub, the space bar plays, a click on a scenario shows it', async () => {
   await open();
   await page.getByRole('button', { name: names[0], exact: true }).click();

@@ -77,8 +77,13 @@ function usedShare({ value, max }: Metric): string {
   return value === null || max === null || max <= 0 ? '' : `${((100 * value) / max).toFixed(0)} %`;
 }
 
+/** Those of another kind of tracker are left out: neither measured nor bounded. */
+function ownMetrics({ metrics }: Scenario): Metric[] {
+  return metrics.filter(({ value, holds }) => value !== null || holds !== null);
+}
+
 export function metricTable(scenario: Scenario): HTMLElement {
-  const rows = scenario.metrics.map((metric) =>
+  const rows = ownMetrics(scenario).map((metric) =>
     h(
       'tr',
       { class: metric.holds === false ? 'violated' : '' },
