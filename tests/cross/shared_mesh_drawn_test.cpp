@@ -1,0 +1,20 @@
+#include <gtest/gtest.h>
+
+#include "synth/renderer.h"
+#include "tests/synth/copied_meshes.h"
+
+namespace synth {
+namespace {
+
+TEST(SharedMesh, IsDrawnAsMeshesOfTheirOwnAre) {
+  const Scene scene = copies();
+  const Scene separate = apart(scene);
+  const RenderOptions options{.kind = RendererKind::rasterizer, .samples = 1};
+  const Shot shot = all_of(still(camera(), {}));
+  const RenderedFrame frame = make_renderer(scene, options)->render(shot);
+  constexpr float kDrawn = 1e-5F;  // OpenGL's depth is single precision throughout
+  expect_same(frame, make_renderer(separate, options)->render(shot), kDrawn);
+}
+
+}  // namespace
+}  // namespace synth
