@@ -1,11 +1,8 @@
 #include "vo/mapping/start_adjustment.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include <Eigen/Cholesky>
 
+#include "vo/mapping/damped_descent.h"
 #include "vo/mapping/pair_terms.h"
 
 namespace vo {
@@ -98,27 +95,12 @@ double loss_of(const StartViews& start, double scale) {
 }  // namespace
 
 void adjust(StartViews& start, double robust_scale) {
-  constexpr int kIterations = 25;
-  constexpr double kConverged = 1e-6;  // of the loss
-  double loss = loss_of(start, robust_scale);
-  double damping = 1e-3;
-  for (int iteration = 0; iteration < kIterations; ++iteration) {
-    const System system = system_of(start, robust_scale);
-    StartViews next =
-        moved(start, system, pose_step(system, start.views.back().T_frame_first, damping));
-    const double next_loss = loss_of(next, robust_scale);
-    if (next_loss >= loss) {
-      damping *= 8;
-      continue;
-    }
-    const bool converged = loss - next_loss < kConverged * loss;
-    start = std::move(next);
-    loss = next_loss;
-    damping = std::max(damping * 0.3, 1e-9);
-    if (converged) {
-      break;
-    }
-  }
+  const auto step = [&](const StartViews& from, double damping) {
+    const System system = system_of(from, robust_scale);
+    return moved(from, system, pose_step(system, from.views.back().T_frame_first, damping));
+  };
+  const auto loss = [&](const StartViews& at) { return loss_of(at, robust_scale); };
+  descend(start, step, loss, {.iterations = 25, .converged = 1e-6});
 }
 
 }  // namespace vo

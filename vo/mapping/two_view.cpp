@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Cholesky>
 
 #include "vo/core/median.h"
+#include "vo/mapping/damped_descent.h"
 #include "vo/mapping/pair_terms.h"
 
 namespace vo {
@@ -68,33 +70,36 @@ SE3 with_unit_translation(const SE3& T) {
   return {T.rotation(), T.translation().normalized()};
 }
 
-/// Levenberg-Marquardt from one motion; the loss it ends with.
-double refine(const std::vector<RayPair>& pairs, double scale, int iterations, SE3& T,
-              std::vector<double>& d) {
-  double loss = total_loss(pairs, T, d, scale);
-  double damping = 1e-3;
-  for (int iteration = 0; iteration < iterations; ++iteration) {
-    const ReducedSystem system = reduced_system(pairs, T, d, scale);
-    const Vector6d step = pose_step(system, T, damping);
-    const SE3 T_next = with_unit_translation(SE3::exp(step) * T);
-    std::vector<double> d_next(d.size());
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      d_next[i] = d[i] - (system.b_depth[i] + system.coupling[i].dot(step)) / system.H_depth[i];
-      if (!(d_next[i] > 0 && std::abs(d_next[i]) < 1e3)) {
-        d_next[i] = triangulate(pairs[i], T_next);
-      }
-    }
-    const double next = total_loss(pairs, T_next, d_next, scale);
-    if (next < loss) {
-      loss = next;
-      T = T_next;
-      d = std::move(d_next);
-      damping = std::max(damping * 0.3, 1e-9);
-    } else {
-      damping *= 8;
+/// A motion and the inverse depths of the pairs under it.
+struct MotionAndDepths {
+  SE3 T;
+  std::vector<double> d;
+};
+
+MotionAndDepths moved(const std::vector<RayPair>& pairs, const MotionAndDepths& from, double scale,
+                      double damping) {
+  const ReducedSystem system = reduced_system(pairs, from.T, from.d, scale);
+  const Vector6d step = pose_step(system, from.T, damping);
+  MotionAndDepths next{with_unit_translation(SE3::exp(step) * from.T),
+                       std::vector<double>(from.d.size())};
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    double& d = next.d[i];
+    d = from.d[i] - (system.b_depth[i] + system.coupling[i].dot(step)) / system.H_depth[i];
+    if (!(d > 0 && std::abs(d) < 1e3)) {
+      d = triangulate(pairs[i], next.T);
     }
   }
-  return loss;
+  return next;
+}
+
+/// From one motion; the loss it ends with.
+double refine(const std::vector<RayPair>& pairs, double scale, int iterations,
+              MotionAndDepths& start) {
+  const auto step = [&](const MotionAndDepths& from, double damping) {
+    return moved(pairs, from, scale, damping);
+  };
+  const auto loss = [&](const MotionAndDepths& at) { return total_loss(pairs, at.T, at.d, scale); };
+  return descend(start, step, loss, {.iterations = iterations});
 }
 
 }  // namespace
@@ -144,26 +149,25 @@ TwoViewFit fit_two_views(const std::vector<RayPair>& pairs, const SE3& T_rotatio
                          double robust_scale) {
   constexpr int kFirstIterations = 12;
   constexpr int kLastIterations = 40;
-  TwoViewFit best;
+  MotionAndDepths found;
   double least = 1e300;
   for (int code = 0; code < 27; ++code) {
     const Eigen::Vector3d direction(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
     if (direction.isZero()) {
       continue;
     }
-    SE3 T(T_rotation.rotation(), direction.normalized());
-    std::vector<double> d;
+    MotionAndDepths start{{T_rotation.rotation(), direction.normalized()}, {}};
     for (const RayPair& pair : pairs) {
-      d.push_back(triangulate(pair, T));
+      start.d.push_back(triangulate(pair, start.T));
     }
-    const double loss = refine(pairs, robust_scale, kFirstIterations, T, d);
+    const double loss = refine(pairs, robust_scale, kFirstIterations, start);
     if (loss < least) {
       least = loss;
-      best.T_second_first = T;
-      best.inverse_depth = d;
+      found = std::move(start);
     }
   }
-  refine(pairs, robust_scale, kLastIterations, best.T_second_first, best.inverse_depth);
+  refine(pairs, robust_scale, kLastIterations, found);
+  TwoViewFit best{.T_second_first = found.T, .inverse_depth = std::move(found.d)};
   std::vector<double> distances;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const double d = best.inverse_depth[i];
