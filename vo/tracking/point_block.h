@@ -119,7 +119,7 @@ EDVO_INLINE void roll_points(const PassWarp& warp, const RowMotion& motion, floa
     const float y = ys[i];
     const float z = zs[i];
     const float row = warp.fy * (y / z) + warp.cy;
-    const float below = share * ((row + 0.5F) * warp.inverse_height - 0.5F);
+    const float below = share * below_middle(row, warp.inverse_height);
     xs[i] = x + below * (w[1] * z - w[2] * y + v[0]);
     ys[i] = y + below * (w[2] * x - w[0] * z + v[1]);
     zs[i] = z + below * (w[0] * y - w[1] * x + v[2]);

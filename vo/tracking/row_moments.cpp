@@ -6,11 +6,6 @@ namespace {
 using Jacobian = Eigen::Matrix<float, kPassParameters, 1>;
 using Sum = Eigen::Matrix<float, kPassParameters, 6>;
 
-/// Image heights below the middle row.
-float below_middle(float row, float inverse_height) {
-  return (row + 0.5F) * inverse_height - 0.5F;
-}
-
 Jacobian jacobian_of(const PointScores& scores, std::size_t i) {
   Jacobian J;
   for (std::size_t p = 0; p < kPassParameters; ++p) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "vo/core/instruction_set.h"
 #include "vo/core/se3.h"
 
 namespace vo {
@@ -21,5 +22,10 @@ struct RowMotion {
 
   bool is_zero() const { return linear.isZero(0) && angular.isZero(0); }
 };
+
+/// How far below the middle row a row is, in image heights.
+EDVO_INLINE float below_middle(float row, float inverse_height) {
+  return (row + 0.5F) * inverse_height - 0.5F;
+}
 
 }  // namespace vo
