@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "synth/embree_scene_geometry.h"
 #include "vo/core/error.h"
 
 namespace synth {
@@ -17,11 +18,6 @@ constexpr std::uint64_t kInstants = 0x1257;  // the purpose of their random numb
 constexpr float kNear = 0.01F;               // m along the optical axis
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-struct ReleaseGeometry {
-  void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
-};
-using Geometry = std::unique_ptr<RTCGeometryTy, ReleaseGeometry>;
-
 void keep_first_error(void* message, RTCError /*code*/, const char* text) {
   auto& first = *static_cast<std::string*>(message);
   if (first.empty()) {
@@ -29,148 +25,21 @@ void keep_first_error(void* message, RTCError /*code*/, const char* text) {
   }
 }
 
-/// What a query is about: Embree hands it on to the filters. Its own part comes first.
-struct Query {
-  RTCIntersectContext context;
-  Sight sight = Sight::solid;
-  ShadowHit* blocker = nullptr;  ///< where to note what cast a shadow
-};
-
-Query query_for(Sight sight, RTCIntersectContextFlags coherence) {
-  Query query;
+EmbreeQuery query_for(Sight sight, RTCIntersectContextFlags coherence) {
+  EmbreeQuery query;
   rtcInitIntersectContext(&query.context);
   query.context.flags = coherence;
   query.sight = sight;
   return query;
 }
 
-Query coherent_query(Sight sight) {
+EmbreeQuery coherent_query(Sight sight) {
   return query_for(sight, RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
-}
-
-Query& query_of(const RTCFilterFunctionNArguments* arguments) {
-  return *reinterpret_cast<Query*>(arguments->context);
-}
-
-/// A lane of the rays that were found to hit something.
-SurfaceHit hit_of(const RTCFilterFunctionNArguments* arguments, unsigned lane) {
-  RTCHitN* const hits = arguments->hit;
-  const unsigned count = arguments->N;
-  const float u = RTCHitN_u(hits, count, lane);
-  const float v = RTCHitN_v(hits, count, lane);
-  return {.mesh = mesh_of(RTCHitN_instID(hits, count, lane, 0), RTCHitN_geomID(hits, count, lane)),
-          .triangle = static_cast<int>(RTCHitN_primID(hits, count, lane)),
-          .weights = {1 - u - v, u, v}};
-}
-
-/// Notes the last of the triangles that rays were found to hit.
-void note_blocker(const RTCFilterFunctionNArguments* arguments) {
-  ShadowHit* const blocker = query_of(arguments).blocker;
-  const unsigned count = arguments->N;
-  for (unsigned i = 0; blocker != nullptr && i < count; ++i) {
-    if (arguments->valid[i] == -1) {
-      const SurfaceHit hit = hit_of(arguments, i);
-      *blocker = {hit.mesh, hit.triangle};
-    }
-  }
-}
-
-/// Lets rays pass where the alpha says that nothing is.
-void drop_invisible(const RTCFilterFunctionNArguments* arguments) {
-  const auto& flat = *static_cast<const FlatScene*>(arguments->geometryUserPtr);
-  const bool sees_layers = query_of(arguments).sight == Sight::layers;
-  const unsigned count = arguments->N;
-  for (unsigned i = 0; i < count; ++i) {
-    if (arguments->valid[i] != -1) {
-      continue;
-    }
-    const SurfaceHit hit = hit_of(arguments, i);
-    const Material& material = *flat.meshes[static_cast<std::size_t>(hit.mesh)].material;
-    const bool is_layer = material.alpha_mode == AlphaMode::blend && sees_layers;
-    if (!is_layer && surface_alpha(flat, hit) < solid_from(material)) {
-      arguments->valid[i] = 0;
-    }
-  }
-}
-
-/// The last of the positions is but room for what Embree reads.
-void set_vertices(RTCGeometry geometry, const std::vector<Eigen::Vector3f>& positions,
-                  unsigned time_step) {
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, time_step, RTC_FORMAT_FLOAT3,
-                             positions.data(), 0, sizeof(Eigen::Vector3f), positions.size() - 1);
-}
-
-/// At each moment; Embree takes them to be spread evenly over the rays' time from 0 to 1.
-void set_vertices(RTCGeometry geometry, const FlatMesh& flat) {
-  if (flat.moments.empty()) {
-    set_vertices(geometry, flat.positions, 0);
-    return;
-  }
-  const auto moments = static_cast<unsigned>(flat.moments.size());
-  rtcSetGeometryTimeStepCount(geometry, moments);
-  for (unsigned i = 0; i < moments; ++i) {
-    set_vertices(geometry, flat.moments[i].positions, i);
-  }
-}
-
-void set_triangles(RTCGeometry geometry, const Mesh& mesh) {
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                             mesh.triangles.data(), 0, sizeof(mesh.triangles[0]),
-                             mesh.triangles.size());
-}
-
-void set_filters(RTCGeometry geometry, const FlatScene& scene, const Mesh& mesh) {
-  if (material_of(*scene.scene, mesh).alpha_mode != AlphaMode::opaque) {
-    rtcSetGeometryUserData(geometry, const_cast<FlatScene*>(&scene));  // only read
-    rtcSetGeometryIntersectFilterFunction(geometry, drop_invisible);
-    rtcSetGeometryOccludedFilterFunction(geometry, drop_invisible);
-  } else {
-    rtcSetGeometryOccludedFilterFunction(geometry, note_blocker);
-  }
 }
 
 void attach(RTCScene hierarchy, RTCGeometry geometry, unsigned index) {
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(hierarchy, geometry, index);
-}
-
-Geometry triangles_of(RTCDevice device, const FlatScene& scene, const SharedMesh& shared) {
-  Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
-  set_vertices(geometry.get(), shared.positions, 0);
-  set_triangles(geometry.get(), *shared.mesh);
-  set_filters(geometry.get(), scene, *shared.mesh);
-  return geometry;
-}
-
-Geometry triangles_of(RTCDevice device, const FlatScene& scene, const FlatMesh& mesh) {
-  Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
-  set_vertices(geometry.get(), mesh);
-  set_triangles(geometry.get(), *mesh.mesh);
-  set_filters(geometry.get(), scene, *mesh.mesh);
-  return geometry;
-}
-
-void set_transform(RTCGeometry geometry, const FlatScene& scene, const FlatMesh& mesh,
-                   unsigned time_step) {
-  const Eigen::Matrix<float, 3, 4> transform = T_flat_shared(scene, mesh).affine().cast<float>();
-  rtcSetGeometryTransform(geometry, time_step, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform.data());
-}
-
-/// Between moments Embree blends the matrices: vertices go straight.
-Geometry instance_of(RTCDevice device, RTCScene shared, const FlatScene& scene,
-                     const FlatMesh& mesh) {
-  Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
-  rtcSetGeometryInstancedScene(geometry.get(), shared);
-  const auto moments = static_cast<unsigned>(mesh.moments.size());
-  if (moments == 0) {
-    set_transform(geometry.get(), scene, mesh, 0);
-  } else {
-    rtcSetGeometryTimeStepCount(geometry.get(), moments);
-  }
-  for (unsigned i = 0; i < moments; ++i) {
-    set_transform(geometry.get(), scene, mesh.moments[i], i);
-  }
-  return geometry;
 }
 
 void aim(RTCRay& ray, const Aim& aim) {
@@ -254,7 +123,7 @@ EmbreeScene::EmbreeScene(const FlatScene& flat)
   hierarchy_ = new_hierarchy();
   for (unsigned i = 0; i < flat.meshes.size(); ++i) {
     const FlatMesh& mesh = flat.meshes[i];
-    const Geometry geometry =
+    const EmbreeGeometry geometry =
         mesh.shared == kNone ? triangles_of(device_.get(), flat, mesh)
                              : instance_of(device_.get(), shared_[mesh.shared].get(), flat, mesh);
     attach(hierarchy_.get(), geometry.get(), i);
@@ -272,25 +141,25 @@ EmbreeScene::Hierarchy EmbreeScene::new_hierarchy() const {
 }
 
 void EmbreeScene::intersect(std::vector<RTCRayHit>& rays) const {
-  Query query = coherent_query(Sight::solid);
+  EmbreeQuery query = coherent_query(Sight::solid);
   rtcIntersect1M(hierarchy_.get(), &query.context, rays.data(), static_cast<unsigned>(rays.size()),
                  sizeof(RTCRayHit));
 }
 
 void EmbreeScene::occlude(std::vector<RTCRay>& rays) const {
-  Query query = query_for(Sight::solid, shadow_coherence_);
+  EmbreeQuery query = query_for(Sight::solid, shadow_coherence_);
   rtcOccluded1M(hierarchy_.get(), &query.context, rays.data(), static_cast<unsigned>(rays.size()),
                 sizeof(RTCRay));
 }
 
 void EmbreeScene::intersect(HitPacket& packet, Sight sight) const {
-  Query query = coherent_query(sight);
+  EmbreeQuery query = coherent_query(sight);
   const FirstLanes first(packet.size);
   rtcIntersect16(first.mask.data(), hierarchy_.get(), &query.context, &packet.lanes);
 }
 
 void EmbreeScene::occlude(ShadowPacket& packet, ShadowHit& blocker) const {
-  Query query = query_for(Sight::solid, shadow_coherence_);
+  EmbreeQuery query = query_for(Sight::solid, shadow_coherence_);
   query.blocker = &blocker;
   rtcOccluded16(packet.active.data(), hierarchy_.get(), &query.context, &packet.lanes);
   const float* const left = packet.lanes.tfar;

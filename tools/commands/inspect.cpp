@@ -89,14 +89,16 @@ ordered_json list(const std::vector<Element>& elements) {
   return json;
 }
 
+std::size_t count_true(const std::vector<bool>& values) {
+  return static_cast<std::size_t>(std::count(values.begin(), values.end(), true));
+}
+
 std::size_t count_moving(const synth::Scene& scene) {
-  const std::vector<bool> moving = synth::moving_instances(scene);
-  return static_cast<std::size_t>(std::count(moving.begin(), moving.end(), true));
+  return count_true(synth::moving_instances(scene));
 }
 
 std::size_t count_sharing(const synth::Scene& scene) {
-  const std::vector<bool> sharing = synth::sharing_instances(scene);
-  return static_cast<std::size_t>(std::count(sharing.begin(), sharing.end(), true));
+  return count_true(synth::sharing_instances(scene));
 }
 
 std::size_t count_shown_triangles(const synth::Scene& scene) {
