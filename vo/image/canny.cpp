@@ -5,7 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
+
+#include "vo/image/hysteresis.h"
 
 namespace vo {
 namespace {
@@ -61,9 +62,6 @@ class GradientRow {
   std::vector<int> dx_, dy_, squared_;
 };
 
-/// What a pixel is before weak edges are followed.
-enum PixelClass : uchar { no_edge = 0, weak_edge = 1, strong_edge = 2 };
-
 /// Squared magnitudes that a pixel must exceed.
 struct SquaredThresholds {
   int weak = 0;
@@ -108,13 +106,13 @@ EDVO_INLINE void suppress_row(const std::array<const GradientRow*, 3>& rows, int
     const int is_maximum = (m > before ? 1 : 0) & (m > after - 1 - diagonal ? 1 : 0);
     const int is_weak = m > thresholds.weak ? 1 : 0;
     const int is_strong = m > thresholds.strong ? 1 : 0;
-    classes[u] = static_cast<uchar>((is_maximum & is_weak) + (is_maximum & is_strong));
+    classes[u] = static_cast<uchar>((is_maximum & is_weak) + 2 * (is_maximum & is_strong));
   }
 }
 
-/// Each pixel's class, in an image with a border of one pixel of `no_edge`.
-EDVO_INLINE void classify(const ByteImage& image, SquaredThresholds thresholds,
-                          ByteImage& classes) {
+/// Each pixel's class.
+EDVO_INLINE void classify(const ByteImage& image, SquaredThresholds thresholds, Hysteresis& edges) {
+  std::vector<uchar> classes(edges.padded_width(), uchar{no_edge});
   std::array<GradientRow, 3> buffers{GradientRow(image.cols), GradientRow(image.cols),
                                      GradientRow(image.cols)};
   std::array<GradientRow*, 3> rows{&buffers[0], &buffers[1], &buffers[2]};
@@ -127,7 +125,8 @@ EDVO_INLINE void classify(const ByteImage& image, SquaredThresholds thresholds,
     } else {
       rows[2]->clear();
     }
-    suppress_row({rows[0], rows[1], rows[2]}, image.cols, thresholds, classes[v + 1] + 1);
+    suppress_row({rows[0], rows[1], rows[2]}, image.cols, thresholds, classes.data());
+    edges.set_row(v, classes.data());
   }
 }
 
@@ -157,13 +156,18 @@ EDVO_INLINE void count_magnitudes(const ByteImage& image, int row_step,
   }
 }
 
-EDVO_TARGET_AVX2 void classify_avx2(const ByteImage& image, SquaredThresholds thresholds,
-                                    ByteImage& classes) {
-  classify(image, thresholds, classes);
+EDVO_TARGET_AVX512 void classify_avx512(const ByteImage& image, SquaredThresholds thresholds,
+                                        Hysteresis& edges) {
+  classify(image, thresholds, edges);
 }
 
-void classify_baseline(const ByteImage& image, SquaredThresholds thresholds, ByteImage& classes) {
-  classify(image, thresholds, classes);
+EDVO_TARGET_AVX2 void classify_avx2(const ByteImage& image, SquaredThresholds thresholds,
+                                    Hysteresis& edges) {
+  classify(image, thresholds, edges);
+}
+
+void classify_baseline(const ByteImage& image, SquaredThresholds thresholds, Hysteresis& edges) {
+  classify(image, thresholds, edges);
 }
 
 EDVO_TARGET_AVX2 void count_avx2(const ByteImage& image, int row_step,
@@ -174,58 +178,6 @@ EDVO_TARGET_AVX2 void count_avx2(const ByteImage& image, int row_step,
 void count_baseline(const ByteImage& image, int row_step, std::vector<int>& histogram) {
   count_magnitudes(image, row_step, histogram);
 }
-
-/// Weak edges that touch a strong one become strong, from neighbour to neighbour.
-class EdgeFollower {
- public:
-  explicit EdgeFollower(ByteImage& classes) : classes_(classes), width_(classes.cols) {}
-
-  /// Most strong edges have no weak neighbour and are passed over.
-  void follow() {
-    uchar* const end = classes_.data + classes_.total();
-    const auto next_strong = [end](uchar* from) {
-      return static_cast<uchar*>(
-          std::memchr(from, strong_edge, static_cast<std::size_t>(end - from)));
-    };
-    for (uchar* pixel = next_strong(classes_.data); pixel != nullptr;
-         pixel = next_strong(pixel + 1)) {
-      if (has_weak_neighbour(pixel)) {
-        follow_from(pixel);
-      }
-    }
-  }
-
- private:
-  bool has_weak_neighbour(const uchar* pixel) const {
-    constexpr std::uint32_t kWeak = 0x00010101;
-    const auto three = [](const uchar* left) {
-      std::uint32_t pixels = 0;
-      std::memcpy(&pixels, left, 3);
-      return pixels;
-    };
-    return ((three(pixel - width_ - 1) | three(pixel - 1) | three(pixel + width_ - 1)) & kWeak) !=
-           0;
-  }
-
-  void follow_from(uchar* start) {
-    strong_.push_back(start);
-    while (!strong_.empty()) {
-      uchar* pixel = strong_.back();
-      strong_.pop_back();
-      for (const std::ptrdiff_t step : {-width_ - 1, -width_, -width_ + 1, std::ptrdiff_t{-1},
-                                        std::ptrdiff_t{1}, width_ - 1, width_, width_ + 1}) {
-        if (pixel[step] == weak_edge) {
-          pixel[step] = strong_edge;
-          strong_.push_back(pixel + step);
-        }
-      }
-    }
-  }
-
-  ByteImage& classes_;
-  std::ptrdiff_t width_;
-  std::vector<uchar*> strong_;
-};
 
 }  // namespace
 
@@ -242,20 +194,19 @@ std::vector<int> sobel_magnitude_histogram(const ByteImage& image, int row_step,
 
 EdgeMask canny(const ByteImage& image, double weak, double strong, InstructionSet set) {
   const SquaredThresholds thresholds = squared_thresholds(weak, strong);
-  ByteImage classes(image.rows + 2, image.cols + 2, uchar{no_edge});
-  if (set == InstructionSet::baseline) {
-    classify_baseline(image, thresholds, classes);
-  } else {
-    classify_avx2(image, thresholds, classes);
+  Hysteresis edges(image.size());
+  switch (set) {
+    case InstructionSet::avx512:
+      classify_avx512(image, thresholds, edges);
+      break;
+    case InstructionSet::avx2:
+      classify_avx2(image, thresholds, edges);
+      break;
+    default:
+      classify_baseline(image, thresholds, edges);
   }
-  EdgeFollower(classes).follow();
-  EdgeMask edges(image.size());
-  for (int v = 0; v < image.rows; ++v) {
-    const uchar* row = classes[v + 1] + 1;
-    std::transform(row, row + image.cols, edges[v],
-                   [](uchar pixel) { return pixel == strong_edge ? uchar{255} : uchar{0}; });
-  }
-  return edges;
+  edges.follow();
+  return edges.strong();
 }
 
 }  // namespace vo

@@ -1,0 +1,95 @@
+#include "vo/image/hysteresis.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "vo/core/hash.h"
+
+namespace {
+
+using vo::PixelClass;
+
+/// Some share of the pixels weak, fewer strong.
+vo::ByteImage random_classes(cv::Size size, double edges, double strong, std::uint64_t seed) {
+  vo::ByteImage classes(size);
+  for (int i = 0; i < size.area(); ++i) {
+    const double value = vo::random_uniform({seed, static_cast<std::uint64_t>(i)});
+    classes(i / size.width, i % size.width) = value < strong  ? vo::strong_edge
+                                              : value < edges ? vo::weak_edge
+                                                              : vo::no_edge;
+  }
+  return classes;
+}
+
+/// One path of weak pixels that winds from the middle outwards; its first pixel is strong.
+vo::ByteImage spiral(int size) {
+  vo::ByteImage classes(size, size, uchar{vo::no_edge});
+  cv::Point at(size / 2, size / 2);
+  cv::Point step(1, 0);
+  const auto is_inside = [&](cv::Point p) { return cv::Rect(0, 0, size, size).contains(p); };
+  for (int length = 2; is_inside(at); length += 2) {
+    for (int turn = 0; turn < 2; ++turn, step = {-step.y, step.x}) {
+      for (int i = 0; i < length && is_inside(at); ++i, at += step) {
+        classes(at) = vo::weak_edge;
+      }
+    }
+  }
+  classes(size / 2, size / 2) = vo::strong_edge;
+  return classes;
+}
+
+/// By the definition: neighbours of strong pixels, until there are none that are weak.
+vo::EdgeMask flooded(vo::ByteImage classes) {
+  std::vector<cv::Point> strong;
+  for (int i = 0; i < static_cast<int>(classes.total()); ++i) {
+    if (const cv::Point at(i % classes.cols, i / classes.cols); classes(at) == vo::strong_edge) {
+      strong.push_back(at);
+    }
+  }
+  while (!strong.empty()) {
+    const cv::Point at = strong.back();
+    strong.pop_back();
+    for (int v = std::max(0, at.y - 1); v <= std::min(classes.rows - 1, at.y + 1); ++v) {
+      for (int u = std::max(0, at.x - 1); u <= std::min(classes.cols - 1, at.x + 1); ++u) {
+        if (classes(v, u) == vo::weak_edge) {
+          classes(v, u) = vo::strong_edge;
+          strong.emplace_back(u, v);
+        }
+      }
+    }
+  }
+  cv::Mat mask = classes == vo::strong_edge;
+  return mask;
+}
+
+vo::EdgeMask followed(const vo::ByteImage& classes) {
+  vo::Hysteresis hysteresis(classes.size());
+  std::vector<uchar> row(hysteresis.padded_width(), uchar{vo::no_edge});
+  for (int v = 0; v < classes.rows; ++v) {
+    std::copy(classes[v], classes[v] + classes.cols, row.begin());
+    hysteresis.set_row(v, row.data());
+  }
+  hysteresis.follow();
+  return hysteresis.strong();
+}
+
+TEST(Hysteresis, FollowsWhatAFloodReaches) {
+  for (const cv::Size size : {cv::Size(200, 40), {64, 30}, {65, 30}, {130, 1}, {1, 50}, {1, 1}}) {
+    for (const double edges : {0.1, 0.3, 0.45, 0.8, 1.0}) {
+      const vo::ByteImage classes =
+          random_classes(size, edges, edges / 30, static_cast<std::uint64_t>(size.area()));
+      EXPECT_EQ(cv::norm(followed(classes), flooded(classes), cv::NORM_INF), 0)
+          << size << ' ' << edges;
+    }
+  }
+}
+
+TEST(Hysteresis, FollowsAPathToItsEndHoweverItWinds) {
+  const vo::ByteImage classes = spiral(150);
+  const vo::EdgeMask found = followed(classes);
+  EXPECT_GT(cv::countNonZero(found), 150 * 150 / 3);
+  EXPECT_EQ(cv::countNonZero(found), cv::countNonZero(classes));
+}
+
+}  // namespace
