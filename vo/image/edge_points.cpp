@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstring>
 
 #include "vo/core/error.h"
 #include "vo/core/hash.h"
-#include "vo/image/depth_span.h"
+#include "vo/core/instruction_set.h"
+#include "vo/image/pixel_bits.h"
+#include "vo/image/usable_pixels.h"
 
 namespace vo {
 namespace {
@@ -21,39 +22,20 @@ EdgeMask edge_mask(const PyramidLevel& reference, const PyramidLevel& current, E
   return source == EdgeSource::reference ? reference.edges : current.edges;
 }
 
-bool is_usable(float depth, const EdgePointOptions& options) {
-  return depth >= options.min_depth && depth <= options.max_depth;
-}
-
-/// Whether two measured depths near the pixel differ by more than the ratio.
-bool is_near_step(const DepthImage& depth, cv::Point pixel, int radius, float ratio) {
-  const DepthSpan span = depth_span(depth, pixel, radius);
-  return span.farthest > span.nearest * ratio;
-}
-
-/// Calls `visit(u)` for each set pixel of a mask's row. Few are, so eight are skipped at a time.
-template <typename Visit>
-void for_each_set(const uchar* row, int cols, Visit visit) {
-  constexpr int kStride = 8;
-  for (int u = 0; u < cols; ++u) {
-    std::uint64_t ahead = 0;
-    while (u + kStride <= cols && (std::memcpy(&ahead, row + u, kStride), ahead == 0)) {
-      u += kStride;
-    }
-    if (u < cols && row[u] != 0) {
-      visit(u);
-    }
-  }
+UsableDepth usable_depth(const EdgePointOptions& options) {
+  return {static_cast<float>(options.min_depth), static_cast<float>(options.max_depth),
+          options.discontinuity_radius, static_cast<float>(options.discontinuity_ratio)};
 }
 
 /// As many pixels with depth as the mask has, anywhere in the image.
 EdgeMask random_mask(const DepthImage& depth, const EdgeMask& mask,
                      const EdgePointOptions& options) {
+  const UsableDepth usable = usable_depth(options);
   std::vector<std::pair<std::uint64_t, int>> ranked;
   std::size_t wanted = 0;
   for (int i = 0; i < depth.rows * depth.cols; ++i) {
     const cv::Point pixel(i % depth.cols, i / depth.cols);
-    if (is_usable(depth(pixel), options)) {
+    if (usable.is_in_range(depth(pixel))) {
       ranked.emplace_back(mixed(mixed(options.seed) + static_cast<std::uint64_t>(i)), i);
       wanted += mask(pixel) != 0 ? 1 : 0;
     }
@@ -76,90 +58,40 @@ EdgeMask selected(const PyramidLevel& reference, const EdgeMask& edges,
                                                      : edges;
 }
 
-/// Derivative of the intensity by the image coordinates (X / Z, Y / Z) at a pixel.
-cv::Vec2f image_gradient(const PyramidLevel& level, cv::Point pixel, cv::Vec2f ray) {
-  const PinholeCamera& camera = level.camera;
-  const cv::Vec2f gradient = central_gradient(level.intensity, pixel);
-  const float by_u = gradient[0] * static_cast<float>(camera.fx);
-  const float by_v = gradient[1] * static_cast<float>(camera.fy);
-  if (camera.distortion.is_zero()) {
-    return {by_u, by_v};
-  }
-  const DistortedPoint<float> imaged = distort(camera.distortion, ray[0], ray[1]);
-  return {by_u * imaged.dx_dx + by_v * imaged.dx_dy, by_u * imaged.dx_dy + by_v * imaged.dy_dy};
-}
-
-void set_edge_point(const PyramidLevel& level, cv::Point pixel, const PointDepth& depth,
-                    std::size_t index, EdgePointLevel& points) {
-  const cv::Vec2f ray = level.rays(pixel);
-  const cv::Vec2f slope = image_gradient(level, pixel, ray) / depth.z;
-  points.x_ref[index] = ray[0] * depth.z;
-  points.y_ref[index] = ray[1] * depth.z;
-  points.z_ref[index] = depth.z;
-  points.intensity[index] = level.intensity(pixel);
-  points.dI_dx[index] = slope[0];
-  points.dI_dy[index] = slope[1];
-  points.dI_dz[index] = -slope.dot(ray);
-  points.depth_sigma[index] = depth.sigma;
-  points.pixel[index] = pixel;
-}
-
 }  // namespace
 
-void add_edge_point(const PyramidLevel& level, cv::Point pixel, const PointDepth& depth,
-                    EdgePointLevel& points) {
-  points.resize(points.size() + 1);
-  set_edge_point(level, pixel, depth, points.size() - 1, points);
-}
-
 Thinning::Thinning(const EdgePointOptions& options, std::size_t count, int width)
-    : seed_(options.seed), width_(width) {
+    : key_(mixed(options.seed + 1)), width_(static_cast<std::uint64_t>(width)) {
   const auto limit = options.max_points > 0 ? static_cast<double>(options.max_points) : 1e18;
-  share_ = std::min(options.fraction, limit / std::max(static_cast<double>(count), 1.0));
-}
-
-bool Thinning::keeps(cv::Point pixel) const {
-  const int index = pixel.y * width_ + pixel.x;
-  return share_ >= 1 ||
-         mixed_uniform(mixed(seed_ + 1) + static_cast<std::uint64_t>(index)) < share_;
+  const double share =
+      std::min(options.fraction, limit / std::max(static_cast<double>(count), 1.0));
+  ranks_kept_ = static_cast<std::uint64_t>(std::ceil(share * kRanks));
 }
 
 namespace {
 
-/// The mask's pixels that have depth and are not near a step, in scan order.
-std::vector<cv::Point> usable_pixels(const DepthImage& depth, const EdgeMask& mask,
-                                     const EdgePointOptions& options) {
-  const auto ratio = static_cast<float>(options.discontinuity_ratio);
-  std::vector<cv::Point> pixels;
-  for (int v = 0; v < mask.rows; ++v) {
-    for_each_set(mask[v], mask.cols, [&](int u) {
-      if (is_usable(depth(v, u), options) &&
-          (options.discontinuity_radius == 0 ||
-           !is_near_step(depth, {u, v}, options.discontinuity_radius, ratio))) {
-        pixels.emplace_back(u, v);
-      }
-    });
-  }
-  return pixels;
-}
-
 void thin_out(const EdgePointOptions& options, int width, std::vector<cv::Point>& pixels) {
   const Thinning thinning(options, pixels.size(), width);
-  const auto is_left_out = [&](cv::Point pixel) { return !thinning.keeps(pixel); };
-  pixels.erase(std::remove_if(pixels.begin(), pixels.end(), is_left_out), pixels.end());
+  std::size_t kept = 0;
+  for (const cv::Point pixel : pixels) {
+    pixels[kept] = pixel;
+    kept += thinning.keeps(pixel) ? 1 : 0;
+  }
+  pixels.resize(kept);
 }
 
 EdgePointLevel collect_points(const PyramidLevel& reference, const EdgeMask& mask,
                               const EdgePointOptions& options) {
-  std::vector<cv::Point> pixels = usable_pixels(reference.depth, mask, options);
+  const InstructionSet set = available_instruction_set();
+  std::vector<cv::Point> pixels = usable_pixels(reference.depth, mask, usable_depth(options), set);
   thin_out(options, mask.cols, pixels);
-  EdgePointLevel points;
-  points.resize(pixels.size());
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const float z = reference.depth(pixels[i]);
-    set_edge_point(reference, pixels[i], {z, structured_light_sigma(z)}, i, points);
+  std::vector<PixelDepth> depths;
+  depths.reserve(pixels.size());
+  for (const cv::Point pixel : pixels) {
+    const float z = reference.depth(pixel);
+    depths.push_back({pixel, z, structured_light_sigma(z)});
   }
-  return points;
+  return points_at(reference, depths, set);
 }
 
 }  // namespace
@@ -222,10 +154,11 @@ std::size_t memory_bytes(const EdgePoints& points) {
 
 bool has_edge_pixels_with_depth(const PyramidLevel& level, std::size_t wanted,
                                 const EdgePointOptions& options) {
+  const UsableDepth usable = usable_depth(options);
   std::size_t count = 0;
   for (int v = 0; v < level.edges.rows && count < wanted; ++v) {
     for_each_set(level.edges[v], level.edges.cols,
-                 [&](int u) { count += is_usable(level.depth(v, u), options) ? 1 : 0; });
+                 [&](int u) { count += usable.is_in_range(level.depth(v, u)) ? 1 : 0; });
   }
   return count >= wanted;
 }

@@ -3,9 +3,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "vo/core/hash.h"
+#include "vo/core/instruction_set.h"
 #include "vo/image/pyramid.h"
 
 namespace vo {
@@ -105,26 +108,35 @@ inline float structured_light_sigma(float depth) {
   return 0.0012F + 0.0019F * beyond * beyond;
 }
 
-struct PointDepth {
-  float z;      ///< m
-  float sigma;  ///< standard deviation, m
+/// A pixel and what is known of its depth.
+struct PixelDepth {
+  cv::Point pixel;  ///< px
+  float z;          ///< m
+  float sigma;      ///< standard deviation, m
 };
 
-/// Appends the pixel of a level at a known depth.
-void add_edge_point(const PyramidLevel& level, cv::Point pixel, const PointDepth& depth,
-                    EdgePointLevel& points);
+/// What a level shows at pixels of known depth, in their order.
+EdgePointLevel points_at(const PyramidLevel& level, std::span<const PixelDepth> pixels,
+                         InstructionSet set);
 
 /// Which of a level's `count` candidates the options' fraction and limit leave: those whose rank in
 /// a pseudo-random order of the pixels is low enough.
 class Thinning {
  public:
   Thinning(const EdgePointOptions& options, std::size_t count, int width);
-  bool keeps(cv::Point pixel) const;
+  bool keeps(cv::Point pixel) const {
+    const std::uint64_t index =
+        static_cast<std::uint64_t>(pixel.y) * width_ + static_cast<std::uint64_t>(pixel.x);
+    return (mixed(key_ + index) >> kUnusedBits) < ranks_kept_;
+  }
 
  private:
-  std::uint64_t seed_;
-  double share_;
-  int width_;  ///< px, of the level
+  static constexpr unsigned kUnusedBits = 11;  ///< a double holds the others
+  static constexpr double kRanks = 0x1p53;
+
+  std::uint64_t key_;
+  std::uint64_t width_;  ///< px, of the level
+  std::uint64_t ranks_kept_;
 };
 
 /// Whether at least `wanted` of a level's own edge pixels have depth in the options' range.

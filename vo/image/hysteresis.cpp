@@ -2,18 +2,14 @@
 
 #include <array>
 #include <cstring>
+#include <utility>
+
+#include "vo/image/pixel_bits.h"
 
 namespace vo {
 namespace {
 
 using Word = std::uint64_t;
-
-/// The lowest bit of each of eight bytes, as eight bits: the product brings them side by side.
-Word lowest_bits(Word bytes) {
-  constexpr Word kLowest = 0x0101010101010101U;
-  constexpr Word kGather = 0x0102040810204080U;
-  return ((bytes & kLowest) * kGather) >> 56U;
-}
 
 /// Eight mask pixels for each value of eight bits.
 constexpr std::array<Word, 256> mask_pixels() {
@@ -42,8 +38,8 @@ void Hysteresis::set_row(int v, const uchar* classes) {
       Word bytes = 0;
       std::memcpy(&bytes, classes, kBytes);
       if (bytes != 0) {
-        edges[w] |= lowest_bits(bytes) << (kBytes * i);
-        strong[w] |= lowest_bits(bytes >> 1U) << (kBytes * i);
+        edges[w] |= packed_bits(bytes) << (kBytes * i);
+        strong[w] |= packed_bits(bytes >> 1U) << (kBytes * i);
       }
     }
   }
@@ -54,13 +50,24 @@ void Hysteresis::follow() {
     grow_right(row(strong_, v), row(edges_, v));
     grow_left(row(strong_, v), row(edges_, v));
   }
+  std::vector<char> unseen_below(static_cast<std::size_t>(size_.height), 1);  // since it changed
+  std::vector<char> unseen_above = unseen_below;
+  const auto spread_unseen = [&](int from, int to, std::vector<char>& unseen) {
+    const bool changed =
+        std::exchange(unseen[static_cast<std::size_t>(from)], 0) != 0 && spread(from, to);
+    if (changed) {
+      unseen_below[static_cast<std::size_t>(to)] = 1;
+      unseen_above[static_cast<std::size_t>(to)] = 1;
+    }
+    return changed;
+  };
   for (bool changed = true; changed;) {
     changed = false;
     for (int v = 1; v < size_.height; ++v) {
-      changed |= spread(v - 1, v);
+      changed |= spread_unseen(v - 1, v, unseen_below);
     }
     for (int v = size_.height - 1; v > 0; --v) {
-      changed |= spread(v, v - 1);
+      changed |= spread_unseen(v, v - 1, unseen_above);
     }
   }
 }

@@ -69,7 +69,6 @@ std::vector<SparseDepth> halved(const std::vector<SparseDepth>& depths, cv::Size
 EdgePoints map_points(const FramePyramid& anchor, const Hypotheses& hypotheses,
                       const EdgePointOptions& options, double max_sigma, Guesses guesses) {
   EdgePoints points;
-  points.levels.resize(anchor.levels.size());
   std::vector<SparseDepth> depths = finest_depths(hypotheses, max_sigma, guesses);
   for (std::size_t l = 0; l < anchor.levels.size(); ++l) {
     const PyramidLevel& level = anchor.levels[l];
@@ -77,13 +76,14 @@ EdgePoints map_points(const FramePyramid& anchor, const Hypotheses& hypotheses,
       depths = halved(depths, level.intensity.size());
     }
     const Thinning thinning(options.at_level(l), depths.size(), level.intensity.cols);
+    std::vector<PixelDepth> kept;
     for (const SparseDepth& depth : depths) {
       const float z = 1 / depth.inverse_depth;
       if (z >= options.min_depth && z <= options.max_depth && thinning.keeps(depth.pixel)) {
-        add_edge_point(level, depth.pixel, {z, std::sqrt(depth.variance) * z * z},
-                       points.levels[l]);
+        kept.push_back({depth.pixel, z, std::sqrt(depth.variance) * z * z});
       }
     }
+    points.levels.push_back(points_at(level, kept, available_instruction_set()));
   }
   return points;
 }

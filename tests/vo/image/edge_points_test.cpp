@@ -192,6 +192,29 @@ TEST(EdgePoints, DerivativesAreThoseOfTheImageByThePointsPosition) {
   EXPECT_GT(points.size(), 1000U);
 }
 
+TEST(EdgePoints, HaveTheSameBitsWithEveryInstructionSet) {
+  for (const vo::DistortionModel model :
+       {vo::DistortionModel::brown_conrady, vo::DistortionModel::kannala_brandt}) {
+    vo::PinholeCamera camera = small_camera();
+    camera.distortion = {.k1 = 0.1, .k2 = -0.05, .model = model};
+    const vo::FramePyramid frame = vo::build_pyramid(
+        support::TexturedPlane().render(camera, vo::SE3()), camera, {.levels = 1});
+    std::vector<vo::PixelDepth> pixels;
+    for (int i = 0; i < 100; ++i) {
+      pixels.push_back({{3 * i, 2 * i}, 1 + 0.01F * static_cast<float>(i), 0.02F});
+    }
+    const vo::InstructionSet best = vo::available_instruction_set();
+    const vo::EdgePointLevel one = vo::points_at(frame.levels[0], pixels, best);
+    const vo::EdgePointLevel other =
+        vo::points_at(frame.levels[0], pixels, vo::InstructionSet::baseline);
+    EXPECT_EQ(one.x_ref, other.x_ref);
+    EXPECT_EQ(one.y_ref, other.y_ref);
+    EXPECT_EQ(one.dI_dx, other.dI_dx);
+    EXPECT_EQ(one.dI_dy, other.dI_dy);
+    EXPECT_EQ(one.dI_dz, other.dI_dz);
+  }
+}
+
 TEST(EdgePoints, OptionsOutOfRangeAreErrors) {
   EXPECT_THROW(vo::EdgePointOptions{.fraction = 0}.validate(), vo::Error);
   EXPECT_THROW(vo::EdgePointOptions{.max_points = -1}.validate(), vo::Error);

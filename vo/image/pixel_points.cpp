@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "vo/core/instruction_set.h"
+#include "vo/image/edge_points.h"
+
+namespace vo {
+namespace {
+
+constexpr std::size_t kBlock = 64;  // points
+
+using BlockRow = std::array<float, kBlock>;
+
+/// What is read at the pixels of some points, and the points themselves.
+struct alignas(64) Block {
+  BlockRow ray_x, ray_y, z, sigma;             // X / Z, Y / Z; m
+  BlockRow intensity, twice_du, twice_dv;      // of the neighbours on both sides, their difference
+  BlockRow dx_dx, dx_dy, dy_dy;                // what the lens does to image coordinates
+  BlockRow x_ref, y_ref, dI_dx, dI_dy, dI_dz;  // m, 1/m
+};
+
+void gather(const PyramidLevel& level, std::span<const PixelDepth> pixels, Block& block) {
+  const GrayImage& image = level.intensity;
+  const auto stride = static_cast<std::ptrdiff_t>(image.step1());
+  const cv::Rect inside(1, 1, image.cols - 2, image.rows - 2);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const cv::Point pixel = pixels[i].pixel;
+    const cv::Vec2f& ray = level.rays(pixel);
+    const float* here = &image(pixel);
+    const bool has_gradient = inside.contains(pixel);
+    block.ray_x[i] = ray[0];
+    block.ray_y[i] = ray[1];
+    block.z[i] = pixels[i].z;
+    block.sigma[i] = pixels[i].sigma;
+    block.intensity[i] = *here;
+    block.twice_du[i] = has_gradient ? here[1] - here[-1] : 0;
+    block.twice_dv[i] = has_gradient ? here[stride] - here[-stride] : 0;
+  }
+}
+
+template <typename Distort>
+EDVO_INLINE void distort_block(const Distortion& lens, const Distort& distort, Block& block) {
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const DistortedPoint<float> imaged = distort(lens, block.ray_x[i], block.ray_y[i]);
+    block.dx_dx[i] = imaged.dx_dx;
+    block.dx_dy[i] = imaged.dx_dy;
+    block.dy_dy[i] = imaged.dy_dy;
+  }
+}
+
+/// The derivatives of `distort` at the pixels' rays.
+EDVO_INLINE void apply_lens(const Distortion& lens, Block& block) {
+  if (lens.is_zero()) {
+    block.dx_dx.fill(1);
+    block.dx_dy.fill(0);
+    block.dy_dy.fill(1);
+  } else if (lens.model == DistortionModel::kannala_brandt) {
+    const auto fisheye = [](const Distortion& each, float x, float y) {
+      return distort_kannala_brandt(each, x, y);
+    };
+    distort_block(lens, fisheye, block);
+  } else {
+    const auto brown_conrady = [](const Distortion& each, float x, float y) {
+      return distort_brown_conrady(each, x, y);
+    };
+    distort_block(lens, brown_conrady, block);
+  }
+}
+
+/// The intensity's derivative by the image coordinates (X / Z, Y / Z) gives that by the point.
+EDVO_INLINE void place(const PinholeCamera& camera, Block& block) {
+  const auto fx = static_cast<float>(camera.fx);
+  const auto fy = static_cast<float>(camera.fy);
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float by_u = 0.5F * block.twice_du[i] * fx;
+    const float by_v = 0.5F * block.twice_dv[i] * fy;
+    const float inverse_z = 1 / block.z[i];
+    const float dI_dx = (by_u * block.dx_dx[i] + by_v * block.dx_dy[i]) * inverse_z;
+    const float dI_dy = (by_u * block.dx_dy[i] + by_v * block.dy_dy[i]) * inverse_z;
+    block.dI_dx[i] = dI_dx;
+    block.dI_dy[i] = dI_dy;
+    block.dI_dz[i] = -(dI_dx * block.ray_x[i] + dI_dy * block.ray_y[i]);
+    block.x_ref[i] = block.ray_x[i] * block.z[i];
+    block.y_ref[i] = block.ray_y[i] * block.z[i];
+  }
+}
+
+EDVO_TARGET_AVX2 void compute_avx2(const PinholeCamera& camera, Block& block) {
+  apply_lens(camera.distortion, block);
+  place(camera, block);
+}
+
+void compute_baseline(const PinholeCamera& camera, Block& block) {
+  apply_lens(camera.distortion, block);
+  place(camera, block);
+}
+
+void store(const BlockRow& row, std::size_t first, std::size_t count, std::vector<float>& values) {
+  std::memcpy(values.data() + first, row.data(), count * sizeof(float));
+}
+
+void store(const Block& block, std::size_t first, std::span<const PixelDepth> pixels,
+           EdgePointLevel& points) {
+  store(block.x_ref, first, pixels.size(), points.x_ref);
+  store(block.y_ref, first, pixels.size(), points.y_ref);
+  store(block.z, first, pixels.size(), points.z_ref);
+  store(block.intensity, first, pixels.size(), points.intensity);
+  store(block.dI_dx, first, pixels.size(), points.dI_dx);
+  store(block.dI_dy, first, pixels.size(), points.dI_dy);
+  store(block.dI_dz, first, pixels.size(), points.dI_dz);
+  store(block.sigma, first, pixels.size(), points.depth_sigma);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    points.pixel[first + i] = pixels[i].pixel;
+  }
+}
+
+}  // namespace
+
+EdgePointLevel points_at(const PyramidLevel& level, std::span<const PixelDepth> pixels,
+                         InstructionSet set) {
+  EdgePointLevel points;
+  points.resize(pixels.size());
+  Block block{};
+  block.z.fill(1);
+  for (std::size_t first = 0; first < pixels.size(); first += kBlock) {
+    const auto some = pixels.subspan(first, std::min(kBlock, pixels.size() - first));
+    gather(level, some, block);
+    if (set == InstructionSet::baseline) {
+      compute_baseline(level.camera, block);
+    } else {
+      compute_avx2(level.camera, block);
+    }
+    store(block, first, some, points);
+  }
+  return points;
+}
+
+}  // namespace vo
