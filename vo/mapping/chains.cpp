@@ -58,7 +58,7 @@ struct LineSums {
 /// The image of a straight edge has inverse depths that change linearly along it: a line is fitted
 /// through the neighbours that agree and taken at the hypothesis itself. A steep one is unlikely
 /// beforehand. Errors of neighbours are alike, by aliasing, so not all of them averages away.
-void smooth_along_chain(std::size_t i, Hypotheses& hypotheses) {
+void smooth_along_chain(const std::vector<float>& weights, std::size_t i, Hypotheses& hypotheses) {
   constexpr float kSlope = 0.004F;  // relative per px, standard deviation
   constexpr float kAgree = 3;       // standard deviations
   constexpr float kAlike = 0.4F;    // share of the variance
@@ -66,7 +66,7 @@ void smooth_along_chain(std::size_t i, Hypotheses& hypotheses) {
   const float variance = hypotheses.variance[i];
   const float slope_variance = kSlope * kSlope * d * d;
   const cv::Vec2f& across = hypotheses.across[i];
-  LineSums sums{.weight = 1 / variance, .distance2 = 1 / slope_variance};
+  LineSums sums{.weight = weights[i], .distance2 = 1 / slope_variance};
   const ChainNeighbours neighbours = neighbours_of(hypotheses, i, kMaxReach);
   for (std::size_t n = 0; n < neighbours.count; ++n) {
     const std::size_t j = neighbours.indices[n];
@@ -75,7 +75,7 @@ void smooth_along_chain(std::size_t i, Hypotheses& hypotheses) {
     const float difference = hypotheses.inverse_depth[j] - d;
     const float expected = variance + hypotheses.variance[j] + slope_variance * t * t;
     if (difference * difference <= kAgree * kAgree * expected) {
-      sums.add(1 / hypotheses.variance[j], t, difference);
+      sums.add(weights[j], t, difference);
     }
   }
   const float determinant = sums.distance2 * sums.weight - sums.distance * sums.distance;
@@ -139,9 +139,14 @@ float mean_around(const Hypotheses& hypotheses, cv::Point pixel, double confiden
 void smooth_along_chains(Hypotheses& hypotheses) {
   hypotheses.smoothed = hypotheses.inverse_depth;
   hypotheses.smoothed_variance = hypotheses.variance;
+  std::vector<float> weights;
+  weights.reserve(hypotheses.size());
+  for (const float variance : hypotheses.variance) {
+    weights.push_back(1 / variance);
+  }
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
     if (hypotheses.knowledge[i] != Knowledge::none) {
-      smooth_along_chain(i, hypotheses);
+      smooth_along_chain(weights, i, hypotheses);
     }
   }
 }

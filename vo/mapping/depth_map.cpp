@@ -45,6 +45,7 @@ void DepthMap::start(const FramePyramid& anchor, double guessed_depth) {
   frames_since_anchor_ = 0;
   hypotheses_ =
       edge_hypotheses(anchor.levels.front(), options_, static_cast<float>(1 / guessed_depth));
+  cells_ = point_cells(anchor_, hypotheses_);
 }
 
 void DepthMap::take_depth(const DepthImage& depth, double relative_sigma) {
@@ -80,7 +81,7 @@ bool DepthMap::needs_new_anchor(const FramePyramid& current, const SE3& T_cur_an
   double seen = 0;
   double flow = 0;
   for (std::size_t i = 0; i < hypotheses_.size(); i += kStride) {
-    const cv::Vec2f& ray = pair.anchor.rays(hypotheses_.pixel[i]);
+    const cv::Vec2f& ray = hypotheses_.ray[i];
     const MovedDepth moved =
         moved_depth(pair, {ray[0], ray[1]}, hypotheses_.inverse_depth[i], 0, 0);
     const Eigen::Vector2f pixel = image_ray(pair.current.camera, moved.ray).pixel;
@@ -97,7 +98,10 @@ bool DepthMap::needs_new_anchor(const FramePyramid& current, const SE3& T_cur_an
 
 SearchTarget DepthMap::target(std::size_t i) const {
   const float d = hypotheses_.inverse_depth[i];
-  SearchTarget target{hypotheses_.pixel[i], hypotheses_.gradient[i], d,
+  SearchTarget target{hypotheses_.pixel[i],
+                      hypotheses_.ray[i],
+                      hypotheses_.gradient[i],
+                      d,
                       static_cast<float>(1 / options_.min_depth),
                       static_cast<float>(1 / options_.max_depth)};
   if (hypotheses_.knowledge[i] != Knowledge::none) {
@@ -129,11 +133,17 @@ ObservationCounts DepthMap::observe(const FramePyramid& current, const FrameRela
                                     const ObservationListener& listener) {
   ++frames_since_anchor_;
   const StereoPair pair(anchor_.levels.front(), current.levels.front(), relation);
-  EpipolarSearch search(pair, options_.epipolar);
+  std::vector<SearchTarget> targets;
+  targets.reserve(hypotheses_.size());
+  for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
+    targets.push_back(target(i));
+  }
+  const std::vector<Observation> observations =
+      search_epipolar_lines(pair, options_.epipolar, targets);
   const float guess = median_inverse_depth(hypotheses_, static_cast<float>(2 / options_.max_depth));
   ObservationCounts counts;
   for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
-    const Observation observation = search.observe(target(i));
+    const Observation& observation = observations[i];
     if (listener) {
       listener(i, observation);
     }
@@ -178,12 +188,13 @@ PropagationCounts DepthMap::propagate(const FramePyramid& current, const FrameRe
   fill_from_neighbours(options_, next);
   hypotheses_ = std::move(next);
   anchor_ = current;
+  cells_ = point_cells(anchor_, hypotheses_);
   frames_since_anchor_ = 0;
   return counts;
 }
 
 EdgePoints DepthMap::points(const EdgePointOptions& options, Guesses guesses) const {
-  return map_points(anchor_, hypotheses_, options, options_.confident_sigma, guesses);
+  return map_points(anchor_, cells_, hypotheses_, options, options_.confident_sigma, guesses);
 }
 
 std::size_t DepthMap::confident() const {

@@ -74,6 +74,7 @@ class DepthMap {
   DepthMapOptions options_;
   FramePyramid anchor_;
   Hypotheses hypotheses_;
+  PointCells cells_;  ///< of the anchor, for the tracker's points
   int frames_since_anchor_ = 0;
 };
 

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "vo/core/instruction_set.h"
 #include "vo/mapping/depth_map_options.h"
 #include "vo/mapping/stereo_pair.h"
 
@@ -30,6 +32,7 @@ constexpr auto enum_names(SearchOutcome) {
 /// An edge pixel of the anchor and where its depth is looked for.
 struct SearchTarget {
   cv::Point pixel;
+  cv::Vec2f ray;            ///< (X / Z, Y / Z)
   cv::Vec2f gradient;       ///< 1/px
   float inverse_depth = 1;  ///< 1/m, expected
   float nearest = 2;        ///< 1/m, end of the searched interval
@@ -56,30 +59,11 @@ float epipolar_cos2(const StereoPair& pair, cv::Point pixel, const cv::Vec2f& gr
 /// with alpha the inverse depth per px (Engel, Sturm, Cremers, "Semi-Dense Visual Odometry for a
 /// Monocular Camera", ICCV 2013, Eq. 4 to 9), s_pose the pose's uncertainty across the edge and
 /// s_I^2 the squared difference of the images: 2 s_grey^2 and what the samples say, by halves.
-/// Beside it the edge's offset in the anchor moves the match by s_offset / cos.
-class EpipolarSearch {
- public:
-  /// The pair must outlive the search.
-  EpipolarSearch(const StereoPair& pair, const EpipolarOptions& options)
-      : pair_(pair), options_(options) {}
-
-  Observation observe(const SearchTarget& target);
-
- private:
-  struct Line;
-  struct Fit;
-  bool make_line(const SearchTarget& target, Line& line) const;
-  bool sample_anchor(const SearchTarget& target, Line& line) const;
-  void sample_line(const Line& line);
-  SearchOutcome coarse_match(const Line& line, float& s);
-  bool refine(const Line& line, float& s, Fit& fit) const;
-  float pose_variance(const Line& line, const Eigen::Vector3f& P, float inverse_depth) const;
-  Observation found(const Line& line, float inverse_depth, const Fit& fit) const;
-
-  const StereoPair& pair_;
-  const EpipolarOptions& options_;
-  std::vector<float> samples_;      ///< reused from call to call
-  std::vector<float> differences_;  ///< likewise
-};
+/// Beside it the edge's offset in the anchor moves the match by s_offset / cos. One observation per
+/// target, the same bits with all instructions.
+std::vector<Observation> search_epipolar_lines(const StereoPair& pair,
+                                               const EpipolarOptions& options,
+                                               std::span<const SearchTarget> targets,
+                                               InstructionSet set = available_instruction_set());
 
 }  // namespace vo

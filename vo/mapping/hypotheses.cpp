@@ -8,6 +8,7 @@
 
 #include "vo/core/hash.h"
 #include "vo/core/median.h"
+#include "vo/image/pixel_bits.h"
 #include "vo/mapping/stereo_pair.h"
 
 namespace vo {
@@ -38,8 +39,7 @@ bool is_kept(cv::Point pixel, double share, std::uint64_t seed) {
   return mixed_uniform(mixed(seed) + block) < share;
 }
 
-void add_hypothesis(const PyramidLevel& level, cv::Point pixel, float guess,
-                    Hypotheses& hypotheses) {
+void add_hypothesis(const PyramidLevel& level, cv::Point pixel, Hypotheses& hypotheses) {
   const cv::Vec2f gradient = central_gradient(level.intensity, pixel);
   const float norm = std::hypot(gradient[0], gradient[1]);
   if (!(norm > 0)) {
@@ -47,19 +47,27 @@ void add_hypothesis(const PyramidLevel& level, cv::Point pixel, float guess,
   }
   hypotheses.index(pixel) = static_cast<int>(hypotheses.size());
   hypotheses.pixel.push_back(pixel);
+  hypotheses.ray.push_back(level.rays(pixel));
   hypotheses.gradient.push_back(gradient);
   hypotheses.across.push_back(gradient / norm);
   hypotheses.edge_offset.push_back(offset_of_edge(level.intensity, pixel, gradient / norm));
-  hypotheses.knowledge.push_back(Knowledge::none);
-  hypotheses.inverse_depth.push_back(guess);
-  hypotheses.smoothed.push_back(guess);
-  hypotheses.smoothed_variance.push_back(guess * guess);
-  hypotheses.variance.push_back(guess * guess);
-  hypotheses.offset.push_back(0);
-  hypotheses.offset_variance.push_back(1);
-  hypotheses.offset_covariance.push_back(0);
-  hypotheses.inliers.push_back(0);
-  hypotheses.outliers.push_back(0);
+}
+
+/// Nothing is known of any depth.
+void guess_depths(float guess, Hypotheses& hypotheses) {
+  const std::size_t count = hypotheses.size();
+  hypotheses.knowledge.assign(count, Knowledge::none);
+  for (std::vector<float>* depth : {&hypotheses.inverse_depth, &hypotheses.smoothed}) {
+    depth->assign(count, guess);
+  }
+  for (std::vector<float>* variance : {&hypotheses.variance, &hypotheses.smoothed_variance}) {
+    variance->assign(count, guess * guess);
+  }
+  hypotheses.offset_variance.assign(count, 1);
+  for (std::vector<float>* none : {&hypotheses.offset, &hypotheses.offset_covariance,
+                                   &hypotheses.inliers, &hypotheses.outliers}) {
+    none->assign(count, 0);
+  }
 }
 
 /// The neighbour of pixel i that continues the edge to one side (+1 or -1); -1 without.
@@ -91,18 +99,6 @@ int neighbour_along(const Hypotheses& hypotheses, std::size_t i, float side) {
 }
 
 }  // namespace
-
-float Hypotheses::relative_sigma(std::size_t i) const {
-  return std::sqrt(smoothed_variance[i]) / smoothed[i];
-}
-
-bool Hypotheses::is_trusted(std::size_t i) const {
-  return knowledge[i] == Knowledge::filled || knowledge[i] == Knowledge::known;
-}
-
-bool Hypotheses::is_confident(std::size_t i, double max_relative_sigma) const {
-  return is_trusted(i) && relative_sigma(i) <= max_relative_sigma;
-}
 
 cv::Vec2f Hypotheses::edge_position(std::size_t i) const {
   return {static_cast<float>(pixel[i].x) + edge_offset[i] * across[i][0],
@@ -136,12 +132,14 @@ Hypotheses edge_hypotheses(const PyramidLevel& level, const DepthMapOptions& opt
   const double share =
       options.max_hypotheses > 0 ? options.max_hypotheses / std::max(1.0, 1.0 * count) : 1;
   for (int v = kBorder; v < edges.rows - kBorder; ++v) {
-    for (int u = kBorder; u < edges.cols - kBorder; ++u) {
-      if (edges(v, u) != 0 && (share >= 1 || is_kept({u, v}, share, options.seed))) {
-        add_hypothesis(level, {u, v}, guessed_inverse_depth, hypotheses);
+    for_each_set(edges[v], edges.cols, [&](int u) {
+      if (u >= kBorder && u < edges.cols - kBorder &&
+          (share >= 1 || is_kept({u, v}, share, options.seed))) {
+        add_hypothesis(level, {u, v}, hypotheses);
       }
-    }
+    });
   }
+  guess_depths(guessed_inverse_depth, hypotheses);
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
     hypotheses.previous.push_back(neighbour_along(hypotheses, i, -1));
     hypotheses.next.push_back(neighbour_along(hypotheses, i, 1));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -25,6 +26,7 @@ enum class Knowledge : std::uint8_t {
 /// the edge is estimated beside the inverse depth, in units of its standard deviation.
 struct Hypotheses {
   std::vector<cv::Point> pixel;     ///< px
+  std::vector<cv::Vec2f> ray;       ///< (X / Z, Y / Z)
   std::vector<cv::Vec2f> gradient;  ///< of the intensity at the pixel, 1/px
   std::vector<cv::Vec2f> across;    ///< its direction, unit
   std::vector<float> edge_offset;   ///< px, from the pixel's centre to the edge up the gradient
@@ -43,9 +45,20 @@ struct Hypotheses {
   cv::Mat_<int> index;                   ///< of each pixel of the anchor, -1 where none
 
   std::size_t size() const { return pixel.size(); }
-  float relative_sigma(std::size_t i) const;  ///< of the smoothed inverse depth
-  bool is_trusted(std::size_t i) const;       ///< given, confirmed or filled in
-  bool is_confident(std::size_t i, double max_relative_sigma) const;
+
+  /// Of the smoothed inverse depth.
+  float relative_sigma(std::size_t i) const {
+    return std::sqrt(smoothed_variance[i]) / smoothed[i];
+  }
+
+  /// Given, confirmed or filled in.
+  bool is_trusted(std::size_t i) const {
+    return knowledge[i] == Knowledge::filled || knowledge[i] == Knowledge::known;
+  }
+
+  bool is_confident(std::size_t i, double max_relative_sigma) const {
+    return is_trusted(i) && relative_sigma(i) <= max_relative_sigma;
+  }
 
   /// The edge in the image, px.
   cv::Vec2f edge_position(std::size_t i) const;

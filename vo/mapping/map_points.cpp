@@ -7,83 +7,121 @@
 namespace vo {
 namespace {
 
-/// A pixel of one level and what is known of its depth.
-struct SparseDepth {
-  cv::Point pixel;
+/// What is known of the depth in a cell.
+struct CellDepth {
   float inverse_depth = 0;  ///< 1/m
-  float variance = 0;       ///< 1/m^2
+  float variance = -1;      ///< 1/m^2; below 0 nothing is known
+
+  bool is_known() const { return variance >= 0; }
 };
 
-std::vector<SparseDepth> finest_depths(const Hypotheses& hypotheses, double max_sigma,
-                                       Guesses guesses) {
-  std::vector<SparseDepth> depths;
+std::vector<CellDepth> finest_depths(const Hypotheses& hypotheses, double max_sigma,
+                                     Guesses guesses) {
+  std::vector<CellDepth> depths(hypotheses.size());
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
     const bool is_guess = !hypotheses.is_trusted(i);
     if (is_guess ? guesses == Guesses::included : hypotheses.is_confident(i, max_sigma)) {
-      depths.push_back(
-          {hypotheses.pixel[i], hypotheses.smoothed[i], hypotheses.smoothed_variance[i]});
+      depths[i] = {hypotheses.smoothed[i], hypotheses.smoothed_variance[i]};
     }
   }
   return depths;
 }
 
 /// What two depths in one pixel say together: their mean where they agree, else the nearer one.
-SparseDepth together(const SparseDepth& a, const SparseDepth& b) {
+CellDepth together(const CellDepth& a, const CellDepth& b) {
   constexpr float kSameSurface = 1.05F;
-  const SparseDepth& nearer = a.inverse_depth >= b.inverse_depth ? a : b;
-  const SparseDepth& farther = a.inverse_depth >= b.inverse_depth ? b : a;
+  const CellDepth& nearer = a.inverse_depth >= b.inverse_depth ? a : b;
+  const CellDepth& farther = a.inverse_depth >= b.inverse_depth ? b : a;
   if (nearer.inverse_depth > kSameSurface * farther.inverse_depth) {
     return nearer;
   }
   const float share = b.variance / (a.variance + b.variance);
-  return {a.pixel, share * a.inverse_depth + (1 - share) * b.inverse_depth,
+  return {share * a.inverse_depth + (1 - share) * b.inverse_depth,
           std::min(a.variance, b.variance)};
 }
 
-/// The depths at half the resolution, in scan order.
-std::vector<SparseDepth> halved(const std::vector<SparseDepth>& depths, cv::Size size) {
-  cv::Mat_<int> index(size, -1);
-  std::vector<SparseDepth> cells;
-  for (SparseDepth depth : depths) {
-    depth.pixel = {depth.pixel.x / 2, depth.pixel.y / 2};
-    if (depth.pixel.x >= size.width || depth.pixel.y >= size.height) {
-      continue;
-    }
-    int& cell = index(depth.pixel);
-    if (cell < 0) {
-      cell = static_cast<int>(cells.size());
-      cells.push_back(depth);
-    } else {
-      SparseDepth& known = cells[static_cast<std::size_t>(cell)];
-      known = together(known, depth);
+/// The depths of the `count` cells at half the resolution.
+std::vector<CellDepth> halved(const std::vector<PointCell>& cells,
+                              const std::vector<CellDepth>& depths, std::size_t count) {
+  std::vector<CellDepth> coarser(count);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (depths[i].is_known() && cells[i].parent >= 0) {
+      CellDepth& above = coarser[static_cast<std::size_t>(cells[i].parent)];
+      above = above.is_known() ? together(above, depths[i]) : depths[i];
     }
   }
-  std::sort(cells.begin(), cells.end(), [](const SparseDepth& a, const SparseDepth& b) {
+  return coarser;
+}
+
+/// The cells above some at half the resolution; these are told which is theirs.
+std::vector<PointCell> cells_above(cv::Size size, std::vector<PointCell>& cells) {
+  const cv::Rect inside({0, 0}, size);
+  cv::Mat_<int> index(size, -1);
+  std::vector<PointCell> coarser;
+  for (const PointCell& cell : cells) {
+    const cv::Point above = cell.pixel / 2;
+    if (inside.contains(above) && std::exchange(index(above), 0) < 0) {
+      coarser.push_back({above});
+    }
+  }
+  std::sort(coarser.begin(), coarser.end(), [](const PointCell& a, const PointCell& b) {
     return std::pair(a.pixel.y, a.pixel.x) < std::pair(b.pixel.y, b.pixel.x);
   });
-  return cells;
+  for (std::size_t i = 0; i < coarser.size(); ++i) {
+    index(coarser[i].pixel) = static_cast<int>(i);
+  }
+  for (PointCell& cell : cells) {
+    const cv::Point above = cell.pixel / 2;
+    cell.parent = inside.contains(above) ? index(above) : -1;
+  }
+  return coarser;
+}
+
+/// Those that are known and that the options leave.
+std::vector<PixelDepth> usable_depths(const std::vector<PointCell>& cells,
+                                      const std::vector<CellDepth>& depths,
+                                      const EdgePointOptions& options, int width) {
+  const auto known = static_cast<std::size_t>(std::count_if(
+      depths.begin(), depths.end(), [](const CellDepth& depth) { return depth.is_known(); }));
+  const Thinning thinning(options, known, width);
+  std::vector<PixelDepth> usable;
+  usable.reserve(known);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const float z = 1 / depths[i].inverse_depth;
+    if (depths[i].is_known() && z >= options.min_depth && z <= options.max_depth &&
+        thinning.keeps(cells[i].pixel)) {
+      usable.push_back({cells[i].pixel, z, std::sqrt(depths[i].variance) * z * z});
+    }
+  }
+  return usable;
 }
 
 }  // namespace
 
-EdgePoints map_points(const FramePyramid& anchor, const Hypotheses& hypotheses,
-                      const EdgePointOptions& options, double max_sigma, Guesses guesses) {
+PointCells point_cells(const FramePyramid& anchor, const Hypotheses& hypotheses) {
+  PointCells cells(anchor.levels.size());
+  for (const cv::Point pixel : hypotheses.pixel) {
+    cells.front().push_back({pixel});
+  }
+  for (std::size_t l = 1; l < cells.size(); ++l) {
+    cells[l] = cells_above(anchor.levels[l].intensity.size(), cells[l - 1]);
+  }
+  return cells;
+}
+
+EdgePoints map_points(const FramePyramid& anchor, const PointCells& cells,
+                      const Hypotheses& hypotheses, const EdgePointOptions& options,
+                      double max_sigma, Guesses guesses) {
   EdgePoints points;
-  std::vector<SparseDepth> depths = finest_depths(hypotheses, max_sigma, guesses);
-  for (std::size_t l = 0; l < anchor.levels.size(); ++l) {
-    const PyramidLevel& level = anchor.levels[l];
+  std::vector<CellDepth> depths = finest_depths(hypotheses, max_sigma, guesses);
+  for (std::size_t l = 0; l < cells.size(); ++l) {
     if (l > 0) {
-      depths = halved(depths, level.intensity.size());
+      depths = halved(cells[l - 1], depths, cells[l].size());
     }
-    const Thinning thinning(options.at_level(l), depths.size(), level.intensity.cols);
-    std::vector<PixelDepth> kept;
-    for (const SparseDepth& depth : depths) {
-      const float z = 1 / depth.inverse_depth;
-      if (z >= options.min_depth && z <= options.max_depth && thinning.keeps(depth.pixel)) {
-        kept.push_back({depth.pixel, z, std::sqrt(depth.variance) * z * z});
-      }
-    }
-    points.levels.push_back(points_at(level, kept, available_instruction_set()));
+    const PyramidLevel& level = anchor.levels[l];
+    const std::vector<PixelDepth> usable =
+        usable_depths(cells[l], depths, options.at_level(l), level.intensity.cols);
+    points.levels.push_back(points_at(level, usable, available_instruction_set()));
   }
   return points;
 }

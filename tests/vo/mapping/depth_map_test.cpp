@@ -76,6 +76,39 @@ TEST(DepthMap, PointsAreThoseOfTheDepthItWasGiven) {
   }
 }
 
+/// On every level, those of the depth image's own pyramid at the same pixels, in the same order. A
+/// coarse pixel has a quarter of a degree of the plane's slope: depths differ by less than 1 %.
+TEST(DepthMap, PointsAreWhatADepthSensorWouldGive) {
+  const vo::PinholeCamera camera = support::small_camera();
+  const vo::RgbdFrame frame = support::plane_frame(camera, SE3(), 0);
+  vo::DepthMap map({});
+  map.start(grey_frame(camera, SE3()), 1);
+  map.take_depth(frame.depth, 0.01);
+  vo::FramePyramid pyramid = vo::build_pyramid(frame, camera, vo::PyramidOptions());
+  for (vo::PyramidLevel& level : pyramid.levels) {
+    level.edges = vo::EdgeMask(level.intensity.size(), uchar{255});
+  }
+  const vo::EdgePoints expected = vo::edge_points(pyramid, pyramid, {});
+  const vo::EdgePoints points = map.points({});
+  for (std::size_t l = 0; l < points.levels.size(); ++l) {
+    const vo::EdgePointLevel& level = points.levels[l];
+    const vo::EdgePointLevel& all = expected.levels[l];
+    ASSERT_GT(level.size(), 100U);
+    std::size_t j = 0;
+    for (std::size_t i = 0; i < level.size(); ++i) {
+      while (j < all.size() && all.pixel[j] != level.pixel[i]) {
+        ++j;
+      }
+      ASSERT_LT(j, all.size()) << "level " << l;
+      EXPECT_EQ(level.intensity[i], all.intensity[j]);
+      EXPECT_NEAR(level.z_ref[i], all.z_ref[j], 0.01 * all.z_ref[j]);
+      EXPECT_NEAR(level.x_ref[i], all.x_ref[j], 0.01 * std::abs(all.x_ref[j]));
+      EXPECT_NEAR(level.dI_dx[i], all.dI_dx[j], 0.01 * std::abs(all.dI_dx[j]));
+      EXPECT_NEAR(level.dI_dz[i], all.dI_dz[j], 0.01 * std::abs(all.dI_dz[j]));
+    }
+  }
+}
+
 /// The near side's depth, and half the step between 1/2 and 1/3 as its standard deviation.
 TEST(DepthMap, AtAStepOfTheDepthTheNearSideIsTakenForLessCertain) {
   constexpr int kStep = 160;  // px, first column of the far side

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/instruction_sets.h"
 #include "tests/vo/mapping/plane_map.h"
 
 namespace {
@@ -41,6 +42,19 @@ vo::FramePyramid noisy_frame(const vo::PinholeCamera& camera, const SE3& T_world
   return pyramid;
 }
 
+/// The edges of the plane seen from the origin, expected 2 % too near.
+std::vector<vo::SearchTarget> targets_of(const vo::PinholeCamera& camera,
+                                         const vo::Hypotheses& edges, float spread) {
+  std::vector<vo::SearchTarget> targets;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto d = static_cast<float>(
+        support::true_inverse_depth(camera, SE3(), edges.pixel[i].x, edges.pixel[i].y));
+    targets.push_back({edges.pixel[i], edges.ray[i], edges.gradient[i], d * 1.02F, d * (1 + spread),
+                       d * (1 - spread)});
+  }
+  return targets;
+}
+
 /// Looks for all edges of the plane seen from the origin.
 std::vector<Match> matches(const vo::PinholeCamera& camera, const Trial& trial) {
   const SE3 T_cur_anchor = trial.T_anchor_cur.inverse();
@@ -48,15 +62,15 @@ std::vector<Match> matches(const vo::PinholeCamera& camera, const Trial& trial) 
   const vo::FramePyramid current = noisy_frame(camera, trial.T_anchor_cur, trial.noise, 8);
   const vo::FrameRelation relation = trial.believed.value_or(vo::FrameRelation{T_cur_anchor});
   const vo::StereoPair pair(anchor.levels[0], current.levels[0], relation);
-  vo::EpipolarSearch search(pair, trial.options);
   const vo::Hypotheses edges = vo::edge_hypotheses(anchor.levels[0], {}, 0.5F);
+  const std::vector<vo::SearchTarget> targets = targets_of(camera, edges, trial.spread);
+  const std::vector<vo::Observation> observations =
+      vo::search_epipolar_lines(pair, trial.options, targets);
   std::vector<Match> found;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Eigen::Vector2d pixel(edges.pixel[i].x, edges.pixel[i].y);
     const double truth = support::true_inverse_depth(camera, SE3(), pixel.x(), pixel.y());
-    const auto d = static_cast<float>(truth);
-    const vo::Observation seen = search.observe({edges.pixel[i], edges.gradient[i], d * 1.02F,
-                                                 d * (1 + trial.spread), d * (1 - trial.spread)});
+    const vo::Observation& seen = observations[i];
     if (seen.outcome == vo::SearchOutcome::found) {
       const auto place = [&](double inverse_depth) {
         return camera.project(T_cur_anchor * camera.unproject(pixel, 1 / inverse_depth));
@@ -157,6 +171,77 @@ TEST(EpipolarSearch, PredictsWhatAWrongPoseDoes) {
     EXPECT_GT(nees, 0.5);
     EXPECT_LT(nees, 2);
   }
+}
+
+/// Two frames and what is looked for, from well known to unknown.
+struct Search {
+  vo::FramePyramid anchor;
+  vo::FramePyramid current;
+  vo::FrameRelation relation;
+  std::vector<vo::SearchTarget> targets;
+
+  explicit Search(const vo::PinholeCamera& camera)
+      : anchor(noisy_frame(camera, SE3(), 2, 7)),
+        current(noisy_frame(camera, views()[3], 2, 8)),
+        relation{views()[3].inverse()} {
+    relation.covariance = vo::Matrix6d::Identity() * 1e-6;
+    const vo::Hypotheses edges = vo::edge_hypotheses(anchor.levels[0], {}, 0.5F);
+    const std::vector<vo::SearchTarget> known = targets_of(camera, edges, 0.02F);
+    const std::vector<vo::SearchTarget> unknown = targets_of(camera, edges, 0.8F);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      targets.push_back(i % 3 == 0 ? unknown[i] : known[i]);
+    }
+  }
+
+  std::vector<vo::Observation> observe(std::span<const vo::SearchTarget> some,
+                                       vo::InstructionSet set) const {
+    const vo::StereoPair pair(anchor.levels[0], current.levels[0], relation);
+    return vo::search_epipolar_lines(pair, {}, some, set);
+  }
+};
+
+std::vector<vo::PinholeCamera> lenses() {
+  std::vector<vo::PinholeCamera> cameras(3, small_camera());
+  cameras[1].distortion = {.k1 = 0.2, .k2 = -0.5, .p1 = -0.003, .p2 = 0.002, .k3 = 0.6};
+  cameras[2].distortion = {.k1 = 0.02, .k2 = -0.01, .model = vo::DistortionModel::kannala_brandt};
+  return cameras;
+}
+
+void expect_same(const vo::Observation& a, const vo::Observation& b) {
+  EXPECT_EQ(a.outcome, b.outcome);
+  EXPECT_EQ(a.inverse_depth, b.inverse_depth);
+  EXPECT_EQ(a.variance, b.variance);
+  EXPECT_EQ(a.offset_slope, b.offset_slope);
+}
+
+TEST(EpipolarSearch, EveryInstructionSetGivesTheSameBits) {
+  for (const vo::PinholeCamera& camera : lenses()) {
+    const Search search(camera);
+    const std::vector<vo::Observation> expected =
+        search.observe(search.targets, vo::InstructionSet::baseline);
+    for (const vo::SearchOutcome outcome :
+         {vo::SearchOutcome::found, vo::SearchOutcome::unobservable, vo::SearchOutcome::no_match}) {
+      EXPECT_TRUE(std::any_of(expected.begin(), expected.end(), [&](const vo::Observation& o) {
+        return o.outcome == outcome;
+      })) << static_cast<int>(outcome);
+    }
+    for (const vo::InstructionSet set : support::instruction_sets_of_this_machine()) {
+      const std::vector<vo::Observation> observations = search.observe(search.targets, set);
+      for (std::size_t i = 0; i < expected.size(); ++i) {
+        expect_same(observations[i], expected[i]);
+      }
+    }
+  }
+}
+
+TEST(EpipolarSearch, AnEdgeIsFoundAloneAsAmongOthers) {
+  const Search search(lenses()[1]);
+  const vo::InstructionSet set = vo::available_instruction_set();
+  const std::vector<vo::Observation> together = search.observe(search.targets, set);
+  for (std::size_t i = 0; i < together.size(); i += 7) {
+    expect_same(search.observe({&search.targets[i], 1}, set).front(), together[i]);
+  }
+  EXPECT_TRUE(search.observe({}, set).empty());
 }
 
 TEST(EpipolarSearch, SaysNothingWithoutParallax) {

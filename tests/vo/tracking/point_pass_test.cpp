@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/instruction_sets.h"
 #include "tests/support/textured_plane.h"
 #include "tests/support/warp_oracle.h"
 #include "vo/io/camera_file.h"
@@ -35,16 +36,6 @@ struct Scene {
   }
 };
 
-std::vector<InstructionSet> sets_of_this_machine() {
-  std::vector<InstructionSet> sets{InstructionSet::baseline};
-  for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
-    if (vo::available_instruction_set() >= set) {
-      sets.push_back(set);
-    }
-  }
-  return sets;
-}
-
 TEST(PointPass, EveryInstructionSetGivesTheSameBits) {
   const Scene scene;
   for (const vo::RobustLoss loss : {vo::RobustLoss::none, vo::RobustLoss::huber,
@@ -59,7 +50,7 @@ TEST(PointPass, EveryInstructionSetGivesTheSameBits) {
                                   .brightness = true};
     const vo::PassSums expected = vo::sum_points(scene.view(), options, InstructionSet::baseline);
     ASSERT_GT(expected.seen, 1000U);
-    for (const InstructionSet set : sets_of_this_machine()) {
+    for (const InstructionSet set : support::instruction_sets_of_this_machine()) {
       const vo::PassSums sums = vo::sum_points(scene.view(), options, set);
       EXPECT_EQ(sums.H, expected.H);
       EXPECT_EQ(sums.b, expected.b);

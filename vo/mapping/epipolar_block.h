@@ -1,0 +1,223 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "vo/mapping/epipolar_search.h"
+#include "vo/mapping/lane_image.h"
+
+/// What epipolar_search.cpp does with 32 edges at a time, inlined into it once per instruction set.
+namespace vo::detail {
+
+inline constexpr std::size_t kLines = 32;
+inline constexpr int kReach = 2;  // samples to either side that are compared
+inline constexpr std::size_t kCompared = 2 * kReach + 1;
+inline constexpr std::size_t kSampled = kCompared + 2;  // and one more for differences
+inline constexpr float kGreyLevel = 1.0F / 255;
+inline constexpr float kMinDepthRatio = 0.1F;  // of the depths in both frames
+
+using LineRow = Lanes<kLines>;
+using LineFlags = std::array<std::int32_t, kLines>;     // 0 or 1
+using LineOutcomes = std::array<std::int32_t, kLines>;  // SearchOutcome, as wide as a float
+
+constexpr std::int32_t code(SearchOutcome outcome) {
+  return static_cast<std::int32_t>(outcome);
+}
+
+/// Both images and the geometry between them, in single precision.
+struct SearchView {
+  const StereoPair& pair;
+  const EpipolarOptions& options;
+  LaneCamera anchor_camera, current_camera;
+  LaneImage anchor, current;
+  Eigen::Matrix3f R;  // cur_anchor
+  Eigen::Vector3f t;  // cur_anchor, m
+  Eigen::Vector3f c;  // current camera's centre in the anchor, m
+
+  SearchView(const StereoPair& stereo_pair, const EpipolarOptions& search_options)
+      : pair(stereo_pair),
+        options(search_options),
+        anchor_camera(pair.anchor.camera),
+        current_camera(pair.current.camera),
+        anchor(pair.anchor.intensity),
+        current(pair.current.intensity),
+        R(pair.R_cur_anchor),
+        t(pair.t_cur_anchor),
+        c(pair.p_anchor_cur) {}
+};
+
+/// Edges, their epipolar lines in the current image around the expected places, s = 0, and what the
+/// anchor shows along its own.
+struct alignas(64) LineBlock {
+  LineRow u, v;                                    // px, in the anchor
+  LineRow ray_x, ray_y;                            //
+  LineRow gradient_u, gradient_v;                  // 1/px
+  LineRow inverse_depth, nearest, farthest;        // 1/m
+  LineRow towards_x, towards_y;                    // the line in the anchor, in ray coordinates
+  LineRow length;                                  // px, of that
+  LineRow along_u, along_v;                        // px, unit, of the line in the anchor
+  LineRow cosine, sine;                            // of gradient and line
+  LineRow R_ray_x, R_ray_y, R_ray_z;               // the point is along R_ray + d t
+  LineRow q_x, q_y;                                // ray coordinates of the expected place
+  LineRow dq_x, dq_y;                              // of one px along the line
+  ImagedLanes<kLines> imaged;                      // of q
+  LineRow step;                                    // px per sample of the anchor
+  LineRow s_min, s_max;                            // px, of the searched interval
+  LineRow s;                                       // px, of the match
+  LineRow information;                             // sum of squared slopes, per px^2
+  LineRow squares;                                 // sum of squared differences
+  std::array<LineRow, kSampled> anchor_intensity;  // as the current image should show them
+  LineOutcomes outcome;
+};
+
+/// The first reason counts.
+EDVO_INLINE void rule_out(bool fails, SearchOutcome reason, std::int32_t& outcome) {
+  outcome = fails & (outcome == code(SearchOutcome::found)) ? code(reason) : outcome;
+}
+
+/// `target_of` gives the target of a lane; there is one for each.
+template <typename TargetOf>
+EDVO_INLINE void load_targets(const TargetOf& target_of, LineBlock& block) {
+  for (std::size_t i = 0; i < kLines; ++i) {
+    const SearchTarget& target = target_of(i);
+    block.u[i] = static_cast<float>(target.pixel.x);
+    block.v[i] = static_cast<float>(target.pixel.y);
+    block.ray_x[i] = target.ray[0];
+    block.ray_y[i] = target.ray[1];
+    block.gradient_u[i] = target.gradient[0];
+    block.gradient_v[i] = target.gradient[1];
+    block.outcome[i] = code(SearchOutcome::found);
+    block.inverse_depth[i] = target.inverse_depth;
+    block.nearest[i] = target.nearest;
+    block.farthest[i] = target.farthest;
+  }
+}
+
+/// The lines in the anchor. Unobservable is what tells nothing: no parallax, no gradient along the
+/// line.
+EDVO_INLINE void aim_lines(const SearchView& view, LineBlock& block) {
+  const auto min_parallax = static_cast<float>(view.options.min_parallax_px);
+  const auto min_gradient = static_cast<float>(view.options.min_gradient) * kGreyLevel;
+  const auto min_cos2 = static_cast<float>(view.options.min_cos2);
+  ImagedLanes<kLines> imaged;
+  image_lanes(view.anchor_camera, block.ray_x, block.ray_y, imaged);
+  for (std::size_t i = 0; i < kLines; ++i) {
+    const float x = view.c[0] - view.c[2] * block.ray_x[i];
+    const float y = view.c[1] - view.c[2] * block.ray_y[i];
+    const float towards_u = imaged.du_dx[i] * x + imaged.du_dy[i] * y;
+    const float towards_v = imaged.dv_dx[i] * x + imaged.dv_dy[i] * y;
+    const float length = std::sqrt(towards_u * towards_u + towards_v * towards_v);
+    block.towards_x[i] = x;
+    block.towards_y[i] = y;
+    block.length[i] = length;
+    block.along_u[i] = towards_u / length;
+    block.along_v[i] = towards_v / length;
+  }
+  for (std::size_t i = 0; i < kLines; ++i) {
+    const float gu = block.gradient_u[i];
+    const float gv = block.gradient_v[i];
+    const double gu2 = static_cast<double>(gu) * static_cast<double>(gu);
+    const double gv2 = static_cast<double>(gv) * static_cast<double>(gv);
+    const auto norm = static_cast<float>(std::sqrt(gu2 + gv2));
+    const float gradient_along = gu * block.along_u[i] + gv * block.along_v[i];
+    const float cosine = gradient_along / norm;
+    block.cosine[i] = cosine;
+    block.sine[i] = (block.along_u[i] * gv - block.along_v[i] * gu) / norm;
+    const bool observable = (block.length[i] * block.inverse_depth[i] >= min_parallax) &
+                            (2 * std::abs(gradient_along) >= min_gradient) &
+                            (cosine * cosine >= min_cos2);
+    rule_out(!observable, SearchOutcome::unobservable, block.outcome[i]);
+  }
+}
+
+/// Where the points and their neighbours along the line are in the current camera. Unobservable is
+/// what is behind it.
+EDVO_INLINE void turn_lines(const SearchView& view, LineBlock& block, LineRow& next_x,
+                            LineRow& next_y) {
+  const Eigen::Matrix3f& R = view.R;
+  for (std::size_t i = 0; i < kLines; ++i) {
+    const float x = block.ray_x[i];
+    const float y = block.ray_y[i];
+    const float beside_x = x + block.towards_x[i] / block.length[i];
+    const float beside_y = y + block.towards_y[i] / block.length[i];
+    const float d = block.inverse_depth[i];
+    block.R_ray_x[i] = (R(0, 0) * x + R(0, 1) * y) + R(0, 2);
+    block.R_ray_y[i] = (R(1, 0) * x + R(1, 1) * y) + R(1, 2);
+    block.R_ray_z[i] = (R(2, 0) * x + R(2, 1) * y) + R(2, 2);
+    const float z = block.R_ray_z[i] + d * view.t[2];
+    const float next_z = ((R(2, 0) * beside_x + R(2, 1) * beside_y) + R(2, 2)) + d * view.t[2];
+    block.q_x[i] = (block.R_ray_x[i] + d * view.t[0]) / z;
+    block.q_y[i] = (block.R_ray_y[i] + d * view.t[1]) / z;
+    next_x[i] = (((R(0, 0) * beside_x + R(0, 1) * beside_y) + R(0, 2)) + d * view.t[0]) / next_z;
+    next_y[i] = (((R(1, 0) * beside_x + R(1, 1) * beside_y) + R(1, 2)) + d * view.t[1]) / next_z;
+    const bool in_front = (z > kMinDepthRatio) & (next_z > kMinDepthRatio);
+    rule_out(!in_front, SearchOutcome::unobservable, block.outcome[i]);
+  }
+}
+
+/// The lines in the current image. Unobservable is what is behind the camera or of another scale.
+EDVO_INLINE void project_lines(const SearchView& view, LineBlock& block) {
+  LineRow next_x;
+  LineRow next_y;
+  turn_lines(view, block, next_x, next_y);
+  image_lanes(view.current_camera, block.q_x, block.q_y, block.imaged);
+  const ImagedLanes<kLines>& imaged = block.imaged;
+  const auto limit = static_cast<float>(view.options.max_scale_change);
+  for (std::size_t i = 0; i < kLines; ++i) {
+    const float x = next_x[i] - block.q_x[i];
+    const float y = next_y[i] - block.q_y[i];
+    const float step_u = imaged.du_dx[i] * x + imaged.du_dy[i] * y;
+    const float step_v = imaged.dv_dx[i] * x + imaged.dv_dy[i] * y;
+    const float step = std::sqrt(step_u * step_u + step_v * step_v);
+    block.step[i] = step;
+    block.dq_x[i] = x / step;
+    block.dq_y[i] = y / step;
+    const bool alike = (step * limit >= 1) & (step <= limit);
+    rule_out(!alike, SearchOutcome::unobservable, block.outcome[i]);
+  }
+}
+
+/// Out of view is what is too near to the anchor's border.
+EDVO_INLINE void sample_anchor(const SearchView& view, LineBlock& block) {
+  LineRow at_u;
+  LineRow at_v;
+  for (std::size_t k = 0; k < kSampled; ++k) {
+    const auto away = static_cast<float>(static_cast<int>(k) - kReach - 1);
+    LineRow& intensity = block.anchor_intensity[k];
+    for (std::size_t i = 0; i < kLines; ++i) {
+      at_u[i] = block.u[i] + away * block.along_u[i];
+      at_v[i] = block.v[i] + away * block.along_v[i];
+    }
+    sample_lanes(view.anchor, at_u, at_v, 0, intensity);
+    for (std::size_t i = 0; i < kLines; ++i) {
+      intensity[i] = view.pair.gain * intensity[i] + view.pair.offset;
+      rule_out(!view.anchor.holds(at_u[i], at_v[i]), SearchOutcome::out_of_view, block.outcome[i]);
+    }
+  }
+}
+
+/// Place on the line of a point at another inverse depth, px.
+EDVO_INLINE float place_of(const SearchView& view, const LineBlock& block, std::size_t i,
+                           float inverse_depth) {
+  const float x = block.R_ray_x[i] + inverse_depth * view.t[0];
+  const float y = block.R_ray_y[i] + inverse_depth * view.t[1];
+  const float z = std::max(block.R_ray_z[i] + inverse_depth * view.t[2], kMinDepthRatio);
+  const float dq2 = block.dq_x[i] * block.dq_x[i] + block.dq_y[i] * block.dq_y[i];
+  return ((x / z - block.q_x[i]) * block.dq_x[i] + (y / z - block.q_y[i]) * block.dq_y[i]) / dq2;
+}
+
+/// The ends of the searched interval.
+EDVO_INLINE void bound_lines(const SearchView& view, LineBlock& block) {
+  constexpr float kMargin = 0.5F;  // px
+  const float half = 0.5F * static_cast<float>(view.options.max_search_px);
+  for (std::size_t i = 0; i < kLines; ++i) {
+    const float near = place_of(view, block, i, block.nearest[i]);
+    const float far = place_of(view, block, i, block.farthest[i]);
+    block.s_min[i] = std::max(std::min(near, far) - kMargin, -half);
+    block.s_max[i] = std::min(std::max(near, far) + kMargin, half);
+  }
+}
+
+}  // namespace vo::detail

@@ -1,0 +1,297 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "vo/mapping/epipolar_block.h"
+
+/// Where the current image looks like the anchor: the second half of a block's search.
+namespace vo::detail {
+
+/// Samples of a block's lines one behind the other, and what a line's differ by.
+struct LineSamples {
+  std::array<std::size_t, kLines> first;  // of each line
+  std::array<std::size_t, kLines>
+      shifts;               // of the anchor's samples along the line; 0 unless searched
+  std::vector<float> u, v;  // px
+  std::vector<float> intensity;
+  std::vector<float> difference;  // sum of squares, per shift
+};
+
+inline constexpr std::size_t kChunk = 16;  // samples of one line that are placed at a time
+inline constexpr float kUnseen = 1e9F;     // squared difference of what is out of the image
+
+/// Short intervals need no search: the slope leads to the match from anywhere in them. Returns how
+/// many samples the others need.
+EDVO_INLINE std::size_t count_samples(LineBlock& block, LineSamples& samples) {
+  constexpr float kNoSearch = 1.5F;  // px
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < kLines; ++i) {
+    const float range = block.s_max[i] - block.s_min[i];
+    const bool is_searched =
+        block.outcome[i] == code(SearchOutcome::found) && !(range <= kNoSearch);
+    samples.first[i] = count;
+    samples.shifts[i] =
+        is_searched ? 1 + static_cast<std::size_t>(std::ceil(range / block.step[i])) : 0;
+    count += is_searched ? samples.shifts[i] + 2 * kReach : 0;
+  }
+  return count;
+}
+
+/// Where the searched interval and what is compared beside it are in the current image. Up to a
+/// chunk more is written.
+EDVO_INLINE void place_samples(const SearchView& view, const LineBlock& block, std::size_t i,
+                               LineSamples& samples) {
+  constexpr float kStraight = 8;  // px; a lens bends a line of this length by less than 0.05 px
+  const std::size_t count = samples.shifts[i] + 2 * kReach;
+  const float step = block.step[i];
+  const float first = block.s_min[i] - static_cast<float>(kReach) * step;
+  const float last = first + static_cast<float>(count - 1) * step;
+  const bool straight = view.current_camera.lens.is_zero() || last - first <= kStraight;
+  const float dq_x = block.dq_x[i];
+  const float dq_y = block.dq_y[i];
+  const float line_u = block.imaged.du_dx[i] * dq_x + block.imaged.du_dy[i] * dq_y;
+  const float line_v = block.imaged.dv_dx[i] * dq_x + block.imaged.dv_dy[i] * dq_y;
+  const float from_u = straight ? block.imaged.u[i] : block.q_x[i];
+  const float from_v = straight ? block.imaged.v[i] : block.q_y[i];
+  const float by_u = straight ? line_u : dq_x;
+  const float by_v = straight ? line_v : dq_y;
+  for (std::size_t start = 0; start < count; start += kChunk) {
+    Lanes<kChunk> u;
+    Lanes<kChunk> v;
+    for (std::size_t k = 0; k < kChunk; ++k) {
+      const float at = first + static_cast<float>(static_cast<int>(start + k)) * step;
+      u[k] = from_u + at * by_u;
+      v[k] = from_v + at * by_v;
+    }
+    if (!straight) {
+      ImagedLanes<kChunk> imaged;
+      image_lanes(view.current_camera, u, v, imaged);
+      u = imaged.u;
+      v = imaged.v;
+    }
+    std::memcpy(samples.u.data() + samples.first[i] + start, u.data(), sizeof(u));
+    std::memcpy(samples.v.data() + samples.first[i] + start, v.data(), sizeof(v));
+  }
+}
+
+/// What the current image shows along all lines that are searched.
+EDVO_INLINE void sample_current(const SearchView& view, const LineBlock& block, std::size_t count,
+                                LineSamples& samples) {
+  const std::size_t room = count + kLines;
+  samples.u.resize(std::max(samples.u.size(), room));
+  samples.v.resize(samples.u.size());
+  samples.intensity.resize(samples.u.size());
+  for (std::size_t i = 0; i < kLines; ++i) {
+    if (samples.shifts[i] > 0) {
+      place_samples(view, block, i, samples);
+    }
+  }
+  for (std::size_t start = 0; start < count; start += kLines) {
+    LineRow u;
+    LineRow v;
+    LineRow intensity;
+    std::memcpy(u.data(), samples.u.data() + start, sizeof(u));
+    std::memcpy(v.data(), samples.v.data() + start, sizeof(v));
+    sample_lanes(view.current, u, v, std::numeric_limits<float>::quiet_NaN(), intensity);
+    std::memcpy(samples.intensity.data() + start, intensity.data(), sizeof(intensity));
+  }
+}
+
+/// Eight shifts of one line.
+using Octet = float __attribute__((vector_size(32)));
+
+/// Squared differences at each shift along a line. Up to seven more are written.
+EDVO_INLINE void compare_line(const LineBlock& block, std::size_t i, LineSamples& samples) {
+  constexpr std::size_t kShifts = sizeof(Octet) / sizeof(float);
+  const float* intensity = samples.intensity.data() + samples.first[i];
+  samples.difference.resize(std::max(samples.difference.size(), samples.shifts[i] + kShifts));
+  for (std::size_t start = 0; start < samples.shifts[i]; start += kShifts) {
+    Octet sum{};
+    for (std::size_t k = 0; k < kCompared; ++k) {
+      Octet away;
+      std::memcpy(&away, intensity + start + k, sizeof(away));
+      away -= block.anchor_intensity[k + 1][i];
+      sum += away * away;
+    }
+    sum = sum < kUnseen ? sum : Octet{} + kUnseen;
+    std::memcpy(samples.difference.data() + start, &sum, sizeof(sum));
+  }
+}
+
+/// Whether another place on the line looks nearly as much like the edge as the best one.
+inline bool is_ambiguous(const EpipolarOptions& options, const float* difference,
+                         std::size_t shifts, std::size_t best) {
+  const float noise = static_cast<float>(options.sigma_grey) * kGreyLevel;
+  const float limit = static_cast<float>(options.ambiguity) *
+                      std::max(difference[best], 2 * kCompared * noise * noise);
+  for (std::size_t i = 0; i < shifts; ++i) {
+    const bool is_apart = i + 1 < best || i > best + 1;
+    const bool is_least = (i == 0 || difference[i] <= difference[i - 1]) &&
+                          (i + 1 == shifts || difference[i] <= difference[i + 1]);
+    if (is_apart && is_least && difference[i] < limit) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The place on the line, in steps of a sample, with the least sum of squared differences.
+EDVO_INLINE void match_line(const SearchView& view, std::size_t i, LineSamples& samples,
+                            LineBlock& block) {
+  constexpr float kLongLine = 6;  // px
+  compare_line(block, i, samples);
+  const std::size_t shifts = samples.shifts[i];
+  const float* difference = samples.difference.data();
+  const auto best =
+      static_cast<std::size_t>(std::min_element(difference, difference + shifts) - difference);
+  if (difference[best] >= kUnseen) {
+    block.outcome[i] = code(SearchOutcome::out_of_view);
+  } else if (block.s_max[i] - block.s_min[i] > kLongLine &&
+             is_ambiguous(view.options, difference, shifts, best)) {
+    block.outcome[i] = code(SearchOutcome::ambiguous);
+  }
+  block.s[i] = block.s_min[i] + static_cast<float>(best) * block.step[i];
+}
+
+EDVO_INLINE void match_lines(const SearchView& view, LineSamples& samples, LineBlock& block) {
+  sample_current(view, block, count_samples(block, samples), samples);
+  for (std::size_t i = 0; i < kLines; ++i) {
+    if (samples.shifts[i] > 0) {
+      match_line(view, i, samples, block);
+    } else {
+      block.s[i] = std::min(std::max(0.0F, block.s_min[i]), block.s_max[i]);
+    }
+  }
+}
+
+/// Pixels along lines near one place on each; exact where the lens is perfect.
+struct LinePixels {
+  LineRow start;  // px, the place
+  LineRow u, v;
+  LineRow direction_u, direction_v;
+};
+
+EDVO_INLINE void straighten_lines(const SearchView& view, const LineBlock& block,
+                                  LinePixels& pixels) {
+  ImagedLanes<kLines> imaged = block.imaged;
+  const bool is_perfect = view.current_camera.lens.is_zero();
+  if (!is_perfect) {
+    LineRow x;
+    LineRow y;
+    for (std::size_t i = 0; i < kLines; ++i) {
+      x[i] = block.q_x[i] + block.s[i] * block.dq_x[i];
+      y[i] = block.q_y[i] + block.s[i] * block.dq_y[i];
+    }
+    image_lanes(view.current_camera, x, y, imaged);
+  }
+  for (std::size_t i = 0; i < kLines; ++i) {
+    const float u = imaged.du_dx[i] * block.dq_x[i] + imaged.du_dy[i] * block.dq_y[i];
+    const float v = imaged.dv_dx[i] * block.dq_x[i] + imaged.dv_dy[i] * block.dq_y[i];
+    pixels.start[i] = block.s[i];
+    pixels.u[i] = is_perfect ? imaged.u[i] + block.s[i] * u : imaged.u[i];
+    pixels.v[i] = is_perfect ? imaged.v[i] + block.s[i] * v : imaged.v[i];
+    pixels.direction_u[i] = u;
+    pixels.direction_v[i] = v;
+  }
+}
+
+/// What the current image shows at and around the matches.
+struct LineView {
+  std::array<LineRow, kSampled> intensity;
+  LineFlags inside;
+};
+
+EDVO_INLINE void sample_lines(const SearchView& view, const LineBlock& block,
+                              const LinePixels& pixels, LineView& seen) {
+  seen.inside.fill(1);
+  LineRow u;
+  LineRow v;
+  for (std::size_t k = 0; k < kSampled; ++k) {
+    const auto away = static_cast<float>(static_cast<int>(k) - kReach - 1);
+    for (std::size_t i = 0; i < kLines; ++i) {
+      const float at = block.s[i] + away * block.step[i] - pixels.start[i];
+      u[i] = pixels.u[i] + at * pixels.direction_u[i];
+      v[i] = pixels.v[i] + at * pixels.direction_v[i];
+    }
+    sample_lanes(view.current, u, v, 0, seen.intensity[k]);
+    for (std::size_t i = 0; i < kLines; ++i) {
+      seen.inside[i] = view.current.holds(u[i], v[i]) ? seen.inside[i] : 0;
+    }
+  }
+}
+
+/// Sums over the compared samples, per line.
+struct LineSums {
+  LineRow information, right, squares;
+};
+
+/// Slopes are the mean of both images'.
+EDVO_INLINE void sum_lines(const LineView& seen, const LineBlock& block, LineSums& sums) {
+  sums = {};
+  for (std::size_t k = 1; k + 1 < kSampled; ++k) {
+    for (std::size_t i = 0; i < kLines; ++i) {
+      const float slope = 0.25F / block.step[i] *
+                          ((seen.intensity[k + 1][i] - seen.intensity[k - 1][i]) +
+                           (block.anchor_intensity[k + 1][i] - block.anchor_intensity[k - 1][i]));
+      const float residual = seen.intensity[k][i] - block.anchor_intensity[k][i];
+      sums.information[i] += slope * slope;
+      sums.right[i] += slope * residual;
+      sums.squares[i] += residual * residual;
+    }
+  }
+}
+
+/// One Gauss-Newton step of s for those that are not there yet. Returns how many still are not.
+EDVO_INLINE std::int32_t step_lines(const LineView& seen, LineBlock& block, LineFlags& moving) {
+  constexpr float kMaxStep = 0.5F;
+  constexpr float kConverged = 0.01F;
+  LineSums sums;
+  sum_lines(seen, block, sums);
+  for (std::size_t i = 0; i < kLines; ++i) {
+    const float information = sums.information[i];
+    const float step = std::min(std::max(-sums.right[i] / information, -kMaxStep), kMaxStep);
+    const bool is_moving = moving[i] > 0;
+    const bool is_lost = seen.inside[i] == 0 || !(information > 0);
+    block.information[i] = is_moving ? information : block.information[i];
+    block.squares[i] = is_moving ? sums.squares[i] : block.squares[i];
+    block.s[i] += is_moving && !is_lost ? step : 0;
+    rule_out(is_moving && is_lost, SearchOutcome::no_match, block.outcome[i]);
+    moving[i] = is_lost || std::abs(step) < kConverged ? 0 : moving[i];
+  }
+  return std::accumulate(moving.begin(), moving.end(), std::int32_t{0});
+}
+
+/// To a fraction of a sample. No match is what leaves the interval or where the images disagree.
+EDVO_INLINE void refine_lines(const SearchView& view, LineBlock& block) {
+  constexpr int kMaxIterations = 4;
+  LinePixels pixels;
+  straighten_lines(view, block, pixels);
+  LineFlags moving;
+  for (std::size_t i = 0; i < kLines; ++i) {
+    moving[i] = block.outcome[i] == code(SearchOutcome::found) ? 1 : 0;
+  }
+  std::int32_t left = 1;
+  for (int iteration = 0; iteration < kMaxIterations && left > 0; ++iteration) {
+    LineView seen;
+    sample_lines(view, block, pixels, seen);
+    left = step_lines(seen, block, moving);
+  }
+  const float limit = static_cast<float>(view.options.max_residual) * kGreyLevel;
+  constexpr float kMisplaced2 = 0.1F;  // px^2; interpolation errs by as much on a strong edge
+  for (std::size_t i = 0; i < kLines; ++i) {
+    const float limit2 = static_cast<float>(kCompared) * limit * limit;
+    const bool is_match =
+        (block.squares[i] <= limit2 + kMisplaced2 * block.information[i]) &
+        (std::abs(block.s[i] - pixels.start[i]) <= 1.5F * std::max(block.step[i], 1.0F));
+    rule_out(!is_match, SearchOutcome::no_match, block.outcome[i]);
+  }
+}
+
+}  // namespace vo::detail
