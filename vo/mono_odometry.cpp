@@ -99,10 +99,30 @@ MonoResult MonoOdometry::track(const RgbdFrame& frame) {
   } else {
     follow(result);
   }
+  report_state(result);
+  return result;
+}
+
+std::optional<MonoResult> MonoOdometry::finish() {
+  if (initialiser_ == nullptr) {
+    return std::nullopt;
+  }
+  MonoResult result;
+  result.tracking.timestamp = current_.timestamp;
+  result.tracking.T_world_camera = T_world_anchor_;
+  result.initialiser = initialiser_->finish();
+  if (result.initialiser.verdict != InitialiserVerdict::solved) {
+    return std::nullopt;
+  }
+  start_from(*std::exchange(initialiser_, nullptr), result);
+  report_state(result);
+  return result;
+}
+
+void MonoOdometry::report_state(MonoResult& result) const {
   result.state = state_;
   result.hypotheses = map_.hypotheses().size();
   result.confident = map_.confident();
-  return result;
 }
 
 void MonoOdometry::begin_tracking(const FramePyramid& anchor, Guesses guesses, MonoResult& result) {
@@ -156,14 +176,17 @@ void MonoOdometry::initialise(MonoResult& result) {
   if (result.initialiser.verdict != InitialiserVerdict::solved) {
     return;
   }
-  const std::unique_ptr<MonoInitialiser> solved = std::move(initialiser_);
-  map_first_frame(*solved);
+  start_from(*std::exchange(initialiser_, nullptr), result);
+}
+
+void MonoOdometry::start_from(const MonoInitialiser& solved, MonoResult& result) {
+  map_first_frame(solved);
   if (map_.confident() < static_cast<std::size_t>(options_.min_confident)) {
     result.tracking.reason = LostReason::too_few_points;
     return;
   }
-  begin_tracking(solved->frames().front().pyramid, Guesses::left_out, result);
-  track_again(*solved, result);
+  begin_tracking(solved.frames().front().pyramid, Guesses::left_out, result);
+  track_again(solved, result);
 }
 
 /// Looks for the held frame's edges in all frames of the start.

@@ -49,6 +49,11 @@ class MonoOdometry {
   /// frame lacks the depth that the bootstrap needs.
   MonoResult track(const RgbdFrame& frame);
 
+  /// The sequence has ended. Where an unknown start still waited for more parallax than it needs,
+  /// it is made with what there is, its frames are tracked, and this is what `track` should have
+  /// returned for the last one; else nothing, and nothing changes.
+  std::optional<MonoResult> finish();
+
   const Trajectory& trajectory() const { return trajectory_; }  ///< frames that are not lost
   const StageTimes& stage_times() const { return stage_times_; }
   const DepthMap& map() const { return map_; }
@@ -60,6 +65,7 @@ class MonoOdometry {
   void start_from_depth(const DepthImage& depth, MonoResult& result);
   void start_from_guesses(MonoResult& result);
   void initialise(MonoResult& result);
+  void start_from(const MonoInitialiser& solved, MonoResult& result);
   void map_first_frame(const MonoInitialiser& solved);
   void track_again(const MonoInitialiser& solved, MonoResult& result);
   void begin_tracking(const FramePyramid& anchor, Guesses guesses, MonoResult& result);
@@ -67,6 +73,7 @@ class MonoOdometry {
   FrameRelation relation_to_anchor(const TrackingResult& tracked) const;
   void update_map(MonoResult& result);
   void reinitialise();
+  void report_state(MonoResult& result) const;
   std::shared_ptr<const EdgePoints> tracked_points() const;
 
   PinholeCamera camera_;

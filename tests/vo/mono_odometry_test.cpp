@@ -5,21 +5,16 @@
 #include "tests/support/error_text.h"
 #include "tests/support/plane_frames.h"
 #include "tests/support/pose_near.h"
+#include "tests/support/sideways_walk.h"
 #include "vo/evaluation/evaluate.h"
 
 namespace {
 
+using support::sideways_walk;
 using support::small_camera;
 using vo::MonoBootstrap;
 using vo::MonoState;
 using vo::SE3;
-
-/// Sideways past the plane at 2 m, 1.5 cm a frame, swaying a little.
-SE3 walk(int frame) {
-  return SE3::exp((vo::Vector6d() << 0.015 * frame, 0.01 * std::sin(0.3 * frame), 0.002 * frame,
-                   0.01 * std::sin(0.2 * frame), 0.002 * frame, 0)
-                      .finished());
-}
 
 struct TrackedWalk {
   vo::Trajectory truth;
@@ -32,12 +27,12 @@ TrackedWalk tracked(const vo::MonoOptions& options, int frames) {
   vo::MonoOdometry odometry(small_camera(), options);
   TrackedWalk walked;
   for (int i = 0; i < frames; ++i) {
-    vo::RgbdFrame frame = support::plane_frame(small_camera(), walk(i), i);
+    vo::RgbdFrame frame = support::plane_frame(small_camera(), sideways_walk(i), i);
     if (i > 0) {
       frame.depth = vo::DepthImage();
     }
     walked.results.push_back(odometry.track(frame));
-    walked.truth.push_back({frame.timestamp, walk(i)});
+    walked.truth.push_back({frame.timestamp, sideways_walk(i)});
   }
   walked.estimate = odometry.trajectory();
   return walked;
@@ -74,7 +69,45 @@ TEST(MonoOdometry, DoesNotPretendWhileTheCameraOnlyTurns) {
     const vo::MonoResult result = odometry.track(support::plane_frame(small_camera(), turn, i));
     EXPECT_EQ(result.state, MonoState::initialising);
   }
+  EXPECT_FALSE(odometry.finish());
   EXPECT_TRUE(odometry.trajectory().empty());
+}
+
+TEST(MonoOdometry, TheEndOfASequenceMakesTheStartThatWaited) {
+  vo::MonoOdometry odometry(small_camera(), options_with(MonoBootstrap::automatic));
+  vo::Trajectory truth;
+  double parallax_px = 0;
+  for (int i = 0; i < support::kShortWalk; ++i) {
+    const vo::RgbdFrame frame = support::plane_frame(small_camera(), sideways_walk(i), i);
+    parallax_px = odometry.track(frame).initialiser.parallax_px;
+    truth.push_back({frame.timestamp, sideways_walk(i)});
+  }
+  ASSERT_GT(parallax_px, 2);
+  ASSERT_LT(parallax_px, 6);
+  ASSERT_TRUE(odometry.trajectory().empty());
+  const std::optional<vo::MonoResult> last = odometry.finish();
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->state, MonoState::tracking);
+  EXPECT_EQ(last->tracking.timestamp, truth.back().timestamp);
+  ASSERT_EQ(odometry.trajectory().size(), truth.size());
+  const vo::TrajectoryErrors errors =
+      vo::evaluate(truth, odometry.trajectory(), {.alignment = vo::TrajectoryAlignment::sim3});
+  EXPECT_LT(errors.ate.rmse, 0.02 * vo::path_length(truth));
+  EXPECT_FALSE(odometry.finish());
+}
+
+TEST(MonoOdometry, TheEndOfASequenceChangesNothingWhileTracking) {
+  vo::MonoOdometry odometry(small_camera(), options_with(MonoBootstrap::rgbd));
+  vo::MonoOdometry undisturbed(small_camera(), options_with(MonoBootstrap::rgbd));
+  EXPECT_FALSE(odometry.finish());
+  for (int i = 0; i < 6; ++i) {
+    const vo::RgbdFrame frame = support::plane_frame(small_camera(), sideways_walk(i), i);
+    const SE3 T_world_camera = odometry.track(frame).tracking.T_world_camera;
+    const SE3 T_world_undisturbed = undisturbed.track(frame).tracking.T_world_camera;
+    EXPECT_EQ(T_world_camera.translation(), T_world_undisturbed.translation());
+    EXPECT_EQ(T_world_camera.rotation_matrix(), T_world_undisturbed.rotation_matrix());
+    EXPECT_FALSE(odometry.finish());
+  }
 }
 
 TEST(MonoOdometry, ACutIsALossAndThenANewStart) {
@@ -82,12 +115,13 @@ TEST(MonoOdometry, ACutIsALossAndThenANewStart) {
   options.max_lost_frames = 3;
   vo::MonoOdometry odometry(small_camera(), options);
   for (int i = 0; i < 5; ++i) {
-    odometry.track(support::plane_frame(small_camera(), walk(i), i));
+    odometry.track(support::plane_frame(small_camera(), sideways_walk(i), i));
   }
   const SE3 elsewhere(Eigen::Quaterniond::Identity(), {40, 30, 0.3});
   MonoState last = MonoState::tracking;
   for (int i = 5; i < 9; ++i) {
-    last = odometry.track(support::plane_frame(small_camera(), elsewhere * walk(i), i)).state;
+    last =
+        odometry.track(support::plane_frame(small_camera(), elsewhere * sideways_walk(i), i)).state;
   }
   EXPECT_EQ(last, MonoState::reinitialising);
 }
@@ -131,8 +165,8 @@ TEST(MonoOdometry, WhenHalfTheImageMovesPosesAreFiniteOrLost) {
        {MonoBootstrap::rgbd, MonoBootstrap::automatic, MonoBootstrap::random}) {
     vo::MonoOdometry odometry(small_camera(), options_with(bootstrap));
     for (int i = 0; i < 20; ++i) {
-      vo::RgbdFrame frame = support::plane_frame(small_camera(), walk(i), i);
-      const vo::RgbdFrame moving = support::plane_frame(small_camera(), walk(-2 * i), i);
+      vo::RgbdFrame frame = support::plane_frame(small_camera(), sideways_walk(i), i);
+      const vo::RgbdFrame moving = support::plane_frame(small_camera(), sideways_walk(-2 * i), i);
       moving.image.colRange(0, 160).copyTo(frame.image.colRange(0, 160));
       const vo::MonoResult result = odometry.track(frame);
       const bool is_lost = result.tracking.status == vo::TrackingStatus::lost;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
@@ -96,8 +97,13 @@ MonoSequenceResult track_mono_images(const MonoImages& images, const vo::MonoOpt
                                      const MonoObserver& observe, const vo::Progress& progress) {
   vo::MonoOdometry odometry(images.camera, options, images.T_world_first);
   MonoSequenceResult result;
-  while (const std::optional<vo::RgbdFrame> frame = images.next()) {
+  std::optional<vo::RgbdFrame> next = images.next();
+  while (next) {
+    const std::optional<vo::RgbdFrame> frame = std::exchange(next, images.next());
     result.frames.push_back(odometry.track(*frame));
+    if (!next) {
+      result.frames.back() = odometry.finish().value_or(result.frames.back());
+    }
     result.times.push_back(odometry.stage_times());
     if (observe) {
       observe(*frame, odometry, result.frames.back());

@@ -100,10 +100,15 @@ InitialiserReport MonoInitialiser::add(const FramePyramid& frame) {
     }
   }
   pairs_.push_back(ray_pairs());
-  return judge();
+  return judge(parallax_.wanted_px);
 }
 
-InitialiserReport MonoInitialiser::judge() {
+InitialiserReport MonoInitialiser::finish() {
+  return pairs_.empty() ? InitialiserReport() : judge(parallax_.least_px);
+}
+
+/// Solves once the parallax is sufficient, or least and there is no time to wait for more.
+InitialiserReport MonoInitialiser::judge(double sufficient_px) {
   constexpr double kTurned = 2;         // times the parallax asked for: the image moved a lot
   constexpr double kNoParallax = 0.15;  // times the same: no more than corners err
   const std::vector<RayPair>& pairs = pairs_.back();
@@ -125,7 +130,7 @@ InitialiserReport MonoInitialiser::judge() {
   if (frames_to_least_ == 0) {
     frames_to_least_ = frames_.size();
   }
-  if (report.parallax_px < parallax_.wanted_px && !is_running_out()) {
+  if (report.parallax_px < sufficient_px && !is_running_out()) {
     return report;
   }
   report.verdict = solve(turn, report.parallax_px);

@@ -57,6 +57,9 @@ class MonoInitialiser {
 
   InitialiserReport add(const FramePyramid& frame);
 
+  /// No more frames come: solves with the least parallax where the last frame has that.
+  InitialiserReport finish();
+
   /// Whether the held frame is out of view, or too many frames were seen: start from another.
   bool is_exhausted() const;
 
@@ -67,7 +70,7 @@ class MonoInitialiser {
 
  private:
   std::vector<RayPair> ray_pairs() const;
-  InitialiserReport judge();
+  InitialiserReport judge(double sufficient_px);
   InitialiserVerdict solve(const RotationFit& turn, double parallax_px);
   bool is_running_out() const;
   StartViews views(const std::vector<double>& inverse_depth) const;

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cmath>
+
+#include "vo/core/se3.h"
+
+namespace support {
+
+/// Sideways past the textured plane at 2 m, 1.5 cm a frame, swaying a little.
+inline vo::SE3 sideways_walk(int frame) {
+  return vo::SE3::exp((vo::Vector6d() << 0.015 * frame, 0.01 * std::sin(0.3 * frame), 0.002 * frame,
+                       0.01 * std::sin(0.2 * frame), 0.002 * frame, 0)
+                          .finished());
+}
+
+/// So many frames of it have a parallax between the 2 px and 6 px that an unknown start needs and
+/// waits for at a width of 320 px.
+inline constexpr int kShortWalk = 24;
+
+}  // namespace support
