@@ -52,7 +52,7 @@ struct SearchView {
 /// anchor shows along its own.
 struct alignas(64) LineBlock {
   LineRow u, v;                                    // px, in the anchor
-  LineRow ray_x, ray_y;                            //
+  LineRow ray_x, ray_y;                            // X / Z, Y / Z
   LineRow gradient_u, gradient_v;                  // 1/px
   LineRow inverse_depth, nearest, farthest;        // 1/m
   LineRow towards_x, towards_y;                    // the line in the anchor, in ray coordinates
