@@ -3,47 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vo/mapping/moved_edges.h"
+
 namespace vo {
 namespace {
 
 constexpr float kSnapDistance = 1;   // px, across the edge
 constexpr float kMaxTurn = 0.7071F;  // cosine, of the gradient between the images
-
-/// Interpolated ray of a place between pixels.
-Eigen::Vector2f ray_at(const RayImage& rays, const cv::Vec2f& at) {
-  const int u = std::clamp(static_cast<int>(at[0]), 0, rays.cols - 2);
-  const int v = std::clamp(static_cast<int>(at[1]), 0, rays.rows - 2);
-  const float du = at[0] - static_cast<float>(u);
-  const float dv = at[1] - static_cast<float>(v);
-  const cv::Vec2f above = rays(v, u) * (1 - du) + rays(v, u + 1) * du;
-  const cv::Vec2f below = rays(v + 1, u) * (1 - du) + rays(v + 1, u + 1) * du;
-  const cv::Vec2f ray = above * (1 - dv) + below * dv;
-  return {ray[0], ray[1]};
-}
-
-/// Where an edge of the anchor appears in the current image.
-struct MovedEdge {
-  MovedDepth depth;
-  Eigen::Vector2f position{0, 0};   ///< px
-  Eigen::Vector2f direction{0, 0};  ///< unit, of the gradient
-};
-
-MovedEdge move_edge(const StereoPair& pair, const Hypotheses& hypotheses, std::size_t i,
-                    const DepthMapOptions& options) {
-  const cv::Vec2f edge = hypotheses.edge_position(i);
-  const cv::Vec2f beside = edge + hypotheses.across[i];
-  const auto noise = static_cast<float>(options.propagation_sigma);
-  const float d = hypotheses.inverse_depth[i];
-  MovedEdge moved;
-  moved.depth = moved_depth(pair, ray_at(pair.anchor.rays, edge), d, hypotheses.variance[i], noise);
-  const MovedDepth moved_beside = moved_depth(pair, ray_at(pair.anchor.rays, beside), d, 0, 0);
-  if (moved.depth.inverse_depth > 0 && moved_beside.inverse_depth > 0) {
-    const PinholeCamera& camera = pair.current.camera;
-    moved.position = image_ray(camera, moved.depth.ray).pixel;
-    moved.direction = (image_ray(camera, moved_beside.ray).pixel - moved.position).normalized();
-  }
-  return moved;
-}
 
 /// The edge pixel nearest across its own edge; -1 without one of the same direction.
 int nearest_edge(const Hypotheses& next, const MovedEdge& moved) {
@@ -73,23 +39,10 @@ int nearest_edge(const Hypotheses& next, const MovedEdge& moved) {
   return best;
 }
 
-/// Whether the current image shows another intensity than the anchor did (the bound is that of
-/// LSD-SLAM: 40 grey levels, more on strong gradients).
-bool looks_different(const StereoPair& pair, const Hypotheses& hypotheses, std::size_t i,
-                     const MovedEdge& moved) {
-  constexpr float kMaxDifference = 40.0F / 255;
-  const cv::Vec2f edge = hypotheses.edge_position(i);
-  const float before = sample_bilinear(pair.anchor.intensity, {edge[0], edge[1]});
-  const float now = sample_bilinear(pair.current.intensity, moved.position);
-  const float difference = now - (pair.gain * before + pair.offset);
-  const cv::Vec2f& gradient = hypotheses.gradient[i];
-  const float slope = 2 * std::sqrt(gradient[0] * gradient[0] + gradient[1] * gradient[1]);
-  return difference * difference > kMaxDifference * kMaxDifference + 0.25F * slope * slope;
-}
-
 /// Puts a moved hypothesis at an edge pixel of the next anchor, or settles who stays there.
-void settle(const Hypotheses& from, std::size_t i, const MovedDepth& moved, std::size_t j,
-            Hypotheses& next, PropagationCounts& counts) {
+void settle(const Hypotheses& from, const MovedEdge& moved, std::size_t j, Hypotheses& next,
+            PropagationCounts& counts) {
+  const std::size_t i = moved.hypothesis;
   constexpr float kMinShare = 0.8F;  // of a variance: two copies of one measurement are not two
   const auto put = [&] {
     next.set(j, moved.inverse_depth, moved.variance);
@@ -142,17 +95,13 @@ MovedDepth moved_depth(const StereoPair& pair, const Eigen::Vector2f& ray, float
 PropagationCounts propagate(const StereoPair& pair, const Hypotheses& hypotheses,
                             const DepthMapOptions& options, Hypotheses& next) {
   PropagationCounts counts;
-  for (std::size_t i = 0; i < hypotheses.size(); ++i) {
-    if (hypotheses.knowledge[i] == Knowledge::none) {
-      continue;
-    }
-    const MovedEdge moved = move_edge(pair, hypotheses, i, options);
-    if (!(moved.depth.inverse_depth > 0) ||
-        !can_be_sampled(pair.current.intensity, moved.position)) {
+  const auto noise = static_cast<float>(options.propagation_sigma);
+  for (const MovedEdge& moved : move_edges(pair, hypotheses, noise, available_instruction_set())) {
+    if (!moved.is_visible) {
       ++counts.out_of_view;
       continue;
     }
-    if (looks_different(pair, hypotheses, i, moved)) {
+    if (moved.is_changed) {
       ++counts.occluded;
       continue;
     }
@@ -161,7 +110,7 @@ PropagationCounts propagate(const StereoPair& pair, const Hypotheses& hypotheses
       ++counts.without_edge;
       continue;
     }
-    settle(hypotheses, i, moved.depth, static_cast<std::size_t>(j), next, counts);
+    settle(hypotheses, moved, static_cast<std::size_t>(j), next, counts);
   }
   return counts;
 }
