@@ -192,13 +192,14 @@ EDVO_INLINE void straighten_lines(const SearchView& view, const LineBlock& block
     image_lanes(view.current_camera, x, y, imaged);
   }
   for (std::size_t i = 0; i < kLines; ++i) {
-    const float u = imaged.du_dx[i] * block.dq_x[i] + imaged.du_dy[i] * block.dq_y[i];
-    const float v = imaged.dv_dx[i] * block.dq_x[i] + imaged.dv_dy[i] * block.dq_y[i];
+    const float dq_x = block.dq_x[i];
+    const float dq_y = block.dq_y[i];
+    const float s = is_perfect ? block.s[i] : 0;
     pixels.start[i] = block.s[i];
-    pixels.u[i] = is_perfect ? imaged.u[i] + block.s[i] * u : imaged.u[i];
-    pixels.v[i] = is_perfect ? imaged.v[i] + block.s[i] * v : imaged.v[i];
-    pixels.direction_u[i] = u;
-    pixels.direction_v[i] = v;
+    pixels.u[i] = imaged.u[i] + (s * imaged.du_dx[i] * dq_x + s * imaged.du_dy[i] * dq_y);
+    pixels.v[i] = imaged.v[i] + (s * imaged.dv_dx[i] * dq_x + s * imaged.dv_dy[i] * dq_y);
+    pixels.direction_u[i] = imaged.du_dx[i] * dq_x + imaged.du_dy[i] * dq_y;
+    pixels.direction_v[i] = imaged.dv_dx[i] * dq_x + imaged.dv_dy[i] * dq_y;
   }
 }
 
