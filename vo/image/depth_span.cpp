@@ -1,8 +1,5 @@
 #include "vo/image/depth_span.h"
 
-#include <algorithm>
-#include <cstddef>
-
 namespace vo {
 namespace {
 
@@ -10,17 +7,6 @@ void add(float depth, DepthSpan& span) {
   const float measured = has_depth(depth) ? depth : span.nearest;
   span.nearest = std::min(span.nearest, measured);
   span.farthest = std::max(span.farthest, measured);
-}
-
-/// The eight neighbours of a pixel that is not on the border: the usual case, without bounds.
-DepthSpan span_of_neighbours(const float* centre, std::ptrdiff_t stride) {
-  DepthSpan span{*centre, *centre};
-  for (const float* middle : {centre - stride, centre, centre + stride}) {
-    add(middle[-1], span);
-    add(middle[0], span);
-    add(middle[1], span);
-  }
-  return span;
 }
 
 DepthSpan span_within(const DepthImage& depth, cv::Point pixel, int radius) {
@@ -39,7 +25,7 @@ DepthSpan span_within(const DepthImage& depth, cv::Point pixel, int radius) {
 }  // namespace
 
 DepthSpan depth_span(const DepthImage& depth, cv::Point pixel, int radius) {
-  const bool is_inside = cv::Rect(1, 1, depth.cols - 2, depth.rows - 2).contains(pixel);
+  const bool is_inside = cv::Rect(1, 1, depth.cols - 3, depth.rows - 2).contains(pixel);
   return radius == 1 && is_inside
              ? span_of_neighbours(&depth(pixel), static_cast<std::ptrdiff_t>(depth.step1()))
              : span_within(depth, pixel, radius);

@@ -1,5 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+
 #include "vo/core/image.h"
 
 namespace vo {
@@ -12,5 +17,24 @@ struct DepthSpan {
 
 /// Of the pixels at most `radius` away in u and in v. The pixel itself must have depth.
 DepthSpan depth_span(const DepthImage& depth, cv::Point pixel, int radius);
+
+/// The same at a radius of 1, for a pixel that has four columns around it, one to its left and two
+/// to its right, and a row above and below.
+inline DepthSpan span_of_neighbours(const float* centre, std::ptrdiff_t stride) {
+  using Quad = float __attribute__((vector_size(16)));
+  const Quad none = {};
+  const Quad far = none + std::numeric_limits<float>::infinity();
+  Quad nearest = far;
+  Quad farthest = none;
+  for (const float* row : {centre - stride - 1, centre - 1, centre + stride - 1}) {
+    Quad depth;
+    std::memcpy(&depth, row, sizeof(depth));
+    const Quad measured = depth > none ? depth : far;
+    nearest = measured < nearest ? measured : nearest;
+    farthest = depth > farthest ? depth : farthest;
+  }
+  return {std::min({nearest[0], nearest[1], nearest[2]}),
+          std::max({farthest[0], farthest[1], farthest[2]})};
+}
 
 }  // namespace vo

@@ -82,8 +82,7 @@ void thin_out(const EdgePointOptions& options, int width, std::vector<cv::Point>
 
 EdgePointLevel collect_points(const PyramidLevel& reference, const EdgeMask& mask,
                               const EdgePointOptions& options) {
-  const InstructionSet set = available_instruction_set();
-  std::vector<cv::Point> pixels = usable_pixels(reference.depth, mask, usable_depth(options), set);
+  std::vector<cv::Point> pixels = usable_pixels(reference.depth, mask, usable_depth(options));
   thin_out(options, mask.cols, pixels);
   std::vector<PixelDepth> depths;
   depths.reserve(pixels.size());
@@ -91,7 +90,7 @@ EdgePointLevel collect_points(const PyramidLevel& reference, const EdgeMask& mas
     const float z = reference.depth(pixel);
     depths.push_back({pixel, z, structured_light_sigma(z)});
   }
-  return points_at(reference, depths, set);
+  return points_at(reference, depths, available_instruction_set());
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "vo/core/image.h"
-#include "vo/core/instruction_set.h"
 
 namespace vo {
 
@@ -19,6 +18,6 @@ struct UsableDepth {
 
 /// The mask's pixels whose depth is usable, in scan order.
 std::vector<cv::Point> usable_pixels(const DepthImage& depth, const EdgeMask& mask,
-                                     const UsableDepth& usable, InstructionSet set);
+                                     const UsableDepth& usable);
 
 }  // namespace vo

@@ -9,8 +9,6 @@
 
 namespace {
 
-using vo::InstructionSet;
-
 double chance(std::uint64_t purpose, int index) {
   return vo::random_uniform({purpose, static_cast<std::uint64_t>(index)});
 }
@@ -72,9 +70,7 @@ TEST(UsablePixels, AreThoseInRangeAndBesideNoStep) {
           expected.push_back(pixel);
         }
       }
-      for (const InstructionSet set : {InstructionSet::baseline, vo::available_instruction_set()}) {
-        EXPECT_EQ(vo::usable_pixels(depth, mask, usable, set), expected) << size << ' ' << radius;
-      }
+      EXPECT_EQ(vo::usable_pixels(depth, mask, usable), expected) << size << ' ' << radius;
     }
   }
 }
