@@ -130,7 +130,9 @@ void summarize(const JointSystem& system, const JointProblem& problem, AlignResu
     result.visible_fraction = static_cast<double>(first.points) / static_cast<double>(first.total);
   }
   if (result.usable()) {
-    result.covariance = pose_covariance(problem, system, result.T_cur_ref);
+    const JointScores scores = problem.scores(system, result.T_cur_ref);
+    result.covariance = pose_covariance(problem, system, scores, result.T_cur_ref);
+    result.loss_by_readout = scores.loss_by_readout;
   }
   result.correlation = correlation(problem.forward_view(0, result.T_cur_ref));
 }

@@ -25,6 +25,12 @@ constexpr auto enum_names(Termination) {
                     std::pair{Termination::singular, "singular"}};
 }
 
+/// How the least loss of an alignment, all else moved along, changes with the read-out time.
+struct LossByReadout {
+  double slope = 0;      ///< 1/s
+  double curvature = 0;  ///< 1/s^2
+};
+
 struct AlignResult {
   SE3 T_cur_ref;  ///< ref is the first reference
   Termination termination = Termination::too_few_points;
@@ -39,6 +45,8 @@ struct AlignResult {
   double offset = 0;  ///< intensity
   /// Of the left increment delta of exp(delta) T_cur_ref; see pose_covariance().
   Matrix6d covariance = Matrix6d::Zero();
+
+  LossByReadout loss_by_readout;  ///< 0 where it is not known how fast the camera moves
 
   bool usable() const {
     return termination != Termination::too_few_points && termination != Termination::singular;

@@ -59,8 +59,10 @@ FrameVelocity AlignCurrent::velocity(const SE3& T_cur_first) const {
                          previous->before);
 }
 
-double JointSystem::least_loss() const {
-  return cost * static_cast<double>(total) - b.dot(H.ldlt().solve(b));
+LossByReadout ReadoutSystem::least_loss(const JointSystem& pose, double curvature_share) const {
+  const Vector6d moved = pose.H.ldlt().solve(coupling);
+  return {.slope = 2 * (b - moved.dot(pose.b)),
+          .curvature = 2 * std::max(curvature_share, 0.0) * (H - moved.dot(coupling))};
 }
 
 JointProblem::JointProblem(std::span<const AlignReference> references, const AlignCurrent& current,
@@ -181,19 +183,50 @@ CellScores::Projection JointProblem::projection(std::size_t pair, const LinearSy
   return J.transpose() * eliminated / (models_[pair].scale * models_[pair].scale);
 }
 
+JointProblem::ScoredPair JointProblem::scored(std::size_t pair, const LinearSystem& part,
+                                              const SE3& T_cur_first) const {
+  const PointView seen = view(pairs_[pair], T_cur_first);
+  const ResidualModel& model = models_[pair];
+  return {.pair = pairs_[pair],
+          .part = part,
+          .seen = seen,
+          .scores = score_points(seen, options_, model),
+          .to_pose = projection(pair, part, T_cur_first),
+          .inverse_variance = 1 / (model.scale * model.scale)};
+}
+
 /// To first order, with the points' weights as they are.
-void JointProblem::add_velocities(const ImagePair& pair, const PointView& seen,
-                                  const PointScores& scores,
-                                  const CellScores::Projection& projection,
-                                  JointScores& result) const {
+void JointProblem::add_velocities(const ScoredPair& scored, JointScores& result) const {
   if (readout_ == 0) {
     return;
   }
-  const RowMoments moments = RowMoments::of(seen, scores);
-  const Matrix6d by_points = readout_ * projection * moments.points * adjoint(seen.T_cur_ref);
-  const Matrix6d by_image = -readout_ * projection * moments.image;
-  result.by_current_velocity += pair.backward ? by_points : by_image;
-  result.by_reference_velocity[index_of(pair)] += pair.backward ? by_image : by_points;
+  const RowMoments moments = RowMoments::of(scored.seen, scored.scores);
+  const Matrix6d by_points =
+      readout_ * scored.to_pose * moments.points * adjoint(scored.seen.T_cur_ref);
+  const Matrix6d by_image = -readout_ * scored.to_pose * moments.image;
+  result.by_current_velocity += scored.pair.backward ? by_points : by_image;
+  result.by_reference_velocity[index_of(scored.pair)] +=
+      scored.pair.backward ? by_image : by_points;
+}
+
+/// Likewise; the pair's brightness is eliminated.
+void JointProblem::add_readout(const ScoredPair& scored, const SE3& T_cur_first,
+                               ReadoutSystem& system) const {
+  const Vector6d current = current_.velocity(T_cur_first).twist;
+  const Vector6d& reference = scored.pair.reference->velocity.twist;
+  const Vector6d& of_points = scored.pair.backward ? current : reference;
+  const Vector6d& of_image = scored.pair.backward ? reference : current;
+  const ReadoutMoments moments = ReadoutMoments::of(
+      scored.seen, scored.scores, adjoint(scored.seen.T_cur_ref) * of_points, of_image);
+  Eigen::Vector2d eliminated = Eigen::Vector2d::Zero();
+  if (options_.brightness == BrightnessModel::affine) {
+    eliminated = brightness_block(scored.part).inverse() * moments.coupling.tail<2>();
+  }
+  system.H +=
+      scored.inverse_variance * (moments.square - eliminated.dot(moments.coupling.tail<2>()));
+  system.b +=
+      scored.inverse_variance * (moments.by_residual - eliminated.dot(scored.part.b.tail<2>()));
+  system.coupling += scored.to_pose * moments.coupling;
 }
 
 JointScores JointProblem::scores(const JointSystem& system, const SE3& T_cur_first) const {
@@ -201,20 +234,20 @@ JointScores JointProblem::scores(const JointSystem& system, const SE3& T_cur_fir
   JointScores result{.references = {references, CellScores(camera())},
                      .by_reference_velocity = {references, Matrix6d::Zero()}};
   CurvatureSums sums;
+  ReadoutSystem readout;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const ImagePair& pair = pairs_[i];
-    const PointView seen = view(pair, T_cur_first);
-    const CellScores::Projection to_pose = projection(i, system.parts[i], T_cur_first);
-    PointScores scores = score_points(seen, options_, models_[i]);
-    add_velocities(pair, seen, scores, to_pose, result);
-    if (pair.backward) {
-      place_at_pixels(seen.points.pixel, scores);
+    ScoredPair pair = scored(i, system.parts[i], T_cur_first);
+    add_velocities(pair, result);
+    add_readout(pair, T_cur_first, readout);
+    if (pair.pair.backward) {
+      place_at_pixels(pair.seen.points.pixel, pair.scores);
     }
-    sums.add(scores, options_, models_[i].scale);
-    result.references[index_of(pair)].add(scores, to_pose);
+    sums.add(pair.scores, options_, models_[i].scale);
+    result.references[index_of(pair.pair)].add(pair.scores, pair.to_pose);
   }
   add_depth(T_cur_first, result.references.front());
   result.curvature_share = sums.curvature / sums.weight;
+  result.loss_by_readout = readout.least_loss(system, result.curvature_share);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "vo/tracking/align_result.h"
 #include "vo/tracking/cell_scores.h"
 #include "vo/tracking/depth_term.h"
 #include "vo/tracking/frame_velocity.h"
@@ -47,9 +48,6 @@ struct JointSystem {
   std::size_t points = 0;           ///< seen
   std::size_t total = 0;            ///< seen or not
   std::vector<LinearSystem> parts;  ///< of each pair: references forward, then backward
-
-  /// The sum of the loss that the best increment would leave, to second order.
-  double least_loss() const;
 };
 
 /// What the points add to the system's b, by the reference and the cell of the current image.
@@ -60,6 +58,18 @@ struct JointScores {
   /// d b / d velocity, of the current frame's and of each reference's; 0 without a rolling shutter.
   Matrix6d by_current_velocity = Matrix6d::Zero();
   std::vector<Matrix6d> by_reference_velocity;
+
+  LossByReadout loss_by_readout;  ///< to first order of the residuals
+};
+
+/// Normal equations of the read-out time beside those of the pose, in squares of the pairs' scales.
+struct ReadoutSystem {
+  double H = 0;
+  double b = 0;
+  Vector6d coupling = Vector6d::Zero();  ///< H between pose and read-out time
+
+  /// The loss is twice what the equations are of; they overstate its curvature.
+  LossByReadout least_loss(const JointSystem& pose, double curvature_share) const;
 };
 
 /// The current frame and all its references at one pyramid level: the references' points looked up
@@ -88,7 +98,6 @@ class JointProblem {
 
   const std::vector<ResidualModel>& models() const { return models_; }
   void set_models(std::vector<ResidualModel> models) { models_ = std::move(models); }
-  void set_readout(double readout) { readout_ = readout; }  ///< s
   double readout() const { return readout_; }
   const FrameVelocity& reference_velocity(std::size_t reference) const {
     return pairs_[reference].reference->velocity;
@@ -107,6 +116,16 @@ class JointProblem {
     bool backward;  ///< the points are the current frame's and the image is the reference's
   };
 
+  /// A pair of images, point by point.
+  struct ScoredPair {
+    const ImagePair& pair;
+    const LinearSystem& part;
+    PointView seen;
+    PointScores scores;
+    CellScores::Projection to_pose;
+    double inverse_variance;  ///< of the residuals
+  };
+
   PointView view(const ImagePair& pair, const SE3& T_cur_first) const;
   Matrix6d increment_jacobian(const ImagePair& pair, const SE3& T_cur_first) const;
   void add_part(std::size_t pair, const SE3& T_cur_first, JointSystem& system) const;
@@ -116,8 +135,9 @@ class JointProblem {
   double depth_weight() const;
   void add_depth(const SE3& T_cur_first, JointSystem& system) const;
   void add_depth(const SE3& T_cur_first, CellScores& scores) const;
-  void add_velocities(const ImagePair& pair, const PointView& seen, const PointScores& scores,
-                      const CellScores::Projection& projection, JointScores& result) const;
+  ScoredPair scored(std::size_t pair, const LinearSystem& part, const SE3& T_cur_first) const;
+  void add_velocities(const ScoredPair& scored, JointScores& result) const;
+  void add_readout(const ScoredPair& scored, const SE3& T_cur_first, ReadoutSystem& system) const;
   CellScores::Projection projection(std::size_t pair, const LinearSystem& part,
                                     const SE3& T_cur_first) const;
 

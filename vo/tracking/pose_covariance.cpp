@@ -105,8 +105,7 @@ Matrix6d sandwich_covariance(const JointProblem& problem, const JointSystem& sys
 }
 
 Matrix6d pose_covariance(const JointProblem& problem, const JointSystem& system,
-                         const SE3& T_cur_first) {
-  const JointScores scores = problem.scores(system, T_cur_first);
+                         const JointScores& scores, const SE3& T_cur_first) {
   const Matrix6d H_inverse = system.H.ldlt().solve(Matrix6d::Identity());
   return cell_covariance(system, scores) +
          propagated(system.H, shutter_scatter(problem, scores, T_cur_first)) +

@@ -29,8 +29,8 @@ Matrix6d sandwich_covariance(const JointProblem& problem, const JointSystem& sys
 /// how b changes with each velocity.
 ///
 /// What all references share is in none of them: depth that lags behind the image, a read-out time
-/// that is not found yet.
+/// that is not found yet. `scores` are the system's.
 Matrix6d pose_covariance(const JointProblem& problem, const JointSystem& system,
-                         const SE3& T_cur_first);
+                         const JointScores& scores, const SE3& T_cur_first);
 
 }  // namespace vo

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <span>
-
-#include "vo/tracking/joint_problem.h"
+#include "vo/tracking/align_result.h"
 
 namespace vo {
 
@@ -18,9 +16,8 @@ class ReadoutEstimate {
 
   double seconds() const;
 
-  /// Takes in an aligned frame, whose options hold the present estimate.
-  void update(std::span<const AlignReference> references, const AlignCurrent& current,
-              const SE3& T_cur_first, const AlignOptions& options);
+  /// Takes in what a frame's loss says that was aligned with this read-out time.
+  void update(const LossByReadout& loss, double readout_s);
 
  private:
   double information_;  ///< 1/s^2

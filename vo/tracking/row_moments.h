@@ -23,4 +23,18 @@ struct RowMoments {
   static RowMoments of(const PointView& view, const PointScores& scores);
 };
 
+/// How the residuals of a pair of images change with the read-out time: q = dr / dt of each point.
+struct ReadoutMoments {
+  using Coupling = Eigen::Matrix<double, kPassParameters, 1>;
+
+  double square = 0;                     ///< sum of w q^2
+  double by_residual = 0;                ///< sum of w r q
+  Coupling coupling = Coupling::Zero();  ///< sum of w q J
+
+  /// `points_twist` and `image_twist` are the velocities while either frame was read, m/s and
+  /// rad/s, in the camera frame of the image.
+  static ReadoutMoments of(const PointView& view, const PointScores& scores,
+                           const Vector6d& points_twist, const Vector6d& image_twist);
+};
+
 }  // namespace vo

@@ -123,23 +123,23 @@ TrackingResult Tracker::aligned_from(const FramePyramid& current, const SE3& T_w
   if (result.reason == LostReason::none) {
     result.status = TrackingStatus::tracked;
     result.T_world_camera = T_world_first * result.alignment.T_cur_ref.inverse();
-    calibrate(references, frame, result.alignment.T_cur_ref);
+    calibrate(references, frame, result.alignment);
   }
   return result;
 }
 
 /// Takes in what a frame that was aligned from where it was expected says of the camera.
 void Tracker::calibrate(const References& references, const AlignCurrent& frame,
-                        const SE3& T_cur_first) {
+                        const AlignResult& aligned) {
   if (!frame.previous) {
     return;
   }
   if (options_.shutter == ShutterModel::estimated && references.velocities_known()) {
-    readout_.update(references.views, frame, T_cur_first, options_.align);
+    readout_.update(aligned.loss_by_readout, options_.align.readout);
     options_.align.readout = readout_.seconds();
   }
   if (options_.vignette == VignetteModel::estimated) {
-    vignette_.update(references.views, frame, T_cur_first, options_.align);
+    vignette_.update(references.views, frame, aligned.T_cur_ref, options_.align);
     map_.take_out(vignette_.vignette());
   }
 }

@@ -57,7 +57,8 @@ class Tracker {
   TrackingResult aligned_from(const FramePyramid& current, const SE3& T_world_guess);
   TrackingResult searched(const FramePyramid& current, const TrackingResult& first);
   References references_for(const FramePyramid& current, const SE3& T_world_guess) const;
-  void calibrate(const References& references, const AlignCurrent& frame, const SE3& T_cur_first);
+  void calibrate(const References& references, const AlignCurrent& frame,
+                 const AlignResult& aligned);
   LostReason judge(const AlignResult& alignment) const;
   void accept(const FramePyramid& current, TrackingResult& result);
   bool can_be_reference(const FramePyramid& frame) const;

@@ -196,15 +196,96 @@ TEST(JointProblem, EliminatingBrightnessEqualsSolvingForIt) {
   }
 }
 
-TEST(JointProblem, LeastLossIsThatOfTheBestIncrement) {
-  const SymmetricPair pair;
-  const vo::AlignOptions options{.loss = RobustLoss::none};
-  const vo::JointProblem problem(pair.references, pair.current, 0, options);
-  const vo::JointSystem system = problem.linearize(pair.T_cur_first);
-  const Vector6d delta = -system.H.fullPivLu().solve(system.b);
-  const double expected =
-      summed_loss(system) + 2 * system.b.dot(delta) + delta.dot(system.H * delta);
-  EXPECT_NEAR(system.least_loss(), expected, 1e-9 * summed_loss(system));
+constexpr double kReadout = 0.002;  // s, so short that points move in proportion to it
+
+/// Normal equations of pose, read-out time and each pair's gain and offset, from numeric
+/// derivatives of what the points see while all cameras move.
+class RollingShutter {
+ public:
+  static constexpr int kPoseParameters = 6;
+  static constexpr int kReadoutParameter = 6;
+  static constexpr int kParameters = 15;
+
+  RollingShutter() {
+    pair.references[0].velocity.twist << 0.3, -0.2, 0.1, 0.2, 0.3, -0.4;
+    pair.references[1].velocity.twist << -0.1, 0.4, 0.2, -0.3, 0.1, 0.3;
+    const Vector6d velocity = (Vector6d() << 0.2, 0.3, -0.2, 0.4, -0.2, 0.3).finished();
+    pair.current.previous = {SE3::exp(velocity / 30) * pair.T_cur_first, 1 / 30.0, {}};
+    for (std::size_t view = 0; view < 4; ++view) {
+      add(view);
+    }
+  }
+
+  SymmetricPair pair;
+  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(kParameters, kParameters);
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(kParameters);
+
+ private:
+  std::vector<float> seen(std::size_t view, const SE3& T_cur_first, double readout) const {
+    const vo::PointView still = pair.views(T_cur_first)[view];
+    const vo::RowMotion current(pair.current.velocity(pair.T_cur_first).twist, readout);
+    const vo::RowMotion reference(pair.references[view % 2].velocity.twist, readout);
+    const bool forward = view < 2;
+    return vo::sampled_intensities({still.points, still.image, still.T_cur_ref,
+                                    forward ? reference : current, forward ? current : reference});
+  }
+
+  void add(std::size_t view) {
+    constexpr double kStep = 1e-3;  // m, rad, s
+    const std::vector<float> here = seen(view, pair.T_cur_first, kReadout);
+    const std::vector<float>& expected = pair.views(SE3())[view].points.intensity;
+    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(here.size()), kParameters);
+    Eigen::VectorXd r(J.rows());
+    for (int p = 0; p <= kReadoutParameter; ++p) {
+      const bool is_pose = p < kPoseParameters;
+      const SE3 step = is_pose ? SE3::exp(kStep * Vector6d::Unit(p)) : SE3();
+      const double later = is_pose ? 0 : kStep;
+      const auto after = seen(view, step * pair.T_cur_first, kReadout + later);
+      const auto before = seen(view, step.inverse() * pair.T_cur_first, kReadout - later);
+      for (std::size_t k = 0; k < here.size(); ++k) {
+        J(static_cast<Eigen::Index>(k), p) =
+            static_cast<double>(after[k] - before[k]) / (2 * kStep);
+      }
+    }
+    const auto gain = static_cast<Eigen::Index>(7 + 2 * view);
+    for (std::size_t k = 0; k < here.size(); ++k) {
+      r(static_cast<Eigen::Index>(k)) = here[k] - expected[k];
+      J(static_cast<Eigen::Index>(k), gain) = -expected[k];
+      J(static_cast<Eigen::Index>(k), gain + 1) = -1;
+    }
+    H += J.transpose() * J;
+    b += J.transpose() * r;
+    H.diagonal().segment<2>(gain).array() +=
+        kBrightnessPrior * static_cast<double>(here.size() + 1);
+  }
+};
+
+/// All but the read-out time is eliminated; the loss is a sum of squares.
+TEST(JointProblem, LossByReadoutIsThatOfNumericJacobians) {
+  const RollingShutter numeric;
+  for (const vo::BrightnessModel model : {vo::BrightnessModel::same, vo::BrightnessModel::affine}) {
+    const vo::AlignOptions options{
+        .loss = RobustLoss::none, .loss_scale = 0.05, .brightness = model, .readout = kReadout};
+    const vo::JointProblem problem(numeric.pair.references, numeric.pair.current, 0, options);
+    const vo::JointSystem system = problem.linearize(numeric.pair.T_cur_first);
+    ASSERT_EQ(system.points, system.total) << "all in view";
+    const vo::LossByReadout found =
+        problem.scores(system, numeric.pair.T_cur_first).loss_by_readout;
+
+    std::vector<int> others{0, 1, 2, 3, 4, 5};
+    for (int p = 7; p < RollingShutter::kParameters && model == vo::BrightnessModel::affine; ++p) {
+      others.push_back(p);
+    }
+    const int own = RollingShutter::kReadoutParameter;
+    const Eigen::VectorXd shares =
+        numeric.H(others, others).eval().fullPivLu().solve(numeric.H(others, own).eval());
+    const double factor = 2 / (0.05 * 0.05);
+    const double curvature =
+        factor * (numeric.H(own, own) - shares.dot(numeric.H(others, own).eval()));
+    const double slope = factor * (numeric.b(own) - shares.dot(numeric.b(others).eval()));
+    EXPECT_NEAR(found.curvature, curvature, 0.01 * curvature);
+    EXPECT_NEAR(found.slope, slope, 0.01 * std::abs(slope));
+  }
 }
 
 /// From 0.1 m/s forward: a tenth of a second earlier the camera was a centimetre behind.
