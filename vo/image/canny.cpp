@@ -77,20 +77,31 @@ SquaredThresholds squared_thresholds(double weak, double strong) {
   return {squared(weak), squared(strong)};
 }
 
+/// The squared magnitudes of three rows and the gradient of the middle one, from some column on.
+struct Neighbourhood {
+  const int* above;
+  const int* here;
+  const int* below;
+  const int* dx;
+  const int* dy;
+
+  EDVO_INLINE Neighbourhood(const std::array<const GradientRow*, 3>& rows, int u)
+      : above(rows[0]->squared() + u),
+        here(rows[1]->squared() + u),
+        below(rows[2]->squared() + u),
+        dx(rows[1]->dx() + u),
+        dy(rows[1]->dy() + u) {}
+};
+
 /// Keeps the maxima across the edge. The direction is horizontal below 22.5 deg, vertical above
 /// 67.5 deg, else one of the diagonals; tan(22.5 deg) in units of 2^-15.
-EDVO_INLINE void suppress_row(const std::array<const GradientRow*, 3>& rows, int cols,
-                              SquaredThresholds thresholds, uchar* __restrict classes) {
+EDVO_INLINE void suppress(const Neighbourhood& at, int count, SquaredThresholds thresholds,
+                          uchar* __restrict classes) {
   constexpr int kShift = 15;
   constexpr int kTan22 = 13573;
-  const int* above = rows[0]->squared();
-  const int* here = rows[1]->squared();
-  const int* below = rows[2]->squared();
-  const int* dx = rows[1]->dx();
-  const int* dy = rows[1]->dy();
-  for (int u = 0; u < cols; ++u) {
-    const int gx = dx[u];
-    const int gy = dy[u];
+  for (int u = 0; u < count; ++u) {
+    const int gx = at.dx[u];
+    const int gy = at.dy[u];
     const int x = (gx ^ (gx >> 31)) - (gx >> 31);  // |gx|, in a form that is vectorized
     const int y = ((gy ^ (gy >> 31)) - (gy >> 31)) << kShift;
     const int horizontal = y < x * kTan22 ? -1 : 0;
@@ -98,16 +109,40 @@ EDVO_INLINE void suppress_row(const std::array<const GradientRow*, 3>& rows, int
     const int diagonal = ~(horizontal | vertical);
     const int falling = diagonal & ((gx ^ gy) >> 31);
     const int rising = diagonal & ~falling;
-    const int before = (horizontal & here[u - 1]) | (vertical & above[u]) |
-                       (falling & above[u + 1]) | (rising & above[u - 1]);
-    const int after = (horizontal & here[u + 1]) | (vertical & below[u]) |
-                      (falling & below[u - 1]) | (rising & below[u + 1]);
-    const int m = here[u];
+    const int before = (horizontal & at.here[u - 1]) | (vertical & at.above[u]) |
+                       (falling & at.above[u + 1]) | (rising & at.above[u - 1]);
+    const int after = (horizontal & at.here[u + 1]) | (vertical & at.below[u]) |
+                      (falling & at.below[u - 1]) | (rising & at.below[u + 1]);
+    const int m = at.here[u];
     const int is_maximum = (m > before ? 1 : 0) & (m > after - 1 - diagonal ? 1 : 0);
     const int is_weak = m > thresholds.weak ? 1 : 0;
     const int is_strong = m > thresholds.strong ? 1 : 0;
     classes[u] = static_cast<uchar>((is_maximum & is_weak) + 2 * (is_maximum & is_strong));
   }
+}
+
+EDVO_INLINE bool any_above(const int* squared, int count, int threshold) {
+  int greatest = threshold;
+  for (int u = 0; u < count; ++u) {
+    greatest = squared[u] > greatest ? squared[u] : greatest;
+  }
+  return greatest > threshold;
+}
+
+/// Where no gradient is strong enough there is nothing to suppress.
+EDVO_INLINE void suppress_row(const std::array<const GradientRow*, 3>& rows, int cols,
+                              SquaredThresholds thresholds, uchar* classes) {
+  constexpr int kGroup = 32;
+  int u = 0;
+  for (; u + kGroup <= cols; u += kGroup) {
+    const Neighbourhood at(rows, u);
+    if (any_above(at.here, kGroup, thresholds.weak)) {
+      suppress(at, kGroup, thresholds, classes + u);
+    } else {
+      std::fill_n(classes + u, kGroup, uchar{no_edge});
+    }
+  }
+  suppress(Neighbourhood(rows, u), cols - u, thresholds, classes + u);
 }
 
 /// Each pixel's class.

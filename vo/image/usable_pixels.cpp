@@ -32,6 +32,14 @@ class StepDetector {
   cv::Rect simple_;  ///< px, away from the border
 };
 
+/// Edge pixels are too far apart for the processor to guess which depths are read next.
+void prefetch(const DepthImage& depth, int v) {
+  constexpr int kPixelsPerLine = 16;  // of the cache
+  for (int u = 0; u < depth.cols && v < depth.rows; u += kPixelsPerLine) {
+    __builtin_prefetch(depth[v] + u);
+  }
+}
+
 }  // namespace
 
 std::vector<cv::Point> usable_pixels(const DepthImage& depth, const EdgeMask& mask,
@@ -40,6 +48,8 @@ std::vector<cv::Point> usable_pixels(const DepthImage& depth, const EdgeMask& ma
   std::vector<cv::Point> pixels(static_cast<std::size_t>(cv::countNonZero(mask)));
   std::size_t count = 0;
   for (int v = 0; v < mask.rows; ++v) {
+    constexpr int kRowsAhead = 3;
+    prefetch(depth, v + kRowsAhead);
     const float* row = depth[v];
     for_each_set(mask[v], mask.cols, [&](int u) {
       pixels[count] = {u, v};
