@@ -1,117 +1,174 @@
 #include "vo/tracking/depth_term.h"
 
+#include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
-#include <vector>
 
 #include "vo/core/median.h"
-#include "vo/tracking/robust.h"
+#include "vo/tracking/lane_sums.h"
 
 namespace vo {
 namespace {
 
-/// A surface point where the pose puts it.
-struct Placed {
-  Eigen::Vector3d position;  // m, current frame
-  Eigen::Vector3d normal;
-  double distance;  // m, of the measured point from the plane
-  Eigen::Vector2d pixel;
+using detail::Block;
+using detail::BlockRow;
+using detail::kBlock;
+using detail::LaneSums;
+using detail::PassWarp;
+
+/// What surface points are compared with.
+struct alignas(64) Planes {
+  BlockRow nx, ny, nz;                          // the points' normals in the current frame
+  BlockRow measured_x, measured_y, measured_z;  // m, where the current image sees a surface
 };
 
-/// Puts surface points where the view's pose has them.
-class Placement {
- public:
-  explicit Placement(const DepthView& view)
-      : view_(view),
-        R_cur_ref_(view.T_cur_ref.rotation_matrix()),
-        t_cur_ref_(view.T_cur_ref.translation()) {}
-
-  /// Nothing where no depth is measured, or one of another surface.
-  std::optional<Placed> of(std::size_t i) const {
-    constexpr double kMaxStep = 0.1;  // of the depth
-    const Eigen::Vector3d p = R_cur_ref_ * view_.surface.position[i].cast<double>() + t_cur_ref_;
-    if (!(p.z() > 0)) {
-      return {};
-    }
-    const Eigen::Vector2d pixel = view_.image.camera.project(p);
-    if (!view_.image.camera.contains(pixel)) {
-      return {};
-    }
-    const auto u = static_cast<int>(std::floor(pixel.x() + 0.5));
-    const auto v = static_cast<int>(std::floor(pixel.y() + 0.5));
-    const auto depth = static_cast<double>(view_.image.depth(v, u));
-    if (!(depth > 0) || std::abs(depth - p.z()) > kMaxStep * p.z()) {
-      return {};
-    }
-    const cv::Vec2f ray = view_.image.rays(v, u);
-    const Eigen::Vector3d measured = depth * Eigen::Vector3d(ray[0], ray[1], 1);
-    const Eigen::Vector3d normal = R_cur_ref_ * view_.surface.normal[i].cast<double>();
-    return Placed{p, normal, normal.dot(p - measured), pixel};
+void load_surface(const SurfacePoints& surface, std::size_t first, std::size_t count, Block& block,
+                  Planes& planes) {
+  block.z_ref.fill(1);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Vector3f& position = surface.position[first + i];
+    const Eigen::Vector3f& normal = surface.normal[first + i];
+    block.x_ref[i] = position.x();
+    block.y_ref[i] = position.y();
+    block.z_ref[i] = position.z();
+    planes.nx[i] = normal.x();
+    planes.ny[i] = normal.y();
+    planes.nz[i] = normal.z();
   }
+}
 
- private:
-  const DepthView& view_;
-  Eigen::Matrix3d R_cur_ref_;
-  Eigen::Vector3d t_cur_ref_;
-};
+/// Looks up the nearest pixel, because depth is never interpolated.
+void measure(const PyramidLevel& image, std::size_t count, const Block& block, Planes& planes) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto u = static_cast<int>(block.u[i] + 0.5F);
+    const auto v = static_cast<int>(block.v[i] + 0.5F);
+    const cv::Vec2f& ray = image.rays(v, u);
+    const float depth = image.depth(v, u);
+    planes.measured_x[i] = depth * ray[0];
+    planes.measured_y[i] = depth * ray[1];
+    planes.measured_z[i] = depth;
+  }
+}
 
-struct Term {
-  Vector6d J;
-  RobustValue robust;
-};
+/// Normals are turned to the current frame, distances are what a pass calls intensity. Points are
+/// not seen where no depth is measured, or one of another surface.
+EDVO_INLINE void compare(const PassWarp& warp, Block& block, Planes& planes) {
+  constexpr float kMaxStep = 0.1F;  // of the depth
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float x = planes.nx[i];
+    const float y = planes.ny[i];
+    const float z = planes.nz[i];
+    planes.nx[i] = warp.R[0] * x + warp.R[1] * y + warp.R[2] * z;
+    planes.ny[i] = warp.R[3] * x + warp.R[4] * y + warp.R[5] * z;
+    planes.nz[i] = warp.R[6] * x + warp.R[7] * y + warp.R[8] * z;
+    const float depth = planes.measured_z[i];
+    const float step = depth - block.z[i];
+    const float limit = kMaxStep * block.z[i];
+    const float measured = depth > 0 ? block.seen[i] : 0;
+    block.seen[i] = step <= limit && -step <= limit ? measured : 0;
+    block.intensity[i] = planes.nx[i] * (block.x[i] - planes.measured_x[i]) +
+                         planes.ny[i] * (block.y[i] - planes.measured_y[i]) - planes.nz[i] * step;
+  }
+}
 
-Term term_of(const Placed& point, float scale) {
-  Term term;
-  term.J << point.normal, point.position.cross(point.normal);
-  term.robust = robust_value<RobustLoss::student_t>(static_cast<float>(point.distance), scale);
-  return term;
+/// [n; p x n]
+EDVO_INLINE void differentiate(const Planes& planes, Block& block) {
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    block.J[0][i] = planes.nx[i];
+    block.J[1][i] = planes.ny[i];
+    block.J[2][i] = planes.nz[i];
+    block.J[3][i] = block.y[i] * planes.nz[i] - block.z[i] * planes.ny[i];
+    block.J[4][i] = block.z[i] * planes.nx[i] - block.x[i] * planes.nz[i];
+    block.J[5][i] = block.x[i] * planes.ny[i] - block.y[i] * planes.nx[i];
+  }
+}
+
+/// Points from `first` on: their distances, Jacobians and weights.
+EDVO_INLINE void linearize_block(const DepthView& view, const PassWarp& warp,
+                                 const PassOptions& options, std::size_t first, Block& block) {
+  const std::size_t count = std::min(kBlock, view.surface.size() - first);
+  Planes planes{};
+  load_surface(view.surface, first, count, block, planes);
+  warp_block(warp, count, block);
+  measure(view.image, count, block, planes);
+  compare(warp, block, planes);
+  differentiate(planes, block);
+  weigh_by_loss(options, block);
+}
+
+EDVO_TARGET_AVX2 void linearize_avx2(const DepthView& view, const PassWarp& warp,
+                                     const PassOptions& options, std::size_t first, Block& block) {
+  linearize_block(view, warp, options, first, block);
+}
+
+void linearize_baseline(const DepthView& view, const PassWarp& warp, const PassOptions& options,
+                        std::size_t first, Block& block) {
+  linearize_block(view, warp, options, first, block);
+}
+
+/// Distances are compared with nothing: no reference's intensity, no offset.
+PassOptions pass_options(double scale) {
+  return {.loss = RobustLoss::student_t, .loss_scale = static_cast<float>(scale), .gain = 0};
+}
+
+/// Calls `visit(block, count)` for all points, 64 at a time.
+template <typename Visit>
+void for_each_block(const DepthView& view, const PassOptions& options, Visit visit) {
+  const PassWarp warp(view.image.camera, view.T_cur_ref);
+  const bool is_baseline = available_instruction_set() == InstructionSet::baseline;
+  const auto linearize = is_baseline ? linearize_baseline : linearize_avx2;
+  Block block{};
+  for (std::size_t first = 0; first < view.surface.size(); first += kBlock) {
+    linearize(view, warp, options, first, block);
+    visit(block, std::min(kBlock, view.surface.size() - first));
+  }
 }
 
 }  // namespace
 
 DepthSystem linearize_depth(const DepthView& view, double scale) {
-  DepthSystem system;
-  const Placement placement(view);
-  const auto scale_m = static_cast<float>(scale);
-  const auto unseen =
-      static_cast<double>(robust_value<RobustLoss::student_t>(scale_m, scale_m).loss);
-  for (std::size_t i = 0; i < view.surface.size(); ++i) {
-    const std::optional<Placed> point = placement.of(i);
-    if (!point) {
-      system.cost += unseen;
-      continue;
+  const PassOptions options = pass_options(scale);
+  PassSums sums;
+  for_each_block(view, options, [&](Block& block, std::size_t count) {
+    LaneSums lanes;
+    lanes.add(kPoseParameters, block);
+    lanes.flush_into(sums);
+    for (std::size_t i = 0; i < count; ++i) {
+      sums.seen += block.seen[i] > 0 ? 1 : 0;
     }
-    const Term term = term_of(*point, scale_m);
-    const auto weight = static_cast<double>(term.robust.weight);
-    system.H += weight * term.J * term.J.transpose();
-    system.b += weight * point->distance * term.J;
-    system.cost += static_cast<double>(term.robust.loss);
-  }
-  return system;
+  });
+  const auto unseen = static_cast<double>(view.surface.size() - sums.seen);
+  const RobustValue at_scale = robust_value(options.loss, options.loss_scale, options.loss_scale);
+  return {sums.matrix().topLeftCorner<6, 6>(), sums.right_side().head<6>(),
+          sums.loss + unseen * at_scale.loss};
 }
 
 std::vector<DepthScore> score_depth(const DepthView& view, double scale) {
   std::vector<DepthScore> scores;
-  const Placement placement(view);
-  for (std::size_t i = 0; i < view.surface.size(); ++i) {
-    if (const std::optional<Placed> point = placement.of(i)) {
-      const Term term = term_of(*point, static_cast<float>(scale));
-      const double weight = static_cast<double>(term.robust.weight) * point->distance;
-      scores.push_back({point->pixel, weight * term.J});
+  for_each_block(view, pass_options(scale), [&](const Block& block, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (block.seen[i] > 0) {
+        DepthScore score{{block.u[i], block.v[i]}, {}};
+        for (std::size_t p = 0; p < kPoseParameters; ++p) {
+          score.b[static_cast<Eigen::Index>(p)] =
+              block.weight[i] * block.residual[i] * block.J[p][i];
+        }
+        scores.push_back(score);
+      }
     }
-  }
+  });
   return scores;
 }
 
 double distance_spread(const DepthView& view) {
-  std::vector<double> magnitudes;
-  const Placement placement(view);
-  for (std::size_t i = 0; i < view.surface.size(); ++i) {
-    if (const std::optional<Placed> point = placement.of(i)) {
-      magnitudes.push_back(std::abs(point->distance));
+  std::vector<float> magnitudes;
+  for_each_block(view, pass_options(1), [&](const Block& block, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (block.seen[i] > 0) {
+        magnitudes.push_back(std::abs(block.residual[i]));
+      }
     }
-  }
+  });
   return robust_sigma(std::move(magnitudes));
 }
 

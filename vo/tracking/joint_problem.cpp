@@ -59,10 +59,9 @@ FrameVelocity AlignCurrent::velocity(const SE3& T_cur_first) const {
                          previous->before);
 }
 
-LossByReadout ReadoutSystem::least_loss(const JointSystem& pose, double curvature_share) const {
+LossByReadout ReadoutSystem::least_loss(const JointSystem& pose) const {
   const Vector6d moved = pose.H.ldlt().solve(coupling);
-  return {.slope = 2 * (b - moved.dot(pose.b)),
-          .curvature = 2 * std::max(curvature_share, 0.0) * (H - moved.dot(coupling))};
+  return {.slope = 2 * (b - moved.dot(pose.b)), .curvature = 2 * (H - moved.dot(coupling))};
 }
 
 JointProblem::JointProblem(std::span<const AlignReference> references, const AlignCurrent& current,
@@ -247,7 +246,7 @@ JointScores JointProblem::scores(const JointSystem& system, const SE3& T_cur_fir
   }
   add_depth(T_cur_first, result.references.front());
   result.curvature_share = sums.curvature / sums.weight;
-  result.loss_by_readout = readout.least_loss(system, result.curvature_share);
+  result.loss_by_readout = readout.least_loss(system);
   return result;
 }
 

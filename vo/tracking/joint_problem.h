@@ -68,8 +68,9 @@ struct ReadoutSystem {
   double b = 0;
   Vector6d coupling = Vector6d::Zero();  ///< H between pose and read-out time
 
-  /// The loss is twice what the equations are of; they overstate its curvature.
-  LossByReadout least_loss(const JointSystem& pose, double curvature_share) const;
+  /// The loss is twice what the equations are of. Being made of weights they overstate its
+  /// curvature, and so hold the time more firmly.
+  LossByReadout least_loss(const JointSystem& pose) const;
 };
 
 /// The current frame and all its references at one pyramid level: the references' points looked up

@@ -62,14 +62,8 @@ LinearSystem linearize(const PointView& view, const AlignOptions& options,
   const PassOptions pass = pass_options(options, model);
   const PassSums sums = sum_points(view, pass, available_instruction_set());
   LinearSystem system;
-  std::size_t pair = 0;
-  for (Eigen::Index p = 0; p < system.b.size(); ++p) {
-    for (Eigen::Index q = p; q < system.b.size(); ++q, ++pair) {
-      system.H(p, q) = sums.H[pair];
-      system.H(q, p) = sums.H[pair];
-    }
-    system.b(p) = sums.b[static_cast<std::size_t>(p)];
-  }
+  system.H = sums.matrix();
+  system.b = sums.right_side();
   system.points = sums.seen;
   system.total = view.points.size();
   const auto unseen = static_cast<double>(system.total - system.points);

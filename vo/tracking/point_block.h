@@ -41,9 +41,12 @@ struct PassWarp {
   RowMotion ref_motion, cur_motion;
   float inverse_height;  // 1/px
 
-  explicit PassWarp(const PointView& view) : PassWarp(view.image.camera, view) {}
+  explicit PassWarp(const PointView& view) : PassWarp(view.image.camera, view.T_cur_ref) {
+    ref_motion = view.points_motion;
+    cur_motion = view.image_motion;
+  }
 
-  PassWarp(const PinholeCamera& camera, const PointView& view)
+  PassWarp(const PinholeCamera& camera, const SE3& T_cur_ref)
       : fx(static_cast<float>(camera.fx)),
         fy(static_cast<float>(camera.fy)),
         cx(static_cast<float>(camera.cx)),
@@ -52,12 +55,10 @@ struct PassWarp {
         distorted(!camera.distortion.is_zero()),
         max_u(static_cast<float>(camera.width - 2)),
         max_v(static_cast<float>(camera.height - 2)),
-        ref_motion(view.points_motion),
-        cur_motion(view.image_motion),
         inverse_height(1 / static_cast<float>(camera.height)) {
-    const Eigen::Matrix3d R_cur_ref = view.T_cur_ref.rotation_matrix();
+    const Eigen::Matrix3d R_cur_ref = T_cur_ref.rotation_matrix();
     Eigen::Map<Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(R.data()) = R_cur_ref.cast<float>();
-    Eigen::Map<Eigen::Vector3f>(t.data()) = view.T_cur_ref.translation().cast<float>();
+    Eigen::Map<Eigen::Vector3f>(t.data()) = T_cur_ref.translation().cast<float>();
   }
 };
 

@@ -3,86 +3,20 @@
 #include <algorithm>
 #include <limits>
 
+#include "vo/tracking/lane_sums.h"
 #include "vo/tracking/point_block.h"
 
 namespace vo {
 namespace {
 
 using detail::Block;
-using detail::BlockRow;
 using detail::kBlock;
+using detail::kFlushPeriod;
+using detail::LaneSums;
 using detail::PassWarp;
 using detail::store_row;
 
-constexpr std::size_t kLanes = 16;       // floats of the widest register
-constexpr std::size_t kFlushPeriod = 8;  // blocks summed in float before they are added in double
-
 constexpr float kUnseen = std::numeric_limits<float>::quiet_NaN();
-
-using Lanes = std::array<float, kLanes>;
-
-EDVO_INLINE void add_products(const BlockRow& a, const BlockRow& b, Lanes& sum) {
-  for (std::size_t start = 0; start < kBlock; start += kLanes) {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      sum[lane] += a[start + lane] * b[start + lane];
-    }
-  }
-}
-
-EDVO_INLINE void add_values(const BlockRow& a, Lanes& sum) {
-  for (std::size_t start = 0; start < kBlock; start += kLanes) {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      sum[lane] += a[start + lane];
-    }
-  }
-}
-
-/// Sums of some blocks, lane by lane.
-struct alignas(64) LaneSums {
-  std::array<Lanes, kPassPairs> H{};
-  std::array<Lanes, kPassParameters> b{};
-  Lanes loss{};
-
-  EDVO_INLINE void add(std::size_t parameters, Block& block) {
-    for (std::size_t p = 0; p < parameters; ++p) {
-      for (std::size_t i = 0; i < kBlock; ++i) {
-        block.J_weighted[p][i] = block.weight[i] * block.J[p][i];
-      }
-    }
-    std::size_t pair = 0;
-    for (std::size_t p = 0; p < kPassParameters; ++p) {
-      for (std::size_t q = p; q < kPassParameters; ++q, ++pair) {
-        if (q < parameters) {
-          add_products(block.J_weighted[p], block.J[q], H[pair]);
-        }
-      }
-      if (p < parameters) {
-        add_products(block.J_weighted[p], block.residual, b[p]);
-      }
-    }
-    add_values(block.loss, loss);
-  }
-
-  void flush_into(PassSums& sums) {
-    for (std::size_t pair = 0; pair < kPassPairs; ++pair) {
-      sums.H[pair] += total(H[pair]);
-    }
-    for (std::size_t p = 0; p < kPassParameters; ++p) {
-      sums.b[p] += total(b[p]);
-    }
-    sums.loss += total(loss);
-    *this = {};
-  }
-
- private:
-  static double total(const Lanes& lanes) {
-    double sum = 0;
-    for (const float value : lanes) {
-      sum += static_cast<double>(value);
-    }
-    return sum;
-  }
-};
 
 EDVO_INLINE void sum_blocks(const PointView& view, const PassOptions& options, PassSums& sums) {
   Block block{};
@@ -172,6 +106,22 @@ EDVO_TARGET_AVX2 void sample_avx2(const PointView& view, std::size_t stride,
 PointScores::PointScores(std::size_t points)
     : weight(points), residual(points), u(points), v(points) {
   J.fill(std::vector<float>(points));
+}
+
+Eigen::Matrix<double, kPassParameters, kPassParameters> PassSums::matrix() const {
+  Eigen::Matrix<double, kPassParameters, kPassParameters> result;
+  std::size_t pair = 0;
+  for (Eigen::Index p = 0; p < result.rows(); ++p) {
+    for (Eigen::Index q = p; q < result.cols(); ++q, ++pair) {
+      result(p, q) = H[pair];
+      result(q, p) = H[pair];
+    }
+  }
+  return result;
+}
+
+Eigen::Matrix<double, kPassParameters, 1> PassSums::right_side() const {
+  return Eigen::Map<const Eigen::Matrix<double, kPassParameters, 1>>(b.data());
 }
 
 PassSums sum_points(const PointView& view, const PassOptions& options, InstructionSet set) {

@@ -38,6 +38,9 @@ struct PassSums {
   std::array<double, kPassParameters> b{};
   double loss = 0;
   std::size_t seen = 0;
+
+  Eigen::Matrix<double, kPassParameters, kPassParameters> matrix() const;  ///< H
+  Eigen::Matrix<double, kPassParameters, 1> right_side() const;            ///< b
 };
 
 /// What each point adds to the normal equations, one element per point in each array: to b, w r J.
