@@ -45,7 +45,7 @@ class DepthRowMerger {
       const float d = lower_[2 * u + 1];
       nearest[u] = lesser(lesser(a, b), lesser(c, d));
       farthest[u] = greater(greater(a, b), greater(c, d));
-      merged[u] = 4 / (1 / a + 1 / b + 1 / c + 1 / d);
+      merged[u] = 4 * (a * b) * (c * d) / ((a + b) * (c * d) + (c + d) * (a * b));
     }
     for (std::size_t u = 0; u < cols; ++u) {
       merged[u] = farthest[u] <= kMaxDepthSpread * nearest[u] ? merged[u] : nearest[u];

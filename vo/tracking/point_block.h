@@ -62,18 +62,27 @@ struct PassWarp {
   }
 };
 
-inline void load_row(const std::vector<float>& values, std::size_t first, std::size_t count,
-                     BlockRow& row) {
-  std::memcpy(row.data(), values.data() + first, count * sizeof(float));
+/// A whole block is copied in vector registers, only the last one by its length.
+EDVO_INLINE void copy_values(const float* from, std::size_t count, float* to) {
+  if (count == kBlock) {
+    std::memcpy(to, from, kBlock * sizeof(float));
+  } else {
+    std::memcpy(to, from, count * sizeof(float));
+  }
 }
 
-inline void store_row(const BlockRow& row, std::size_t first, std::size_t count,
-                      std::vector<float>& values) {
-  std::memcpy(values.data() + first, row.data(), count * sizeof(float));
+EDVO_INLINE void load_row(const std::vector<float>& values, std::size_t first, std::size_t count,
+                          BlockRow& row) {
+  copy_values(values.data() + first, count, row.data());
 }
 
-inline void load_points(const EdgePointLevel& points, std::size_t first, std::size_t count,
-                        Block& block) {
+EDVO_INLINE void store_row(const BlockRow& row, std::size_t first, std::size_t count,
+                           std::vector<float>& values) {
+  copy_values(row.data(), count, values.data() + first);
+}
+
+EDVO_INLINE void load_points(const EdgePointLevel& points, std::size_t first, std::size_t count,
+                             Block& block) {
   if (count < kBlock) {
     block.z_ref.fill(1);
   }
