@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "vo/image/hysteresis.h"
+#include "vo/image/pixel_bits.h"
 
 namespace vo {
 namespace {
@@ -130,24 +131,25 @@ EDVO_INLINE bool any_above(const int* squared, int count, int threshold) {
 }
 
 /// Where no gradient is strong enough there is nothing to suppress.
-EDVO_INLINE void suppress_row(const std::array<const GradientRow*, 3>& rows, int cols,
-                              SquaredThresholds thresholds, uchar* classes) {
-  constexpr int kGroup = 32;
-  int u = 0;
-  for (; u + kGroup <= cols; u += kGroup) {
-    const Neighbourhood at(rows, u);
-    if (any_above(at.here, kGroup, thresholds.weak)) {
-      suppress(at, kGroup, thresholds, classes + u);
-    } else {
-      std::fill_n(classes + u, kGroup, uchar{no_edge});
+EDVO_INLINE void suppress_row(const std::array<const GradientRow*, 3>& rows, int v, int cols,
+                              SquaredThresholds thresholds, Hysteresis& edges) {
+  alignas(kPixelsPerWord) std::array<uchar, kPixelsPerWord> classes{};
+  for (int word = 0; word * kPixelsPerWord < cols; ++word) {
+    const Neighbourhood at(rows, word * kPixelsPerWord);
+    const int count = cols - word * kPixelsPerWord;
+    if (count < kPixelsPerWord) {
+      classes.fill(no_edge);
+      suppress(at, count, thresholds, classes.data());
+      edges.set(v, word, classes.data());
+    } else if (any_above(at.here, kPixelsPerWord, thresholds.weak)) {
+      suppress(at, kPixelsPerWord, thresholds, classes.data());
+      edges.set(v, word, classes.data());
     }
   }
-  suppress(Neighbourhood(rows, u), cols - u, thresholds, classes + u);
 }
 
 /// Each pixel's class.
 EDVO_INLINE void classify(const ByteImage& image, SquaredThresholds thresholds, Hysteresis& edges) {
-  std::vector<uchar> classes(edges.padded_width(), uchar{no_edge});
   std::array<GradientRow, 3> buffers{GradientRow(image.cols), GradientRow(image.cols),
                                      GradientRow(image.cols)};
   std::array<GradientRow*, 3> rows{&buffers[0], &buffers[1], &buffers[2]};
@@ -160,8 +162,7 @@ EDVO_INLINE void classify(const ByteImage& image, SquaredThresholds thresholds, 
     } else {
       rows[2]->clear();
     }
-    suppress_row({rows[0], rows[1], rows[2]}, image.cols, thresholds, classes.data());
-    edges.set_row(v, classes.data());
+    suppress_row({rows[0], rows[1], rows[2]}, v, image.cols, thresholds, edges);
   }
 }
 

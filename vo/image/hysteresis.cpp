@@ -30,19 +30,10 @@ Hysteresis::Hysteresis(cv::Size size)
       strong_(words_ * static_cast<std::size_t>(size.height)),
       edges_(strong_.size()) {}
 
-void Hysteresis::set_row(int v, const uchar* classes) {
-  Word* strong = row(strong_, v);
-  Word* edges = row(edges_, v);
-  for (std::size_t w = 0; w < words_; ++w) {
-    for (std::size_t i = 0; i < kBits / kBytes; ++i, classes += kBytes) {
-      Word bytes = 0;
-      std::memcpy(&bytes, classes, kBytes);
-      if (bytes != 0) {
-        edges[w] |= packed_bits(bytes) << (kBytes * i);
-        strong[w] |= packed_bits(bytes >> 1U) << (kBytes * i);
-      }
-    }
-  }
+void Hysteresis::set(int v, int word, const uchar* classes) {
+  const std::size_t index = offset(v) + static_cast<std::size_t>(word);
+  edges_[index] = packed_word(classes, 0);
+  strong_[index] = packed_word(classes, 1);
 }
 
 void Hysteresis::follow() {
@@ -125,7 +116,8 @@ void Hysteresis::grow_left(Word* strong, const Word* edges) const {
 EdgeMask Hysteresis::strong() const {
   static constexpr std::array<Word, 256> kPixels = mask_pixels();
   EdgeMask mask(size_);
-  std::vector<Word> pixels(padded_width() / kBytes);
+  constexpr std::size_t kBytes = 8;
+  std::vector<Word> pixels(words_ * kBits / kBytes);
   for (int v = 0; v < size_.height; ++v) {
     const Word* strong = strong_.data() + offset(v);
     for (std::size_t i = 0; i < pixels.size(); ++i) {

@@ -17,9 +17,9 @@ class Hysteresis {
  public:
   explicit Hysteresis(cv::Size size);
 
-  /// Of the classes, those beyond the image's width are `no_edge`.
-  void set_row(int v, const uchar* classes);
-  std::size_t padded_width() const { return words_ * kBits; }  ///< px, of what `set_row` reads
+  /// The classes of 64 pixels of row v from column 64 `word` on; `no_edge` beyond the image. All
+  /// are at first.
+  void set(int v, int word, const uchar* classes);
 
   void follow();
 
@@ -28,7 +28,6 @@ class Hysteresis {
  private:
   using Word = std::uint64_t;
   static constexpr std::size_t kBits = 64;
-  static constexpr std::size_t kBytes = 8;  ///< classes that are packed at a time
 
   bool spread(int from, int to);
   void grow_right(Word* strong, const Word* edges) const;

@@ -22,13 +22,13 @@ inline std::uint64_t packed_bits(std::uint64_t pixels) {
   return ((pixels & kLowest) * kGather) >> 56U;
 }
 
-/// The lowest bit of each of 64 pixels.
-inline std::uint64_t packed_word(const uchar* pixels) {
+/// One bit of each of 64 pixels.
+inline std::uint64_t packed_word(const uchar* pixels, unsigned bit) {
   std::uint64_t word = 0;
   for (int i = 0; i < kPixelsPerWord; i += kPixelsPerStep) {
     std::uint64_t bytes = 0;
     std::memcpy(&bytes, pixels + i, kPixelsPerStep);
-    word |= packed_bits(bytes) << i;
+    word |= packed_bits(bytes >> bit) << i;
   }
   return word;
 }
@@ -42,7 +42,7 @@ void for_each_set(const uchar* row, int cols, Visit visit) {
     if (count < kPixelsPerWord) {
       std::copy(row + first, row + cols, last.begin());
     }
-    std::uint64_t word = packed_word(count < kPixelsPerWord ? last.data() : row + first);
+    std::uint64_t word = packed_word(count < kPixelsPerWord ? last.data() : row + first, 0);
     for (; word != 0; word &= word - 1) {
       visit(first + std::countr_zero(word));
     }

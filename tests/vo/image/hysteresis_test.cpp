@@ -1,6 +1,7 @@
 #include "vo/image/hysteresis.h"
 
 #include <algorithm>
+#include <array>
 
 #include <gtest/gtest.h>
 
@@ -65,10 +66,14 @@ vo::EdgeMask flooded(vo::ByteImage classes) {
 
 vo::EdgeMask followed(const vo::ByteImage& classes) {
   vo::Hysteresis hysteresis(classes.size());
-  std::vector<uchar> row(hysteresis.padded_width(), uchar{vo::no_edge});
+  constexpr int kWord = 64;
   for (int v = 0; v < classes.rows; ++v) {
-    std::copy(classes[v], classes[v] + classes.cols, row.begin());
-    hysteresis.set_row(v, row.data());
+    for (int first = 0; first < classes.cols; first += kWord) {
+      std::array<uchar, kWord> word{};
+      const int end = std::min(first + kWord, classes.cols);
+      std::copy(classes[v] + first, classes[v] + end, word.begin());
+      hysteresis.set(v, first / kWord, word.data());
+    }
   }
   hysteresis.follow();
   return hysteresis.strong();
