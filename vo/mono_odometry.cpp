@@ -244,7 +244,7 @@ void MonoOdometry::update_map(MonoResult& result) {
   const FrameRelation relation = relation_to_anchor(result.tracking);
   result.observations = map_.observe(current_, relation);
   map_.regularise();
-  if (2 * map_.confident() > map_.hypotheses().size()) {
+  if (guesses_ == Guesses::included && 2 * map_.confident() > map_.hypotheses().size()) {
     guesses_ = Guesses::left_out;
   }
   if (map_.needs_new_anchor(current_, relation.T_cur_anchor)) {
