@@ -76,11 +76,11 @@ EDVO_INLINE void place(const PinholeCamera& camera, Block& block) {
     const float by_u = 0.5F * block.twice_du[i] * fx;
     const float by_v = 0.5F * block.twice_dv[i] * fy;
     const float inverse_z = 1 / block.z[i];
-    const float dI_dx = (by_u * block.dx_dx[i] + by_v * block.dx_dy[i]) * inverse_z;
-    const float dI_dy = (by_u * block.dx_dy[i] + by_v * block.dy_dy[i]) * inverse_z;
-    block.dI_dx[i] = dI_dx;
-    block.dI_dy[i] = dI_dy;
-    block.dI_dz[i] = -(dI_dx * block.ray_x[i] + dI_dy * block.ray_y[i]);
+    const float slope_x = (by_u * block.dx_dx[i] + by_v * block.dx_dy[i]) * inverse_z;
+    const float slope_y = (by_u * block.dx_dy[i] + by_v * block.dy_dy[i]) * inverse_z;
+    block.dI_dx[i] = slope_x;
+    block.dI_dy[i] = slope_y;
+    block.dI_dz[i] = -(slope_x * block.ray_x[i] + slope_y * block.ray_y[i]);
     block.x_ref[i] = block.ray_x[i] * block.z[i];
     block.y_ref[i] = block.ray_y[i] * block.z[i];
   }

@@ -38,10 +38,11 @@ void load_surface(const SurfacePoints& surface, std::size_t first, std::size_t c
 }
 
 /// Looks up the nearest pixel, because depth is never interpolated.
-void measure(const PyramidLevel& image, std::size_t count, const Block& block, Planes& planes) {
+EDVO_INLINE void measure(const PyramidLevel& image, std::size_t count, const Block& block,
+                         Planes& planes) {
   for (std::size_t i = 0; i < count; ++i) {
-    const auto u = static_cast<int>(block.u[i] + 0.5F);
-    const auto v = static_cast<int>(block.v[i] + 0.5F);
+    const auto u = static_cast<int>(std::floor(block.u[i] + 0.5F));
+    const auto v = static_cast<int>(std::floor(block.v[i] + 0.5F));
     const cv::Vec2f& ray = image.rays(v, u);
     const float depth = image.depth(v, u);
     planes.measured_x[i] = depth * ray[0];
@@ -124,6 +125,14 @@ void for_each_block(const DepthView& view, const PassOptions& options, Visit vis
   }
 }
 
+DepthScore score_of(const Block& block, std::size_t i) {
+  DepthScore score{{block.u[i], block.v[i]}, {}};
+  for (std::size_t p = 0; p < kPoseParameters; ++p) {
+    score.b[static_cast<Eigen::Index>(p)] = block.weight[i] * block.residual[i] * block.J[p][i];
+  }
+  return score;
+}
+
 }  // namespace
 
 DepthSystem linearize_depth(const DepthView& view, double scale) {
@@ -148,12 +157,7 @@ std::vector<DepthScore> score_depth(const DepthView& view, double scale) {
   for_each_block(view, pass_options(scale), [&](const Block& block, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
       if (block.seen[i] > 0) {
-        DepthScore score{{block.u[i], block.v[i]}, {}};
-        for (std::size_t p = 0; p < kPoseParameters; ++p) {
-          score.b[static_cast<Eigen::Index>(p)] =
-              block.weight[i] * block.residual[i] * block.J[p][i];
-        }
-        scores.push_back(score);
+        scores.push_back(score_of(block, i));
       }
     }
   });
