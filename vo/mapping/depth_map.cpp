@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "vo/core/hash.h"
 #include "vo/image/depth_span.h"
@@ -42,6 +43,7 @@ DepthMap::DepthMap(const DepthMapOptions& options) : options_(options) {
 
 void DepthMap::start(const FramePyramid& anchor, double guessed_depth) {
   anchor_ = anchor;
+  past_anchors_.clear();
   frames_since_anchor_ = 0;
   hypotheses_ =
       edge_hypotheses(anchor.levels.front(), options_, static_cast<float>(1 / guessed_depth));
@@ -70,11 +72,13 @@ void DepthMap::guess_random(std::uint64_t seed) {
 }
 
 bool DepthMap::needs_new_anchor(const FramePyramid& current, const SE3& T_cur_anchor) const {
+  return options_.propagate == PropagationPolicy::always ||
+         (options_.anchor.every > 0 && frames_since_anchor_ >= options_.anchor.every) ||
+         view_has_changed(current, T_cur_anchor);
+}
+
+bool DepthMap::view_has_changed(const FramePyramid& current, const SE3& T_cur_anchor) const {
   const AnchorOptions& options = options_.anchor;
-  if (options_.propagate == PropagationPolicy::always ||
-      (options.every > 0 && frames_since_anchor_ >= options.every)) {
-    return true;
-  }
   constexpr std::size_t kStride = 8;  // a share of the edges tells
   const StereoPair pair(anchor_.levels.front(), current.levels.front(), {T_cur_anchor});
   double asked = 0;
@@ -187,10 +191,32 @@ PropagationCounts DepthMap::propagate(const FramePyramid& current, const FrameRe
   const PropagationCounts counts = vo::propagate(pair, hypotheses_, options_, next);
   fill_from_neighbours(options_, next);
   hypotheses_ = std::move(next);
-  anchor_ = current;
+  FramePyramid last_anchor = std::exchange(anchor_, current);
   cells_ = point_cells(anchor_, hypotheses_);
+  if (options_.propagate == PropagationPolicy::always) {
+    look_back(std::move(last_anchor), relation);
+  }
   frames_since_anchor_ = 0;
   return counts;
+}
+
+void DepthMap::look_back(FramePyramid last_anchor, const FrameRelation& relation) {
+  constexpr std::size_t kMostPast = 20;  // where the camera stands still
+  const SE3 T_last_anchor = relation.T_cur_anchor.inverse();
+  for (PastAnchor& past : past_anchors_) {
+    past.T_past_anchor = past.T_past_anchor * T_last_anchor;
+  }
+  past_anchors_.push_back({std::move(last_anchor), T_last_anchor});
+  const auto is_left_behind = [this](const PastAnchor& past) {
+    return past_anchors_.size() > kMostPast || view_has_changed(past.frame, past.T_past_anchor);
+  };
+  while (past_anchors_.size() > 1 && is_left_behind(past_anchors_.front())) {
+    past_anchors_.pop_front();
+  }
+  if (past_anchors_.size() > 1) {
+    const PastAnchor& earliest = past_anchors_.front();
+    observe(earliest.frame, {earliest.T_past_anchor, relation.covariance});
+  }
 }
 
 EdgePoints DepthMap::points(const EdgePointOptions& options, Guesses guesses) const {

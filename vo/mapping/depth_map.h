@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <functional>
 
 #include "vo/image/edge_points.h"
@@ -51,7 +52,9 @@ class DepthMap {
   /// Smooths along the edges and forgets what disagrees with its neighbours.
   void regularise();
 
-  /// Makes the current frame, with edges, the anchor.
+  /// Makes the current frame, with edges, the anchor. Where every frame becomes one, its edges are
+  /// looked for in the earliest that still shows the same, too: from frame to frame there is hardly
+  /// any parallax.
   PropagationCounts propagate(const FramePyramid& current, const FrameRelation& relation);
 
   /// Whether it is time for a new anchor, as the options say.
@@ -70,9 +73,17 @@ class DepthMap {
   SearchTarget target(std::size_t i) const;
   void count_and_fuse(const Observation& observation, std::size_t i, float guess,
                       ObservationCounts& counts);
+  bool view_has_changed(const FramePyramid& current, const SE3& T_cur_anchor) const;
+  void look_back(FramePyramid last_anchor, const FrameRelation& relation);
+
+  struct PastAnchor {
+    FramePyramid frame;
+    SE3 T_past_anchor;
+  };
 
   DepthMapOptions options_;
   FramePyramid anchor_;
+  std::deque<PastAnchor> past_anchors_;  ///< oldest first; where every frame becomes an anchor
   Hypotheses hypotheses_;
   PointCells cells_;  ///< of the anchor, for the tracker's points
   int frames_since_anchor_ = 0;

@@ -54,6 +54,19 @@ TEST(DepthMap, IsCarriedFromAnchorToAnchor) {
   EXPECT_LT(median_magnitude(errors), 1.5 * 0.0036);
 }
 
+/// A centimetre, the way from frame to frame, is 1.4 px of parallax; eight times as much is looked
+/// back for.
+TEST(DepthMap, LooksBackWhereEveryFrameBecomesAnAnchor) {
+  const vo::DepthMap map = map_after(20, {.propagate = vo::PropagationPolicy::always}, 1);
+  const std::vector<double> errors = relative_errors(map, small_camera(), walk(20));
+  ASSERT_GT(errors.size(), map.hypotheses().size() / 2);
+  EXPECT_LT(median_magnitude(errors), 1.5 * 0.0036);
+  const vo::DepthMap forgetful = map_after(20, {}, 1);
+  EXPECT_GT(map.confident(), forgetful.confident());
+  EXPECT_LT(median_magnitude(errors),
+            median_magnitude(relative_errors(forgetful, small_camera(), walk(20))));
+}
+
 TEST(DepthMap, GaussianBetaFusionFindsThePlaneToo) {
   const vo::DepthMap map = map_after(20, {.fusion = vo::Fusion::gaussian_beta}, 100);
   const std::vector<double> errors = relative_errors(map, small_camera(), walk(0));
