@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "vo/core/instruction_set.h"
+#include "vo/core/lens_visit.h"
 #include "vo/image/edge_points.h"
 
 namespace vo {
@@ -51,21 +52,7 @@ EDVO_INLINE void distort_block(const Distortion& lens, const Distort& distort, B
 
 /// The derivatives of `distort` at the pixels' rays.
 EDVO_INLINE void apply_lens(const Distortion& lens, Block& block) {
-  if (lens.is_zero()) {
-    block.dx_dx.fill(1);
-    block.dx_dy.fill(0);
-    block.dy_dy.fill(1);
-  } else if (lens.model == DistortionModel::kannala_brandt) {
-    const auto fisheye = [](const Distortion& each, float x, float y) {
-      return distort_kannala_brandt(each, x, y);
-    };
-    distort_block(lens, fisheye, block);
-  } else {
-    const auto brown_conrady = [](const Distortion& each, float x, float y) {
-      return distort_brown_conrady(each, x, y);
-    };
-    distort_block(lens, brown_conrady, block);
-  }
+  visit_lens(lens, [&](const auto& distort) { distort_block(lens, distort, block); });
 }
 
 /// The intensity's derivative by the image coordinates (X / Z, Y / Z) gives that by the point.

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "vo/core/instruction_set.h"
+#include "vo/core/lens_visit.h"
 #include "vo/mapping/stereo_pair.h"
 
 /// Camera and image for many places at once: the loops of `image_ray` and `sample_bilinear` over
@@ -51,22 +52,8 @@ EDVO_INLINE void distort_lanes(const LaneCamera& camera, const Distort& distort,
 template <std::size_t kLanes>
 EDVO_INLINE void image_lanes(const LaneCamera& camera, const Lanes<kLanes>& x,
                              const Lanes<kLanes>& y, ImagedLanes<kLanes>& imaged) {
-  if (camera.lens.is_zero()) {
-    const auto perfect = [](const Distortion&, float px, float py) {
-      return DistortedPoint<float>{px, py, 1, 0, 1};
-    };
-    distort_lanes(camera, perfect, x, y, imaged);
-  } else if (camera.lens.model == DistortionModel::kannala_brandt) {
-    const auto fisheye = [](const Distortion& lens, float px, float py) {
-      return distort_kannala_brandt(lens, px, py);
-    };
-    distort_lanes(camera, fisheye, x, y, imaged);
-  } else {
-    const auto brown_conrady = [](const Distortion& lens, float px, float py) {
-      return distort_brown_conrady(lens, px, py);
-    };
-    distort_lanes(camera, brown_conrady, x, y, imaged);
-  }
+  visit_lens(camera.lens,
+             [&](const auto& distort) { distort_lanes(camera, distort, x, y, imaged); });
 }
 
 /// An image as the loops read it.

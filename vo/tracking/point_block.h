@@ -7,6 +7,7 @@
 #include <cstring>
 #include <vector>
 
+#include "vo/core/lens_visit.h"
 #include "vo/tracking/point_pass.h"
 
 /// What point_pass.cpp does with 64 points at a time, inlined into it once per instruction set.
@@ -36,7 +37,6 @@ struct PassWarp {
   std::array<float, 3> t;
   float fx, fy, cx, cy;
   Distortion lens;
-  bool distorted;
   float max_u, max_v;  // px; the 4x4 neighbourhood must be inside
   RowMotion ref_motion, cur_motion;
   float inverse_height;  // 1/px
@@ -52,7 +52,6 @@ struct PassWarp {
         cx(static_cast<float>(camera.cx)),
         cy(static_cast<float>(camera.cy)),
         lens(camera.distortion),
-        distorted(!camera.distortion.is_zero()),
         max_u(static_cast<float>(camera.width - 2)),
         max_v(static_cast<float>(camera.height - 2)),
         inverse_height(1 / static_cast<float>(camera.height)) {
@@ -107,17 +106,6 @@ EDVO_INLINE void distort_block(const PassWarp& warp, const Distort& distort, Blo
   }
 }
 
-EDVO_INLINE void project_block(const PassWarp& warp, Block& block) {
-  for (std::size_t i = 0; i < kBlock; ++i) {
-    block.u[i] = warp.fx * (block.x[i] * block.inverse_z[i]) + warp.cx;
-    block.v[i] = warp.fy * (block.y[i] * block.inverse_z[i]) + warp.cy;
-    block.du_dx[i] = warp.fx;
-    block.du_dy[i] = 0;
-    block.dv_dx[i] = 0;
-    block.dv_dy[i] = warp.fy;
-  }
-}
-
 /// Moves points by `share` of the motion at the row that sees them: 1 from their row to the middle
 /// one, -1 back.
 EDVO_INLINE void roll_points(const PassWarp& warp, const RowMotion& motion, float share,
@@ -158,19 +146,7 @@ EDVO_INLINE void warp_block(const PassWarp& warp, std::size_t count, Block& bloc
   for (std::size_t i = 0; i < kBlock; ++i) {
     block.inverse_z[i] = 1 / block.z[i];
   }
-  if (!warp.distorted) {
-    project_block(warp, block);
-  } else if (warp.lens.model == DistortionModel::kannala_brandt) {
-    const auto fisheye = [](const Distortion& lens, float x, float y) {
-      return distort_kannala_brandt(lens, x, y);
-    };
-    distort_block(warp, fisheye, block);
-  } else {
-    const auto brown_conrady = [](const Distortion& lens, float x, float y) {
-      return distort_brown_conrady(lens, x, y);
-    };
-    distort_block(warp, brown_conrady, block);
-  }
+  visit_lens(warp.lens, [&](const auto& distort) { distort_block(warp, distort, block); });
   for (std::size_t i = 0; i < kBlock; ++i) {
     const float u = block.u[i];
     const float v = block.v[i];
