@@ -66,7 +66,7 @@ LossByReadout ReadoutSystem::least_loss(const JointSystem& pose) const {
 
 JointProblem::JointProblem(std::span<const AlignReference> references, const AlignCurrent& current,
                            std::size_t level, const AlignOptions& options)
-    : current_(current), level_(level), options_(options), readout_(options.readout) {
+    : current_(current), level_(level), options_(options) {
   for (const AlignReference& reference : references) {
     pairs_.push_back({&reference, /*backward=*/false});
   }
@@ -81,9 +81,10 @@ JointProblem::JointProblem(std::span<const AlignReference> references, const Ali
 PointView JointProblem::view(const ImagePair& pair, const SE3& T_cur_first) const {
   const AlignReference& reference = *pair.reference;
   const SE3 T_cur_ref = T_cur_first * reference.T_first_ref;
-  const RowMotion ref_motion(reference.velocity.twist, readout_);
+  const RowMotion ref_motion(reference.velocity.twist, options_.readout);
   const RowMotion cur_motion =
-      readout_ != 0 ? RowMotion(current_.velocity(T_cur_first).twist, readout_) : RowMotion();
+      options_.readout != 0 ? RowMotion(current_.velocity(T_cur_first).twist, options_.readout)
+                            : RowMotion();
   if (pair.backward) {
     return {current_.points->levels[level_], reference.frame->levels[level_], T_cur_ref.inverse(),
             cur_motion, ref_motion};
@@ -196,13 +197,13 @@ JointProblem::ScoredPair JointProblem::scored(std::size_t pair, const LinearSyst
 
 /// To first order, with the points' weights as they are.
 void JointProblem::add_velocities(const ScoredPair& scored, JointScores& result) const {
-  if (readout_ == 0) {
+  if (options_.readout == 0) {
     return;
   }
   const RowMoments moments = RowMoments::of(scored.seen, scored.scores);
   const Matrix6d by_points =
-      readout_ * scored.to_pose * moments.points * adjoint(scored.seen.T_cur_ref);
-  const Matrix6d by_image = -readout_ * scored.to_pose * moments.image;
+      options_.readout * scored.to_pose * moments.points * adjoint(scored.seen.T_cur_ref);
+  const Matrix6d by_image = -options_.readout * scored.to_pose * moments.image;
   result.by_current_velocity += scored.pair.backward ? by_points : by_image;
   result.by_reference_velocity[index_of(scored.pair)] +=
       scored.pair.backward ? by_image : by_points;

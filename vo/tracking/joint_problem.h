@@ -99,7 +99,6 @@ class JointProblem {
 
   const std::vector<ResidualModel>& models() const { return models_; }
   void set_models(std::vector<ResidualModel> models) { models_ = std::move(models); }
-  double readout() const { return readout_; }
   const FrameVelocity& reference_velocity(std::size_t reference) const {
     return pairs_[reference].reference->velocity;
   }
@@ -145,7 +144,6 @@ class JointProblem {
   const AlignCurrent& current_;
   std::size_t level_;
   const AlignOptions& options_;
-  double readout_;
   std::vector<ImagePair> pairs_;
   std::vector<ResidualModel> models_;
   double distance_scale_ = 0;  ///< m, of the distances from the first reference's surfaces
