@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
+#include "tests/support/instruction_sets.h"
 #include "vo/core/hash.h"
 #include "vo/image/canny.h"
+#include "vo/image/sobel_magnitudes.h"
 
 namespace {
 
@@ -41,7 +43,7 @@ TEST(Canny, FindsTheEdgesOfOpenCv) {
       const Gradients gradients(image);
       cv::Mat expected;
       cv::Canny(gradients.dx, gradients.dy, expected, strong / 2, strong, /*L2gradient=*/true);
-      for (const InstructionSet set : {InstructionSet::baseline, vo::available_instruction_set()}) {
+      for (const InstructionSet set : support::instruction_sets_of_this_machine()) {
         EXPECT_EQ(cv::norm(vo::canny(image, strong / 2, strong, set), expected, cv::NORM_INF), 0)
             << size << " strong " << strong;
       }
@@ -49,18 +51,27 @@ TEST(Canny, FindsTheEdgesOfOpenCv) {
   }
 }
 
-TEST(Canny, HistogramCountsTheMagnitudesOfOpenCv) {
-  const vo::ByteImage image = clouds({163, 120}, 5);
-  const Gradients gradients(image);
-  std::vector<int> expected(1443);
-  for (int v = 0; v < image.rows; ++v) {
-    for (int u = 0; u < image.cols; ++u) {
-      ++expected.at(static_cast<std::size_t>(
-          std::hypot(gradients.dx.at<short>(v, u), gradients.dy.at<short>(v, u))));
+TEST(Canny, CountsTheMagnitudesOfOpenCv) {
+  for (const int row_step : {1, 3}) {
+    const vo::ByteImage image = clouds({163, 120}, 5);
+    const Gradients gradients(image);
+    std::vector<int> expected(vo::SobelMagnitudes::kGreatest + 1);
+    for (int v = row_step / 2; v < image.rows; v += row_step) {
+      for (int u = 0; u < image.cols; ++u) {
+        ++expected.at(static_cast<std::size_t>(
+            std::hypot(gradients.dx.at<short>(v, u), gradients.dy.at<short>(v, u))));
+      }
+    }
+    for (const InstructionSet set : support::instruction_sets_of_this_machine()) {
+      const vo::SobelMagnitudes magnitudes(image, row_step, set);
+      EXPECT_EQ(magnitudes.count(), 163 * 120 / row_step);
+      int below = 0;
+      for (int magnitude = 0; magnitude <= vo::SobelMagnitudes::kGreatest; ++magnitude) {
+        EXPECT_EQ(magnitudes.count_below(magnitude), below) << magnitude;
+        below += expected[static_cast<std::size_t>(magnitude)];
+      }
     }
   }
-  EXPECT_EQ(vo::sobel_magnitude_histogram(image, 1, InstructionSet::baseline), expected);
-  EXPECT_EQ(vo::sobel_magnitude_histogram(image, 1, vo::available_instruction_set()), expected);
 }
 
 }  // namespace

@@ -5,63 +5,18 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+#include "vo/image/gradient_row.h"
 #include "vo/image/hysteresis.h"
 #include "vo/image/pixel_bits.h"
 
 namespace vo {
 namespace {
-
-constexpr std::size_t kMaxMagnitude = 1442;  // floor(1020 sqrt(2))
-
-/// Gradients of one row of the image. Squared magnitudes have a zero on either side.
-class GradientRow {
- public:
-  explicit GradientRow(int cols)
-      : smooth_(static_cast<std::size_t>(cols) + 2),
-        difference_(smooth_.size()),
-        dx_(static_cast<std::size_t>(cols)),
-        dy_(dx_.size()),
-        squared_(smooth_.size()) {}
-
-  EDVO_INLINE void compute(const ByteImage& image, int v) {
-    const uchar* above = image[std::max(v - 1, 0)];
-    const uchar* here = image[v];
-    const uchar* below = image[std::min(v + 1, image.rows - 1)];
-    const std::size_t cols = dx_.size();
-    std::int16_t* __restrict smooth = smooth_.data();
-    std::int16_t* __restrict difference = difference_.data();
-    for (std::size_t u = 0; u < cols; ++u) {
-      smooth[u + 1] = static_cast<std::int16_t>(above[u] + 2 * here[u] + below[u]);
-      difference[u + 1] = static_cast<std::int16_t>(below[u] - above[u]);
-    }
-    smooth[0] = smooth[1];
-    smooth[cols + 1] = smooth[cols];
-    difference[0] = difference[1];
-    difference[cols + 1] = difference[cols];
-    int* __restrict dx = dx_.data();
-    int* __restrict dy = dy_.data();
-    int* __restrict squared = squared_.data();
-    for (std::size_t u = 0; u < cols; ++u) {
-      const int gx = smooth[u + 2] - smooth[u];
-      const int gy = difference[u] + 2 * difference[u + 1] + difference[u + 2];
-      dx[u] = gx;
-      dy[u] = gy;
-      squared[u + 1] = gx * gx + gy * gy;
-    }
-  }
-
-  void clear() { std::fill(squared_.begin(), squared_.end(), 0); }
-
-  const int* dx() const { return dx_.data(); }
-  const int* dy() const { return dy_.data(); }
-  const int* squared() const { return squared_.data() + 1; }  ///< valid from -1 to the width
-
- private:
-  std::vector<std::int16_t> smooth_;      ///< of the columns, a pixel more on either side
-  std::vector<std::int16_t> difference_;  ///< likewise
-  std::vector<int> dx_, dy_, squared_;
-};
 
 /// Squared magnitudes that a pixel must exceed.
 struct SquaredThresholds {
@@ -83,8 +38,8 @@ struct Neighbourhood {
   const int* above;
   const int* here;
   const int* below;
-  const int* dx;
-  const int* dy;
+  const std::int16_t* dx;
+  const std::int16_t* dy;
 
   EDVO_INLINE Neighbourhood(const std::array<const GradientRow*, 3>& rows, int u)
       : above(rows[0]->squared() + u),
@@ -94,19 +49,20 @@ struct Neighbourhood {
         dy(rows[1]->dy() + u) {}
 };
 
+constexpr int kTanShift = 15;
+constexpr int kTan22 = 13573;  // tan(22.5 deg) 2^15
+
 /// Keeps the maxima across the edge. The direction is horizontal below 22.5 deg, vertical above
-/// 67.5 deg, else one of the diagonals; tan(22.5 deg) in units of 2^-15.
-EDVO_INLINE void suppress(const Neighbourhood& at, int count, SquaredThresholds thresholds,
-                          uchar* __restrict classes) {
-  constexpr int kShift = 15;
-  constexpr int kTan22 = 13573;
-  for (int u = 0; u < count; ++u) {
+/// 67.5 deg, else one of the diagonals.
+EDVO_INLINE void suppress(const Neighbourhood& at, SquaredThresholds thresholds,
+                          uchar* __restrict edges, uchar* __restrict strong) {
+  for (int u = 0; u < kPixelsPerWord; ++u) {
     const int gx = at.dx[u];
     const int gy = at.dy[u];
     const int x = (gx ^ (gx >> 31)) - (gx >> 31);  // |gx|, in a form that is vectorized
-    const int y = ((gy ^ (gy >> 31)) - (gy >> 31)) << kShift;
+    const int y = ((gy ^ (gy >> 31)) - (gy >> 31)) << kTanShift;
     const int horizontal = y < x * kTan22 ? -1 : 0;
-    const int vertical = y > x * kTan22 + (x << (kShift + 1)) ? -1 : 0;
+    const int vertical = y > x * kTan22 + (x << (kTanShift + 1)) ? -1 : 0;
     const int diagonal = ~(horizontal | vertical);
     const int falling = diagonal & ((gx ^ gy) >> 31);
     const int rising = diagonal & ~falling;
@@ -118,38 +74,99 @@ EDVO_INLINE void suppress(const Neighbourhood& at, int count, SquaredThresholds 
     const int is_maximum = (m > before ? 1 : 0) & (m > after - 1 - diagonal ? 1 : 0);
     const int is_weak = m > thresholds.weak ? 1 : 0;
     const int is_strong = m > thresholds.strong ? 1 : 0;
-    classes[u] = static_cast<uchar>((is_maximum & is_weak) + 2 * (is_maximum & is_strong));
+    edges[u] = static_cast<uchar>(-(is_maximum & is_weak));
+    strong[u] = static_cast<uchar>(-(is_maximum & is_strong));
   }
 }
 
-EDVO_INLINE bool any_above(const int* squared, int count, int threshold) {
+EDVO_INLINE bool any_above(const int* squared, int threshold) {
   int greatest = threshold;
-  for (int u = 0; u < count; ++u) {
+  for (int u = 0; u < kPixelsPerWord; ++u) {
     greatest = squared[u] > greatest ? squared[u] : greatest;
   }
   return greatest > threshold;
 }
 
 /// Where no gradient is strong enough there is nothing to suppress.
-EDVO_INLINE void suppress_row(const std::array<const GradientRow*, 3>& rows, int v, int cols,
-                              SquaredThresholds thresholds, Hysteresis& edges) {
-  alignas(kPixelsPerWord) std::array<uchar, kPixelsPerWord> classes{};
-  for (int word = 0; word * kPixelsPerWord < cols; ++word) {
-    const Neighbourhood at(rows, word * kPixelsPerWord);
-    const int count = cols - word * kPixelsPerWord;
-    if (count < kPixelsPerWord) {
-      classes.fill(no_edge);
-      suppress(at, count, thresholds, classes.data());
-      edges.set(v, word, classes.data());
-    } else if (any_above(at.here, kPixelsPerWord, thresholds.weak)) {
-      suppress(at, kPixelsPerWord, thresholds, classes.data());
-      edges.set(v, word, classes.data());
-    }
+EDVO_INLINE EdgeWord suppressed(const Neighbourhood& at, SquaredThresholds thresholds) {
+  if (!any_above(at.here, thresholds.weak)) {
+    return {};
   }
+  alignas(kPixelsPerWord) std::array<uchar, kPixelsPerWord> edges;
+  alignas(kPixelsPerWord) std::array<uchar, kPixelsPerWord> strong;
+  suppress(at, thresholds, edges.data(), strong.data());
+  return {packed_word(edges.data()), packed_word(strong.data())};
 }
 
+#if defined(__x86_64__)
+constexpr int kLanes = 16;
+using Lanes = int __attribute__((vector_size(kLanes * sizeof(int))));
+using ShortLanes = std::int16_t __attribute__((vector_size(kLanes * sizeof(std::int16_t))));
+
+EDVO_TARGET_AVX512 Lanes load_lanes(const std::int16_t* values) {
+  ShortLanes lanes;
+  std::memcpy(&lanes, values, sizeof(lanes));
+  return __builtin_convertvector(lanes, Lanes);
+}
+
+/// A bit for each lane where a > b.
+EDVO_TARGET_AVX512 __mmask16 greater(const Lanes& a, const Lanes& b) {
+  return _mm512_cmpgt_epi32_mask(reinterpret_cast<__m512i>(a), reinterpret_cast<__m512i>(b));
+}
+
+/// Which of 16 pixels are maxima, by the same comparisons as `suppress`.
+EDVO_TARGET_AVX512 std::uint64_t maxima(const Neighbourhood& at, int u) {
+  const Lanes gx = load_lanes(at.dx + u);
+  const Lanes gy = load_lanes(at.dy + u);
+  const Lanes x = gx < 0 ? -gx : gx;
+  const Lanes y = (gy < 0 ? -gy : gy) << kTanShift;
+  const __mmask16 horizontal = greater(x * kTan22, y);
+  const __mmask16 vertical = greater(y, x * kTan22 + (x << (kTanShift + 1)));
+  const __mmask16 falling = greater(Lanes{}, gx ^ gy);
+  __m512i before = _mm512_loadu_si512(at.above + u - 1);
+  before = _mm512_mask_loadu_epi32(before, falling, at.above + u + 1);
+  before = _mm512_mask_loadu_epi32(before, vertical, at.above + u);
+  before = _mm512_mask_loadu_epi32(before, horizontal, at.here + u - 1);
+  __m512i after = _mm512_loadu_si512(at.below + u + 1);
+  after = _mm512_mask_loadu_epi32(after, falling, at.below + u - 1);
+  after = _mm512_mask_loadu_epi32(after, vertical, at.below + u);
+  after = _mm512_mask_loadu_epi32(after, horizontal, at.here + u + 1);
+  const __m512i m = _mm512_loadu_si512(at.here + u);
+  const unsigned ties = _mm512_cmpeq_epi32_mask(m, after) & (horizontal | vertical);
+  return _mm512_cmpgt_epi32_mask(m, before) & (_mm512_cmpgt_epi32_mask(m, after) | ties);
+}
+
+/// A bit for each of 64 pixels above a threshold.
+EDVO_TARGET_AVX512 std::uint64_t above(const int* squared, int threshold) {
+  std::uint64_t bits = 0;
+  for (int u = 0; u < kPixelsPerWord; u += kLanes) {
+    const __m512i lanes = _mm512_loadu_si512(squared + u);
+    const std::uint64_t mask = _mm512_cmpgt_epi32_mask(lanes, _mm512_set1_epi32(threshold));
+    bits |= mask << u;
+  }
+  return bits;
+}
+
+/// The same as `suppressed`, with comparisons that give a bit a pixel.
+EDVO_TARGET_AVX512 EdgeWord suppressed_avx512(const Neighbourhood& at,
+                                              SquaredThresholds thresholds) {
+  EdgeWord word{above(at.here, thresholds.weak), 0};
+  if (word.edges != 0) {
+    std::uint64_t bits = 0;
+    for (int u = 0; u < kPixelsPerWord; u += kLanes) {
+      bits |= maxima(at, u) << u;
+    }
+    word.edges &= bits;
+    word.strong = word.edges & above(at.here, thresholds.strong);
+  }
+  return word;
+}
+#endif
+
 /// Each pixel's class.
-EDVO_INLINE void classify(const ByteImage& image, SquaredThresholds thresholds, Hysteresis& edges) {
+template <typename SuppressWord>
+EDVO_INLINE void classify(const ByteImage& image, const SuppressWord& suppress_word,
+                          Hysteresis& edges) {
   std::array<GradientRow, 3> buffers{GradientRow(image.cols), GradientRow(image.cols),
                                      GradientRow(image.cols)};
   std::array<GradientRow*, 3> rows{&buffers[0], &buffers[1], &buffers[2]};
@@ -162,79 +179,46 @@ EDVO_INLINE void classify(const ByteImage& image, SquaredThresholds thresholds, 
     } else {
       rows[2]->clear();
     }
-    suppress_row({rows[0], rows[1], rows[2]}, v, image.cols, thresholds, edges);
+    for (int word = 0; word * kPixelsPerWord < image.cols; ++word) {
+      const Neighbourhood at({rows[0], rows[1], rows[2]}, word * kPixelsPerWord);
+      edges.set(v, word, suppress_word(at));
+    }
   }
 }
 
-EDVO_INLINE void count_magnitudes(const ByteImage& image, int row_step,
-                                  std::vector<int>& histogram) {
-  GradientRow row(image.cols);
-  std::vector<std::uint16_t> magnitudes(static_cast<std::size_t>(image.cols));
-  std::vector<int> odd(histogram.size());  // two counters a bin: neighbours often share one
-  for (int v = row_step / 2; v < image.rows; v += row_step) {
-    row.compute(image, v);
-    const int* squared = row.squared();
-    for (int u = 0; u < image.cols; ++u) {
-      magnitudes[static_cast<std::size_t>(u)] =
-          static_cast<std::uint16_t>(static_cast<int>(std::sqrt(static_cast<float>(squared[u]))));
-    }
-    std::size_t u = 0;
-    for (; u + 1 < magnitudes.size(); u += 2) {
-      ++histogram[magnitudes[u]];
-      ++odd[magnitudes[u + 1]];
-    }
-    if (u < magnitudes.size()) {
-      ++histogram[magnitudes[u]];
-    }
-  }
-  for (std::size_t bin = 0; bin < odd.size(); ++bin) {
-    histogram[bin] += odd[bin];
-  }
-}
-
+#if defined(__x86_64__)
 EDVO_TARGET_AVX512 void classify_avx512(const ByteImage& image, SquaredThresholds thresholds,
                                         Hysteresis& edges) {
-  classify(image, thresholds, edges);
+  classify(
+      image,
+      [&](const Neighbourhood& at) EDVO_TARGET_AVX512 { return suppressed_avx512(at, thresholds); },
+      edges);
 }
+#endif
 
 EDVO_TARGET_AVX2 void classify_avx2(const ByteImage& image, SquaredThresholds thresholds,
                                     Hysteresis& edges) {
-  classify(image, thresholds, edges);
+  classify(
+      image, [&](const Neighbourhood& at) EDVO_TARGET_AVX2 { return suppressed(at, thresholds); },
+      edges);
 }
 
 void classify_baseline(const ByteImage& image, SquaredThresholds thresholds, Hysteresis& edges) {
-  classify(image, thresholds, edges);
-}
-
-EDVO_TARGET_AVX2 void count_avx2(const ByteImage& image, int row_step,
-                                 std::vector<int>& histogram) {
-  count_magnitudes(image, row_step, histogram);
-}
-
-void count_baseline(const ByteImage& image, int row_step, std::vector<int>& histogram) {
-  count_magnitudes(image, row_step, histogram);
+  classify(
+      image, [&](const Neighbourhood& at) { return suppressed(at, thresholds); }, edges);
 }
 
 }  // namespace
-
-std::vector<int> sobel_magnitude_histogram(const ByteImage& image, int row_step,
-                                           InstructionSet set) {
-  std::vector<int> histogram(kMaxMagnitude + 1);
-  if (set == InstructionSet::baseline) {
-    count_baseline(image, row_step, histogram);
-  } else {
-    count_avx2(image, row_step, histogram);
-  }
-  return histogram;
-}
 
 EdgeMask canny(const ByteImage& image, double weak, double strong, InstructionSet set) {
   const SquaredThresholds thresholds = squared_thresholds(weak, strong);
   Hysteresis edges(image.size());
   switch (set) {
+#if defined(__x86_64__)
     case InstructionSet::avx512:
       classify_avx512(image, thresholds, edges);
       break;
+#endif
     case InstructionSet::avx2:
       classify_avx2(image, thresholds, edges);
       break;

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <numeric>
-#include <vector>
 
 #include <opencv2/imgproc.hpp>
 
 #include "vo/image/canny.h"
 #include "vo/image/edge_thinning.h"
+#include "vo/image/sobel_magnitudes.h"
 
 namespace vo {
 namespace {
@@ -25,30 +23,39 @@ double otsu_threshold(const ByteImage& image) {
   return cv::threshold(image, unused, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU);
 }
 
+/// The least whole magnitude that is great enough, which all greater ones are, too.
+template <typename IsGreatEnough>
+int least_magnitude(int greatest, IsGreatEnough is_great_enough) {
+  int low = 0;
+  int high = greatest;
+  while (low < high) {
+    const int middle = (low + high) / 2;
+    if (is_great_enough(middle)) {
+      high = middle;
+    } else {
+      low = middle + 1;
+    }
+  }
+  return high;
+}
+
 /// The magnitude below which a share of the pixels lies. Evenly spread rows stand for the image.
 double gradient_quantile(const ByteImage& image, double share) {
   constexpr int kRows = 60;
-  const std::vector<int> histogram = sobel_magnitude_histogram(
-      image, std::max(1, image.rows / kRows), available_instruction_set());
-  const double wanted = share * std::accumulate(histogram.begin(), histogram.end(), 0);
-  double below = 0;
-  std::size_t magnitude = 0;
-  while (magnitude + 1 < histogram.size() && below + histogram[magnitude] < wanted) {
-    below += histogram[magnitude++];
-  }
-  return static_cast<double>(magnitude);
+  const SobelMagnitudes magnitudes(image, std::max(1, image.rows / kRows),
+                                   available_instruction_set());
+  const double wanted = share * magnitudes.count();
+  return least_magnitude(SobelMagnitudes::kGreatest, [&](int magnitude) {
+    return magnitudes.count_below(magnitude + 1) >= wanted;
+  });
 }
 
 /// The least whole magnitude that at most `count` pixels reach.
 double gradient_of_count(const ByteImage& image, int count) {
-  const std::vector<int> histogram =
-      sobel_magnitude_histogram(image, 1, available_instruction_set());
-  int above = 0;
-  std::size_t magnitude = histogram.size();
-  while (magnitude > 0 && above + histogram[magnitude - 1] <= count) {
-    above += histogram[--magnitude];
-  }
-  return static_cast<double>(magnitude);
+  const SobelMagnitudes magnitudes(image, 1, available_instruction_set());
+  return least_magnitude(SobelMagnitudes::kGreatest + 1, [&](int magnitude) {
+    return magnitudes.count() - magnitudes.count_below(magnitude) <= count;
+  });
 }
 
 double strong_threshold(const ByteImage& image, const EdgeOptions& options) {

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <utility>
 
-#include "vo/image/pixel_bits.h"
+#include "vo/core/instruction_set.h"
 
 namespace vo {
 namespace {
@@ -22,24 +22,43 @@ constexpr std::array<Word, 256> mask_pixels() {
   return pixels;
 }
 
+/// Makes edges strong that touch the row beside theirs; whether any are new. There is a word before
+/// and after each row.
+EDVO_INLINE bool spread_row(const Word* source, std::size_t words, const Word* __restrict edges,
+                            Word* __restrict strong) {
+  constexpr unsigned kLast = 63;
+  Word changed = 0;
+  for (std::size_t w = 0; w < words; ++w) {
+    const Word touched = source[w] | source[w] << 1U | source[w] >> 1U |
+                         source[static_cast<std::ptrdiff_t>(w) - 1] >> kLast |
+                         source[w + 1] << kLast;
+    const Word added = edges[w] & touched & ~strong[w];
+    strong[w] |= added;
+    changed |= added;
+  }
+  return changed != 0;
+}
+
+EDVO_TARGET_AVX2 bool spread_row_avx2(const Word* source, std::size_t words, const Word* edges,
+                                      Word* strong) {
+  return spread_row(source, words, edges, strong);
+}
+
+bool spread_row_baseline(const Word* source, std::size_t words, const Word* edges, Word* strong) {
+  return spread_row(source, words, edges, strong);
+}
+
 }  // namespace
 
 Hysteresis::Hysteresis(cv::Size size)
     : size_(size),
       words_((static_cast<std::size_t>(size.width) + kBits - 1) / kBits),
-      strong_(words_ * static_cast<std::size_t>(size.height)),
+      strong_(offset(size.height)),
       edges_(strong_.size()) {}
-
-void Hysteresis::set(int v, int word, const uchar* classes) {
-  const std::size_t index = offset(v) + static_cast<std::size_t>(word);
-  edges_[index] = packed_word(classes, 0);
-  strong_[index] = packed_word(classes, 1);
-}
 
 void Hysteresis::follow() {
   for (int v = 0; v < size_.height; ++v) {
-    grow_right(row(strong_, v), row(edges_, v));
-    grow_left(row(strong_, v), row(edges_, v));
+    grow(v);
   }
   std::vector<char> unseen_below(static_cast<std::size_t>(size_.height), 1);  // since it changed
   std::vector<char> unseen_above = unseen_below;
@@ -65,26 +84,20 @@ void Hysteresis::follow() {
 
 /// From one row to the one beside it; whether anything became strong.
 bool Hysteresis::spread(int from, int to) {
-  const Word* source = row(strong_, from);
-  Word* strong = row(strong_, to);
-  const Word* edges = row(edges_, to);
-  bool changed = false;
-  for (std::size_t w = 0; w < words_; ++w) {
-    const Word weak = edges[w] & ~strong[w];
-    if (weak == 0) {
-      continue;
-    }
-    const Word before = w > 0 ? source[w - 1] >> (kBits - 1) : 0;
-    const Word after = w + 1 < words_ ? source[w + 1] << (kBits - 1) : 0;
-    const Word touched = source[w] | source[w] << 1U | source[w] >> 1U | before | after;
-    strong[w] |= weak & touched;
-    changed |= (weak & touched) != 0;
-  }
+  const auto spread_row = available_instruction_set() == InstructionSet::baseline
+                              ? spread_row_baseline
+                              : spread_row_avx2;
+  const bool changed = spread_row(strong_.data() + offset(from), words_, edges_.data() + offset(to),
+                                  strong_.data() + offset(to));
   if (changed) {
-    grow_right(strong, edges);
-    grow_left(strong, edges);
+    grow(to);
   }
   return changed;
+}
+
+void Hysteresis::grow(int v) {
+  grow_right(strong_.data() + offset(v), edges_.data() + offset(v));
+  grow_left(strong_.data() + offset(v), edges_.data() + offset(v));
 }
 
 /// Adding a seed to a run of ones carries from the seed to the run's end, where it leaves zeros.
@@ -104,8 +117,12 @@ void Hysteresis::grow_left(Word* strong, const Word* edges) const {
   for (std::size_t w = words_; w-- > 0;) {
     Word seeds = strong[w] | (edges[w] & from_right << (kBits - 1));
     Word way = edges[w];
-    for (unsigned step = 1; step < kBits && (edges[w] & ~seeds) != 0; step *= 2) {
-      seeds |= way & seeds >> step;
+    for (unsigned step = 1; step < kBits; step *= 2) {
+      const Word added = way & seeds >> step & ~seeds;
+      if (added == 0) {
+        break;
+      }
+      seeds |= added;
       way &= way >> step;
     }
     strong[w] = seeds;

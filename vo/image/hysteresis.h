@@ -8,8 +8,11 @@
 
 namespace vo {
 
-/// What a pixel is before weak edges are followed.
-enum PixelClass : uchar { no_edge = 0, weak_edge = 1, strong_edge = 3 };
+/// 64 pixels of a row before weak edges are followed, the leftmost in the lowest bit.
+struct EdgeWord {
+  std::uint64_t edges = 0;   ///< weak and strong
+  std::uint64_t strong = 0;  ///< of these
+};
 
 /// Canny's hysteresis: weak edges that touch a strong one, in any of eight directions or through
 /// other weak ones, are strong. 64 pixels of a row are one word, whose runs grow all at once.
@@ -17,9 +20,12 @@ class Hysteresis {
  public:
   explicit Hysteresis(cv::Size size);
 
-  /// The classes of 64 pixels of row v from column 64 `word` on; `no_edge` beyond the image. All
-  /// are at first.
-  void set(int v, int word, const uchar* classes);
+  /// Of row v from column 64 `word` on; no edges beyond the image. There are none at first.
+  void set(int v, int word, const EdgeWord& pixels) {
+    const std::size_t index = offset(v) + static_cast<std::size_t>(word);
+    edges_[index] = pixels.edges;
+    strong_[index] = pixels.strong;
+  }
 
   void follow();
 
@@ -29,15 +35,15 @@ class Hysteresis {
   using Word = std::uint64_t;
   static constexpr std::size_t kBits = 64;
 
+  void grow(int v);
   bool spread(int from, int to);
   void grow_right(Word* strong, const Word* edges) const;
   void grow_left(Word* strong, const Word* edges) const;
-  Word* row(std::vector<Word>& image, int v) const { return image.data() + offset(v); }
-  std::size_t offset(int v) const { return static_cast<std::size_t>(v) * words_; }
+  std::size_t offset(int v) const { return static_cast<std::size_t>(v) * (words_ + 1) + 1; }
 
   cv::Size size_;
   std::size_t words_;         ///< of a row
-  std::vector<Word> strong_;  ///< row by row, the leftmost pixel of a word in its lowest bit
+  std::vector<Word> strong_;  ///< row by row, an empty word before, between and after them
   std::vector<Word> edges_;   ///< weak and strong
 };
 

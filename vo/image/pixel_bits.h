@@ -7,45 +7,60 @@
 #include <cstdint>
 #include <cstring>
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 #include <opencv2/core.hpp>
 
 namespace vo {
 
 constexpr int kPixelsPerWord = 64;
-constexpr int kPixelsPerStep = 8;  ///< that are packed at a time
 
-/// The lowest bit of each of eight pixels side by side, the first one's lowest: the product shifts
-/// each to its place in the uppermost byte.
-inline std::uint64_t packed_bits(std::uint64_t pixels) {
-  constexpr std::uint64_t kLowest = 0x0101010101010101U;
-  constexpr std::uint64_t kGather = 0x0102040810204080U;
-  return ((pixels & kLowest) * kGather) >> 56U;
+inline int words_of(int cols) {
+  return (cols + kPixelsPerWord - 1) / kPixelsPerWord;
 }
 
-/// One bit of each of 64 pixels.
-inline std::uint64_t packed_word(const uchar* pixels, unsigned bit) {
+/// The uppermost bit of each of 64 pixels side by side, the first one's lowest.
+inline std::uint64_t packed_word(const uchar* pixels) {
   std::uint64_t word = 0;
-  for (int i = 0; i < kPixelsPerWord; i += kPixelsPerStep) {
-    std::uint64_t bytes = 0;
-    std::memcpy(&bytes, pixels + i, kPixelsPerStep);
-    word |= packed_bits(bytes >> bit) << i;
+#if defined(__SSE2__)
+  for (int i = 0; i < kPixelsPerWord; i += 16) {
+    const __m128i bytes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(pixels + i));
+    word |= static_cast<std::uint64_t>(_mm_movemask_epi8(bytes)) << i;
   }
+#else
+  for (int i = 0; i < kPixelsPerWord; ++i) {
+    word |= static_cast<std::uint64_t>(pixels[i] >> 7) << i;
+  }
+#endif
   return word;
+}
+
+/// The same of a mask's row, whose pixels are 0 or 255, from column 64 `word` on; 0 beyond it.
+inline std::uint64_t mask_word(const uchar* row, int cols, int word) {
+  const int first = word * kPixelsPerWord;
+  if (cols - first >= kPixelsPerWord) {
+    return packed_word(row + first);
+  }
+  std::array<uchar, kPixelsPerWord> last{};
+  std::copy(row + first, row + cols, last.begin());
+  return packed_word(last.data());
+}
+
+/// Calls `visit(i)` for each bit that is set.
+template <typename Visit>
+void for_each_bit(std::uint64_t word, Visit visit) {
+  for (; word != 0; word &= word - 1) {
+    visit(std::countr_zero(word));
+  }
 }
 
 /// Calls `visit(u)` for each pixel of a mask's row that is set, 0 or 255 each.
 template <typename Visit>
 void for_each_set(const uchar* row, int cols, Visit visit) {
-  for (int first = 0; first < cols; first += kPixelsPerWord) {
-    const int count = std::min(kPixelsPerWord, cols - first);
-    std::array<uchar, kPixelsPerWord> last{};
-    if (count < kPixelsPerWord) {
-      std::copy(row + first, row + cols, last.begin());
-    }
-    std::uint64_t word = packed_word(count < kPixelsPerWord ? last.data() : row + first, 0);
-    for (; word != 0; word &= word - 1) {
-      visit(first + std::countr_zero(word));
-    }
+  for (int word = 0; word < words_of(cols); ++word) {
+    for_each_bit(mask_word(row, cols, word), [&](int i) { visit(word * kPixelsPerWord + i); });
   }
 }
 

@@ -1,7 +1,8 @@
 #include "vo/image/hysteresis.h"
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -9,34 +10,34 @@
 
 namespace {
 
-using vo::PixelClass;
+enum PixelClass : uchar { no_edge, weak_edge, strong_edge };
 
 /// Some share of the pixels weak, fewer strong.
 vo::ByteImage random_classes(cv::Size size, double edges, double strong, std::uint64_t seed) {
   vo::ByteImage classes(size);
   for (int i = 0; i < size.area(); ++i) {
     const double value = vo::random_uniform({seed, static_cast<std::uint64_t>(i)});
-    classes(i / size.width, i % size.width) = value < strong  ? vo::strong_edge
-                                              : value < edges ? vo::weak_edge
-                                                              : vo::no_edge;
+    classes(i / size.width, i % size.width) = value < strong  ? strong_edge
+                                              : value < edges ? weak_edge
+                                                              : no_edge;
   }
   return classes;
 }
 
 /// One path of weak pixels that winds from the middle outwards; its first pixel is strong.
 vo::ByteImage spiral(int size) {
-  vo::ByteImage classes(size, size, uchar{vo::no_edge});
+  vo::ByteImage classes(size, size, uchar{no_edge});
   cv::Point at(size / 2, size / 2);
   cv::Point step(1, 0);
   const auto is_inside = [&](cv::Point p) { return cv::Rect(0, 0, size, size).contains(p); };
   for (int length = 2; is_inside(at); length += 2) {
     for (int turn = 0; turn < 2; ++turn, step = {-step.y, step.x}) {
       for (int i = 0; i < length && is_inside(at); ++i, at += step) {
-        classes(at) = vo::weak_edge;
+        classes(at) = weak_edge;
       }
     }
   }
-  classes(size / 2, size / 2) = vo::strong_edge;
+  classes(size / 2, size / 2) = strong_edge;
   return classes;
 }
 
@@ -44,7 +45,7 @@ vo::ByteImage spiral(int size) {
 vo::EdgeMask flooded(vo::ByteImage classes) {
   std::vector<cv::Point> strong;
   for (int i = 0; i < static_cast<int>(classes.total()); ++i) {
-    if (const cv::Point at(i % classes.cols, i / classes.cols); classes(at) == vo::strong_edge) {
+    if (const cv::Point at(i % classes.cols, i / classes.cols); classes(at) == strong_edge) {
       strong.push_back(at);
     }
   }
@@ -53,14 +54,14 @@ vo::EdgeMask flooded(vo::ByteImage classes) {
     strong.pop_back();
     for (int v = std::max(0, at.y - 1); v <= std::min(classes.rows - 1, at.y + 1); ++v) {
       for (int u = std::max(0, at.x - 1); u <= std::min(classes.cols - 1, at.x + 1); ++u) {
-        if (classes(v, u) == vo::weak_edge) {
-          classes(v, u) = vo::strong_edge;
+        if (classes(v, u) == weak_edge) {
+          classes(v, u) = strong_edge;
           strong.emplace_back(u, v);
         }
       }
     }
   }
-  cv::Mat mask = classes == vo::strong_edge;
+  cv::Mat mask = classes == strong_edge;
   return mask;
 }
 
@@ -69,10 +70,13 @@ vo::EdgeMask followed(const vo::ByteImage& classes) {
   constexpr int kWord = 64;
   for (int v = 0; v < classes.rows; ++v) {
     for (int first = 0; first < classes.cols; first += kWord) {
-      std::array<uchar, kWord> word{};
-      const int end = std::min(first + kWord, classes.cols);
-      std::copy(classes[v] + first, classes[v] + end, word.begin());
-      hysteresis.set(v, first / kWord, word.data());
+      vo::EdgeWord word;
+      for (int u = first; u < std::min(first + kWord, classes.cols); ++u) {
+        const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(u - first);
+        word.edges |= classes(v, u) != no_edge ? bit : 0;
+        word.strong |= classes(v, u) == strong_edge ? bit : 0;
+      }
+      hysteresis.set(v, first / kWord, word);
     }
   }
   hysteresis.follow();
