@@ -64,8 +64,8 @@ MonoOdometry::MonoOdometry(const PinholeCamera& camera, const MonoOptions& optio
                            const SE3& T_world_first)
     : camera_(tracked_camera(camera, options.tracker.lens)),
       options_(options),
+      pyramid_builder_(camera_, options.tracker.pyramid),
       edge_finder_(options.tracker.edges),
-      levels_(camera_levels(camera_, options.tracker.pyramid)),
       tracker_(std::make_unique<Tracker>(options.tracker, T_world_first)),
       map_(options.map),
       start_depth_(options.start_depth),
@@ -81,7 +81,7 @@ MonoResult MonoOdometry::track(const RgbdFrame& frame) {
   require(frame.image.size() == cv::Size(camera_.width, camera_.height),
           "mono: expected an image of the camera's ", camera_.width, "x", camera_.height, " px");
   Stopwatch timer;
-  current_ = build_pyramid({frame.timestamp, frame.image, {}}, levels_, options_.tracker.pyramid);
+  pyramid_builder_.build({frame.timestamp, frame.image, {}}, {}, current_);
   stage_times_ = {.pyramid_ms = timer.lap_ms()};
   add_edges(current_, edge_finder_);
   stage_times_.edges_ms = timer.lap_ms();

@@ -78,8 +78,8 @@ class MonoOdometry {
 
   PinholeCamera camera_;
   MonoOptions options_;
+  PyramidBuilder pyramid_builder_;
   EdgeFinder edge_finder_;
-  std::vector<CameraLevel> levels_;
   std::unique_ptr<Tracker> tracker_;
   std::unique_ptr<MonoInitialiser> initialiser_;  ///< while initialising
   DepthMap map_;

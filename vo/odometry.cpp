@@ -87,8 +87,8 @@ RgbdOdometry::RgbdOdometry(const PinholeCamera& camera, const TrackerOptions& op
                            const SE3& T_world_first)
     : camera_(tracked_camera(camera, options.lens)),
       options_(options),
+      pyramid_builder_(camera_, options.pyramid),
       edge_finder_(options.edges),
-      levels_(camera_levels(camera_, options.pyramid)),
       tracker_(std::make_unique<Tracker>(options, T_world_first)) {}
 
 RgbdOdometry::RgbdOdometry(RgbdOdometry&& other) noexcept = default;
@@ -101,7 +101,7 @@ TrackingResult RgbdOdometry::track(const RgbdFrame& frame) {
           "odometry: expected image and depth of the camera's ", camera_.width, "x", camera_.height,
           " px");
   Stopwatch watch;
-  current_ = build_pyramid(frame, levels_, options_.pyramid, tracker_->vignette());
+  pyramid_builder_.build(frame, tracker_->vignette(), current_);
   stage_times_.pyramid_ms = watch.lap_ms();
   add_edges(current_, edge_finder_);
   stage_times_.edges_ms = watch.lap_ms();

@@ -65,8 +65,8 @@ class RgbdOdometry {
  private:
   PinholeCamera camera_;
   TrackerOptions options_;
+  PyramidBuilder pyramid_builder_;
   EdgeFinder edge_finder_;
-  std::vector<CameraLevel> levels_;
   std::unique_ptr<Tracker> tracker_;
   FramePyramid current_;
   Trajectory trajectory_;

@@ -37,6 +37,7 @@ struct Gradients {
 };
 
 TEST(Canny, FindsTheEdgesOfOpenCv) {
+  vo::Canny canny;
   for (const cv::Size size : {cv::Size(160, 120), {161, 97}, {17, 5}, {3, 4}, {1, 1}}) {
     for (const double strong : {20.0, 63.5, 150.0, 400.0}) {
       const vo::ByteImage image = clouds(size, static_cast<std::uint64_t>(size.width));
@@ -44,8 +45,9 @@ TEST(Canny, FindsTheEdgesOfOpenCv) {
       cv::Mat expected;
       cv::Canny(gradients.dx, gradients.dy, expected, strong / 2, strong, /*L2gradient=*/true);
       for (const InstructionSet set : support::instruction_sets_of_this_machine()) {
-        EXPECT_EQ(cv::norm(vo::canny(image, strong / 2, strong, set), expected, cv::NORM_INF), 0)
-            << size << " strong " << strong;
+        vo::EdgeMask found;
+        canny.find(image, strong / 2, strong, set, found);
+        EXPECT_EQ(cv::norm(found, expected, cv::NORM_INF), 0) << size << " strong " << strong;
       }
     }
   }
@@ -63,7 +65,8 @@ TEST(Canny, CountsTheMagnitudesOfOpenCv) {
       }
     }
     for (const InstructionSet set : support::instruction_sets_of_this_machine()) {
-      const vo::SobelMagnitudes magnitudes(image, row_step, set);
+      vo::SobelMagnitudes magnitudes;
+      magnitudes.measure(image, row_step, set);
       EXPECT_EQ(magnitudes.count(), 163 * 120 / row_step);
       int below = 0;
       for (int magnitude = 0; magnitude <= vo::SobelMagnitudes::kGreatest; ++magnitude) {

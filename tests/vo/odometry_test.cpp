@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/image_allocations.h"
 #include "tests/support/plane_frames.h"
 #include "tests/support/pose_near.h"
 #include "vo/core/error.h"
@@ -54,6 +55,23 @@ TEST(RgbdOdometry, TwoRunsGiveTheSameBits) {
     EXPECT_EQ(a.translation(), b.translation());
     EXPECT_EQ(a.rotation().coeffs(), b.rotation().coeffs());
   }
+}
+
+/// What a keyframe holds is its own; other images are written where those of the last frame were.
+TEST(RgbdOdometry, ImagesTakeNoNewMemoryButAfterAKeyframe) {
+  vo::RgbdOdometry odometry(small_camera(), vo::preset_options(TrackerPreset::best_measured));
+  bool was_keyframe = true;
+  int frames_in_old_memory = 0;
+  for (int i = 0; i < 20; ++i) {
+    vo::RgbdFrame frame = frame_at(sway(i), i);
+    cv::merge(std::vector<cv::Mat>(3, frame.image), frame.image);
+    const support::ImageAllocations allocations;
+    const vo::TrackingResult result = odometry.track(frame);
+    EXPECT_EQ(allocations.bytes() > 0, was_keyframe) << "frame " << i;
+    frames_in_old_memory += was_keyframe ? 0 : 1;
+    was_keyframe = result.is_keyframe;
+  }
+  EXPECT_GT(frames_in_old_memory, 5);
 }
 
 TEST(RgbdOdometry, ACoveredLensIsLostAndThenFoundAgain) {

@@ -47,13 +47,13 @@ class MappingRun {
       : sequence_(sequence),
         camera_(sequence.camera().pinhole),
         options_(options),
+        pyramid_builder_(camera_, single_level()),
         finder_(options.edges),
-        levels_(vo::camera_levels(camera_, single_level())),
         map_(options.map) {}
 
   MappedFrame add(const vo::RgbdFrame& frame, std::size_t index, const vo::SE3& T_world_camera) {
-    vo::FramePyramid pyramid =
-        vo::build_pyramid({frame.timestamp, frame.image, {}}, levels_, single_level());
+    vo::FramePyramid pyramid;
+    pyramid_builder_.build({frame.timestamp, frame.image, {}}, {}, pyramid);
     vo::add_edges(pyramid, finder_);
     MappedFrame mapped{.timestamp = frame.timestamp};
     if (map_.empty()) {
@@ -104,8 +104,8 @@ class MappingRun {
   const vo::SequenceReader& sequence_;
   vo::PinholeCamera camera_;
   const MappingOptions& options_;
+  vo::PyramidBuilder pyramid_builder_;
   vo::EdgeFinder finder_;
-  std::vector<vo::CameraLevel> levels_;
   vo::DepthMap map_;
   TrueView truth_;  ///< of the anchor
   vo::SE3 T_world_anchor_;

@@ -23,7 +23,20 @@ struct RgbdFrame {
   DepthImage depth;      ///< registered to the image
 };
 
+/// Makes an image of this size that may be written: in the memory it has if nobody else holds that.
+template <typename Pixel>
+void make_writable(cv::Mat_<Pixel>& image, cv::Size size) {
+  if (image.u == nullptr || image.u->refcount != 1) {
+    image.release();
+  }
+  image.create(size);
+}
+
 /// Luma of ITU-R BT.601 of a ColorImage, or the ByteImage itself, scaled to 0..1.
 GrayImage to_gray(const cv::Mat& image);
+
+/// The same in the memory that `gray` has, as far as it may be written; `luma` is memory, too, for
+/// a ColorImage.
+void to_gray(const cv::Mat& image, ByteImage& luma, GrayImage& gray);
 
 }  // namespace vo

@@ -11,8 +11,6 @@
 #include <immintrin.h>
 #endif
 
-#include "vo/image/gradient_row.h"
-#include "vo/image/hysteresis.h"
 #include "vo/image/pixel_bits.h"
 
 namespace vo {
@@ -166,9 +164,7 @@ EDVO_TARGET_AVX512 EdgeWord suppressed_avx512(const Neighbourhood& at,
 /// Each pixel's class.
 template <typename SuppressWord>
 EDVO_INLINE void classify(const ByteImage& image, const SuppressWord& suppress_word,
-                          Hysteresis& edges) {
-  std::array<GradientRow, 3> buffers{GradientRow(image.cols), GradientRow(image.cols),
-                                     GradientRow(image.cols)};
+                          std::array<GradientRow, 3>& buffers, Hysteresis& edges) {
   std::array<GradientRow*, 3> rows{&buffers[0], &buffers[1], &buffers[2]};
   rows[1]->clear();
   rows[2]->compute(image, 0);
@@ -188,45 +184,50 @@ EDVO_INLINE void classify(const ByteImage& image, const SuppressWord& suppress_w
 
 #if defined(__x86_64__)
 EDVO_TARGET_AVX512 void classify_avx512(const ByteImage& image, SquaredThresholds thresholds,
-                                        Hysteresis& edges) {
-  classify(
-      image,
-      [&](const Neighbourhood& at) EDVO_TARGET_AVX512 { return suppressed_avx512(at, thresholds); },
-      edges);
+                                        std::array<GradientRow, 3>& rows, Hysteresis& edges) {
+  const auto suppress_word = [&](const Neighbourhood& at)
+                                 EDVO_TARGET_AVX512 { return suppressed_avx512(at, thresholds); };
+  classify(image, suppress_word, rows, edges);
 }
 #endif
 
 EDVO_TARGET_AVX2 void classify_avx2(const ByteImage& image, SquaredThresholds thresholds,
-                                    Hysteresis& edges) {
-  classify(
-      image, [&](const Neighbourhood& at) EDVO_TARGET_AVX2 { return suppressed(at, thresholds); },
-      edges);
+                                    std::array<GradientRow, 3>& rows, Hysteresis& edges) {
+  const auto suppress_word = [&](const Neighbourhood& at)
+                                 EDVO_TARGET_AVX2 { return suppressed(at, thresholds); };
+  classify(image, suppress_word, rows, edges);
 }
 
-void classify_baseline(const ByteImage& image, SquaredThresholds thresholds, Hysteresis& edges) {
-  classify(
-      image, [&](const Neighbourhood& at) { return suppressed(at, thresholds); }, edges);
+void classify_baseline(const ByteImage& image, SquaredThresholds thresholds,
+                       std::array<GradientRow, 3>& rows, Hysteresis& edges) {
+  const auto suppress_word = [&](const Neighbourhood& at) { return suppressed(at, thresholds); };
+  classify(image, suppress_word, rows, edges);
 }
 
 }  // namespace
 
-EdgeMask canny(const ByteImage& image, double weak, double strong, InstructionSet set) {
+void Canny::find(const ByteImage& image, double weak, double strong, InstructionSet set,
+                 EdgeMask& edges) {
   const SquaredThresholds thresholds = squared_thresholds(weak, strong);
-  Hysteresis edges(image.size());
+  for (GradientRow& row : rows_) {
+    row.resize(image.cols);
+  }
+  hysteresis_.reset(image.size());
   switch (set) {
 #if defined(__x86_64__)
     case InstructionSet::avx512:
-      classify_avx512(image, thresholds, edges);
+      classify_avx512(image, thresholds, rows_, hysteresis_);
       break;
 #endif
     case InstructionSet::avx2:
-      classify_avx2(image, thresholds, edges);
+      classify_avx2(image, thresholds, rows_, hysteresis_);
       break;
     default:
-      classify_baseline(image, thresholds, edges);
+      classify_baseline(image, thresholds, rows_, hysteresis_);
   }
-  edges.follow();
-  return edges.strong();
+  hysteresis_.follow();
+  edges.create(image.size());
+  hysteresis_.write_strong(edges);
 }
 
 }  // namespace vo

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "vo/core/error.h"
-#include "vo/image/gradient_edges.h"
 #include "vo/image/laplacian_edges.h"
 #include "vo/image/structured_forest.h"
 #include "vo/image/structured_forest_file.h"
@@ -34,22 +33,27 @@ EdgeFinder::EdgeFinder(EdgeOptions options) : options_(std::move(options)) {
   }
 }
 
-EdgeMask EdgeFinder::detect(const GrayImage& gray) const {
+void EdgeFinder::detect(const GrayImage& gray, EdgeMask& edges) {
   switch (options_.detector) {
     case EdgeDetector::log:
-      return laplacian_edges(gray, options_);
-    case EdgeDetector::sobel:
-      return sobel_edges(gray, options_);
-    case EdgeDetector::structured_forest:
-      return forest_edges(*forest_, to_rgb(gray), options_.forest_scale, options_.forest_strength);
-    case EdgeDetector::canny:
+      edges = laplacian_edges(gray, options_);
       break;
+    case EdgeDetector::sobel:
+      edges = sobel_edges(gray, options_);
+      break;
+    case EdgeDetector::structured_forest:
+      edges = forest_edges(*forest_, to_rgb(gray), options_.forest_scale, options_.forest_strength);
+      break;
+    default:
+      make_writable(edges, gray.size());
+      canny_.find(gray, options_, edges);
   }
-  return canny_edges(gray, options_);
 }
 
 EdgeMask detect_edges(const GrayImage& gray, const EdgeOptions& options) {
-  return EdgeFinder(options).detect(gray);
+  EdgeMask edges;
+  EdgeFinder(options).detect(gray, edges);
+  return edges;
 }
 
 }  // namespace vo

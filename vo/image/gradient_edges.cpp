@@ -1,20 +1,46 @@
 #include "vo/image/gradient_edges.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstddef>
 
 #include <opencv2/imgproc.hpp>
 
-#include "vo/image/canny.h"
+#include "vo/core/instruction_set.h"
 #include "vo/image/edge_thinning.h"
-#include "vo/image/sobel_magnitudes.h"
 
 namespace vo {
 namespace {
 
-ByteImage to_bytes(const GrayImage& gray) {
-  ByteImage bytes;
-  gray.convertTo(bytes, CV_8U, 255);
+/// One row as 0..255. In a sum with 1.5 2^23 the last bits of a float count ones: a half is rounded
+/// to the even number, as cv::Mat::convertTo does.
+EDVO_INLINE void convert_row(const float* gray, std::size_t cols, uchar* __restrict bytes) {
+  constexpr float kOnes = 0x1.8p23F;
+  for (std::size_t u = 0; u < cols; ++u) {
+    const int rounded = std::bit_cast<int>(255 * gray[u] + kOnes) - std::bit_cast<int>(kOnes);
+    bytes[u] = static_cast<uchar>(std::min(std::max(rounded, 0), 255));
+  }
+}
+
+EDVO_TARGET_AVX2 void convert_row_avx2(const float* gray, std::size_t cols, uchar* bytes) {
+  convert_row(gray, cols, bytes);
+}
+
+void convert_row_baseline(const float* gray, std::size_t cols, uchar* bytes) {
+  convert_row(gray, cols, bytes);
+}
+
+/// The image in this memory.
+ByteImage to_bytes(const GrayImage& gray, std::vector<uchar>& memory) {
+  const auto convert_row = available_instruction_set() == InstructionSet::baseline
+                               ? convert_row_baseline
+                               : convert_row_avx2;
+  memory.resize(std::max(memory.size(), gray.total()));
+  ByteImage bytes(gray.rows, gray.cols, memory.data());
+  for (int v = 0; v < gray.rows; ++v) {
+    convert_row(gray[v], static_cast<std::size_t>(gray.cols), bytes[v]);
+  }
   return bytes;
 }
 
@@ -40,10 +66,9 @@ int least_magnitude(int greatest, IsGreatEnough is_great_enough) {
 }
 
 /// The magnitude below which a share of the pixels lies. Evenly spread rows stand for the image.
-double gradient_quantile(const ByteImage& image, double share) {
+double gradient_quantile(const ByteImage& image, double share, SobelMagnitudes& magnitudes) {
   constexpr int kRows = 60;
-  const SobelMagnitudes magnitudes(image, std::max(1, image.rows / kRows),
-                                   available_instruction_set());
+  magnitudes.measure(image, std::max(1, image.rows / kRows), available_instruction_set());
   const double wanted = share * magnitudes.count();
   return least_magnitude(SobelMagnitudes::kGreatest, [&](int magnitude) {
     return magnitudes.count_below(magnitude + 1) >= wanted;
@@ -51,21 +76,23 @@ double gradient_quantile(const ByteImage& image, double share) {
 }
 
 /// The least whole magnitude that at most `count` pixels reach.
-double gradient_of_count(const ByteImage& image, int count) {
-  const SobelMagnitudes magnitudes(image, 1, available_instruction_set());
+double gradient_of_count(const ByteImage& image, int count, SobelMagnitudes& magnitudes) {
+  magnitudes.measure(image, 1, available_instruction_set());
   return least_magnitude(SobelMagnitudes::kGreatest + 1, [&](int magnitude) {
     return magnitudes.count() - magnitudes.count_below(magnitude) <= count;
   });
 }
 
-double strong_threshold(const ByteImage& image, const EdgeOptions& options) {
+double strong_threshold(const ByteImage& image, const EdgeOptions& options,
+                        SobelMagnitudes& magnitudes) {
   switch (options.threshold) {
     case EdgeThreshold::otsu:
       return otsu_threshold(image);
     case EdgeThreshold::percentile:
-      return std::max(options.floor, gradient_quantile(image, options.percentile / 100));
+      return std::max(options.floor,
+                      gradient_quantile(image, options.percentile / 100, magnitudes));
     case EdgeThreshold::target_count:
-      return std::max(options.floor, gradient_of_count(image, options.target_count));
+      return std::max(options.floor, gradient_of_count(image, options.target_count, magnitudes));
     case EdgeThreshold::fixed:
       break;
   }
@@ -74,14 +101,16 @@ double strong_threshold(const ByteImage& image, const EdgeOptions& options) {
 
 }  // namespace
 
-EdgeMask canny_edges(const GrayImage& gray, const EdgeOptions& options) {
-  const ByteImage image = to_bytes(gray);
-  const double strong = strong_threshold(image, options);
-  return canny(image, options.weak_ratio * strong, strong, available_instruction_set());
+void CannyEdges::find(const GrayImage& gray, const EdgeOptions& options, EdgeMask& edges) {
+  const ByteImage image = to_bytes(gray, bytes_);
+  const double strong = strong_threshold(image, options, magnitudes_);
+  canny_.find(image, options.weak_ratio * strong, strong, available_instruction_set(), edges);
 }
 
 EdgeMask sobel_edges(const GrayImage& gray, const EdgeOptions& options) {
-  const ByteImage image = to_bytes(gray);
+  std::vector<uchar> bytes;
+  SobelMagnitudes magnitudes;
+  const ByteImage image = to_bytes(gray, bytes);
   cv::Mat_<float> dx;
   cv::Mat_<float> dy;
   cv::Sobel(image, dx, CV_32F, 1, 0, 3, 1, 0, cv::BORDER_REPLICATE);
@@ -98,7 +127,7 @@ EdgeMask sobel_edges(const GrayImage& gray, const EdgeOptions& options) {
   if (options.sobel_thin) {
     strength = thinned(strength, across, 1);
   }
-  cv::Mat edges = strength >= std::max(1.0, strong_threshold(image, options));
+  cv::Mat edges = strength >= std::max(1.0, strong_threshold(image, options, magnitudes));
   return edges;
 }
 

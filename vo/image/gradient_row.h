@@ -15,13 +15,14 @@ namespace vo {
 /// it up to whole words of 64 pixels. Squared magnitudes have a zero on the left, too.
 class GradientRow {
  public:
-  explicit GradientRow(int cols)
-      : cols_(static_cast<std::size_t>(cols)),
-        smooth_(cols_ + 2),
-        difference_(smooth_.size()),
-        dx_((cols_ + kPixelsPerWord - 1) / kPixelsPerWord * kPixelsPerWord),
-        dy_(dx_.size()),
-        squared_(dx_.size() + 2) {}
+  void resize(int cols) {
+    cols_ = static_cast<std::size_t>(cols);
+    smooth_.resize(cols_ + 2);
+    difference_.resize(cols_ + 2);
+    dx_.assign((cols_ + kPixelsPerWord - 1) / kPixelsPerWord * kPixelsPerWord, 0);
+    dy_.assign(dx_.size(), 0);
+    squared_.assign(dx_.size() + 2, 0);
+  }
 
   EDVO_INLINE void compute(const ByteImage& image, int v) {
     const uchar* above = image[std::max(v - 1, 0)];
@@ -57,7 +58,7 @@ class GradientRow {
   const int* squared() const { return squared_.data() + 1; }  ///< valid from -1 to a word's end
 
  private:
-  std::size_t cols_;
+  std::size_t cols_ = 0;
   std::vector<std::int16_t> smooth_;      ///< of the columns, a pixel more on either side
   std::vector<std::int16_t> difference_;  ///< likewise
   std::vector<std::int16_t> dx_, dy_;

@@ -1,5 +1,6 @@
 #include "vo/image/hysteresis.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <utility>
@@ -50,34 +51,35 @@ bool spread_row_baseline(const Word* source, std::size_t words, const Word* edge
 
 }  // namespace
 
-Hysteresis::Hysteresis(cv::Size size)
-    : size_(size),
-      words_((static_cast<std::size_t>(size.width) + kBits - 1) / kBits),
-      strong_(offset(size.height)),
-      edges_(strong_.size()) {}
+void Hysteresis::reset(cv::Size size) {
+  size_ = size;
+  words_ = (static_cast<std::size_t>(size.width) + kBits - 1) / kBits;
+  strong_.assign(offset(size.height), 0);
+  edges_.assign(strong_.size(), 0);
+}
 
 void Hysteresis::follow() {
   for (int v = 0; v < size_.height; ++v) {
     grow(v);
   }
-  std::vector<char> unseen_below(static_cast<std::size_t>(size_.height), 1);  // since it changed
-  std::vector<char> unseen_above = unseen_below;
+  unseen_below_.assign(static_cast<std::size_t>(size_.height), 1);
+  unseen_above_ = unseen_below_;
   const auto spread_unseen = [&](int from, int to, std::vector<char>& unseen) {
     const bool changed =
         std::exchange(unseen[static_cast<std::size_t>(from)], 0) != 0 && spread(from, to);
     if (changed) {
-      unseen_below[static_cast<std::size_t>(to)] = 1;
-      unseen_above[static_cast<std::size_t>(to)] = 1;
+      unseen_below_[static_cast<std::size_t>(to)] = 1;
+      unseen_above_[static_cast<std::size_t>(to)] = 1;
     }
     return changed;
   };
   for (bool changed = true; changed;) {
     changed = false;
     for (int v = 1; v < size_.height; ++v) {
-      changed |= spread_unseen(v - 1, v, unseen_below);
+      changed |= spread_unseen(v - 1, v, unseen_below_);
     }
     for (int v = size_.height - 1; v > 0; --v) {
-      changed |= spread_unseen(v, v - 1, unseen_above);
+      changed |= spread_unseen(v, v - 1, unseen_above_);
     }
   }
 }
@@ -130,20 +132,20 @@ void Hysteresis::grow_left(Word* strong, const Word* edges) const {
   }
 }
 
-EdgeMask Hysteresis::strong() const {
+void Hysteresis::write_strong(EdgeMask& mask) const {
   static constexpr std::array<Word, 256> kPixels = mask_pixels();
-  EdgeMask mask(size_);
   constexpr std::size_t kBytes = 8;
-  std::vector<Word> pixels(words_ * kBits / kBytes);
+  std::array<Word, kBits / kBytes> pixels;
+  const auto cols = static_cast<std::size_t>(size_.width);
   for (int v = 0; v < size_.height; ++v) {
     const Word* strong = strong_.data() + offset(v);
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      const std::size_t shift = kBytes * (i % kBytes);
-      pixels[i] = kPixels[(strong[i / kBytes] >> shift) & 0xffU];
+    for (std::size_t w = 0; w < words_; ++w) {
+      for (std::size_t i = 0; i < pixels.size(); ++i) {
+        pixels[i] = kPixels[(strong[w] >> (kBytes * i)) & 0xffU];
+      }
+      std::memcpy(mask[v] + w * kBits, pixels.data(), std::min(kBits, cols - w * kBits));
     }
-    std::memcpy(mask[v], pixels.data(), static_cast<std::size_t>(size_.width));
   }
-  return mask;
 }
 
 }  // namespace vo

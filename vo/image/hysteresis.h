@@ -18,9 +18,10 @@ struct EdgeWord {
 /// other weak ones, are strong. 64 pixels of a row are one word, whose runs grow all at once.
 class Hysteresis {
  public:
-  explicit Hysteresis(cv::Size size);
+  /// Starts again with an image of this size and no edges.
+  void reset(cv::Size size);
 
-  /// Of row v from column 64 `word` on; no edges beyond the image. There are none at first.
+  /// Of row v from column 64 `word` on; no edges beyond the image.
   void set(int v, int word, const EdgeWord& pixels) {
     const std::size_t index = offset(v) + static_cast<std::size_t>(word);
     edges_[index] = pixels.edges;
@@ -29,7 +30,7 @@ class Hysteresis {
 
   void follow();
 
-  EdgeMask strong() const;
+  void write_strong(EdgeMask& mask) const;  ///< of the same size
 
  private:
   using Word = std::uint64_t;
@@ -42,9 +43,10 @@ class Hysteresis {
   std::size_t offset(int v) const { return static_cast<std::size_t>(v) * (words_ + 1) + 1; }
 
   cv::Size size_;
-  std::size_t words_;         ///< of a row
+  std::size_t words_ = 0;     ///< of a row
   std::vector<Word> strong_;  ///< row by row, an empty word before, between and after them
   std::vector<Word> edges_;   ///< weak and strong
+  std::vector<char> unseen_below_, unseen_above_;  ///< rows that changed since they were spread
 };
 
 }  // namespace vo

@@ -1,6 +1,8 @@
 #include "vo/image/pyramid.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <utility>
 
 #include <opencv2/imgproc.hpp>
@@ -23,53 +25,50 @@ EDVO_INLINE float greater(float a, float b) {
   return a > b ? a : b;
 }
 
-/// One row of `halve_depth`, in steps that are vectorized each.
-class DepthRowMerger {
- public:
-  explicit DepthRowMerger(int cols)
-      : upper_(2 * static_cast<std::size_t>(cols)),
-        lower_(upper_.size()),
-        nearest_(static_cast<std::size_t>(cols)),
-        farthest_(nearest_.size()) {}
+constexpr std::size_t kBlock = 64;  // pixels of the halved image
 
-  EDVO_INLINE void merge(const float* upper, const float* lower, float* __restrict merged) {
-    put_holes_far(upper, upper_);
-    put_holes_far(lower, lower_);
-    const std::size_t cols = nearest_.size();
-    float* __restrict nearest = nearest_.data();
-    float* __restrict farthest = farthest_.data();
-    for (std::size_t u = 0; u < cols; ++u) {
-      const float a = upper_[2 * u];
-      const float b = upper_[2 * u + 1];
-      const float c = lower_[2 * u];
-      const float d = lower_[2 * u + 1];
-      nearest[u] = lesser(lesser(a, b), lesser(c, d));
-      farthest[u] = greater(greater(a, b), greater(c, d));
-      merged[u] = 4 * (a * b) * (c * d) / ((a + b) * (c * d) + (c + d) * (a * b));
-    }
-    for (std::size_t u = 0; u < cols; ++u) {
-      merged[u] = farthest[u] <= kMaxDepthSpread * nearest[u] ? merged[u] : nearest[u];
-    }
-    for (std::size_t u = 0; u < cols; ++u) {
-      merged[u] = merged[u] < kFar / 2 ? merged[u] : 0;
-    }
+EDVO_INLINE void put_holes_far(const float* depth, std::size_t count, float* __restrict far) {
+  for (std::size_t u = 0; u < count; ++u) {
+    far[u] = depth[u] > 0 ? depth[u] : kFar;
   }
+}
 
- private:
-  EDVO_INLINE static void put_holes_far(const float* depth, std::vector<float>& row) {
-    for (std::size_t u = 0; u < row.size(); ++u) {
-      row[u] = depth[u] > 0 ? depth[u] : kFar;
-    }
+/// At most 64 pixels of `halve_depth`, in steps that are vectorized each.
+EDVO_INLINE void merge_block(const float* upper, const float* lower, std::size_t count,
+                             float* __restrict merged) {
+  std::array<float, 2 * kBlock> upper_far;
+  std::array<float, 2 * kBlock> lower_far;
+  std::array<float, kBlock> nearest;
+  std::array<float, kBlock> farthest;
+  put_holes_far(upper, 2 * count, upper_far.data());
+  put_holes_far(lower, 2 * count, lower_far.data());
+  for (std::size_t u = 0; u < count; ++u) {
+    const float a = upper_far[2 * u];
+    const float b = upper_far[2 * u + 1];
+    const float c = lower_far[2 * u];
+    const float d = lower_far[2 * u + 1];
+    nearest[u] = lesser(lesser(a, b), lesser(c, d));
+    farthest[u] = greater(greater(a, b), greater(c, d));
+    merged[u] = 4 * (a * b) * (c * d) / ((a + b) * (c * d) + (c + d) * (a * b));
   }
-
-  std::vector<float> upper_, lower_;       ///< m, of the finer level
-  std::vector<float> nearest_, farthest_;  ///< m, of each four
-};
+  for (std::size_t u = 0; u < count; ++u) {
+    merged[u] = farthest[u] <= kMaxDepthSpread * nearest[u] ? merged[u] : nearest[u];
+  }
+  for (std::size_t u = 0; u < count; ++u) {
+    merged[u] = merged[u] < kFar / 2 ? merged[u] : 0;
+  }
+}
 
 EDVO_INLINE void merge_depth(const DepthImage& depth, DepthImage& half) {
-  DepthRowMerger merger(half.cols);
+  const auto cols = static_cast<std::size_t>(half.cols);
   for (int v = 0; v < half.rows; ++v) {
-    merger.merge(depth[2 * v], depth[2 * v + 1], half[v]);
+    const float* upper = depth[2 * v];
+    const float* lower = depth[2 * v + 1];
+    std::size_t u = 0;
+    for (; u + kBlock <= cols; u += kBlock) {
+      merge_block(upper + 2 * u, lower + 2 * u, kBlock, half[v] + u);
+    }
+    merge_block(upper + 2 * u, lower + 2 * u, cols - u, half[v] + u);
   }
 }
 
@@ -90,15 +89,6 @@ PinholeCamera halved_camera(const PinholeCamera& camera, HalvedPrincipalPoint pr
   return half;
 }
 
-DepthImage halved_depth(const DepthImage& depth, HalvedDepth how) {
-  if (how == HalvedDepth::surfaces) {
-    return halve_depth(depth);
-  }
-  DepthImage half;
-  cv::resize(depth, half, {depth.cols / 2, depth.rows / 2}, 0, 0, cv::INTER_CUBIC);
-  return half;
-}
-
 RayImage pixel_rays(const PinholeCamera& camera) {
   RayImage rays(camera.height, camera.width);
   for (int v = 0; v < rays.rows; ++v) {
@@ -116,27 +106,25 @@ void PyramidOptions::validate() const {
   require(levels >= 1 && levels <= 8, "pyramid.levels: expected 1 to 8, got ", levels);
 }
 
-GrayImage halve(const GrayImage& image) {
-  GrayImage half(image.rows / 2, image.cols / 2);
+void halve(const GrayImage& image, GrayImage& half) {
+  make_writable(half, {image.cols / 2, image.rows / 2});
   for (int v = 0; v < half.rows; ++v) {
     const float* upper = image[2 * v];
     const float* lower = image[2 * v + 1];
-    float* target = half[v];
+    float* __restrict target = half[v];
     for (int u = 0; u < half.cols; ++u) {
       target[u] = 0.25F * ((upper[2 * u] + upper[2 * u + 1]) + (lower[2 * u] + lower[2 * u + 1]));
     }
   }
-  return half;
 }
 
-DepthImage halve_depth(const DepthImage& depth) {
-  DepthImage half(depth.rows / 2, depth.cols / 2);
+void halve_depth(const DepthImage& depth, DepthImage& half) {
+  make_writable(half, {depth.cols / 2, depth.rows / 2});
   if (available_instruction_set() == InstructionSet::baseline) {
     merge_depth_baseline(depth, half);
   } else {
     merge_depth_avx2(depth, half);
   }
-  return half;
 }
 
 cv::Vec2f central_gradient(const GrayImage& image, cv::Point pixel) {
@@ -159,39 +147,54 @@ std::vector<CameraLevel> camera_levels(const PinholeCamera& camera, const Pyrami
   return levels;
 }
 
-FramePyramid build_pyramid(const RgbdFrame& frame, const std::vector<CameraLevel>& levels,
-                           const PyramidOptions& options, const Vignette& vignette) {
-  FramePyramid pyramid{frame.timestamp, {}, vignette};
-  for (const CameraLevel& level : levels) {
-    if (pyramid.levels.empty()) {
-      GrayImage intensity = to_gray(frame.image);
-      take_out(vignette, level.camera, {}, intensity);
-      pyramid.levels.push_back({level.camera, level.rays, std::move(intensity), {}, frame.depth});
+PyramidBuilder::PyramidBuilder(const PinholeCamera& camera, const PyramidOptions& options)
+    : options_(options), levels_(camera_levels(camera, options)) {}
+
+void PyramidBuilder::build(const RgbdFrame& frame, const Vignette& vignette,
+                           FramePyramid& pyramid) {
+  pyramid.timestamp = frame.timestamp;
+  pyramid.vignette = vignette;
+  pyramid.levels.resize(levels_.size());
+  for (std::size_t l = 0; l < levels_.size(); ++l) {
+    PyramidLevel& level = pyramid.levels[l];
+    level.camera = levels_[l].camera;
+    level.rays = levels_[l].rays;
+    if (l == 0) {
+      to_gray(frame.image, luma_, level.intensity);
+      take_out(vignette, level.camera, {}, level.intensity);
+      level.depth = frame.depth;
     } else {
-      const PyramidLevel& finer = pyramid.levels.back();
-      pyramid.levels.push_back({level.camera,
-                                level.rays,
-                                halve(finer.intensity),
-                                {},
-                                halved_depth(finer.depth, options.depth)});
+      halve(pyramid.levels[l - 1].intensity, level.intensity);
+      halve_depth_into(pyramid.levels[l - 1].depth, level.depth);
     }
   }
-  return pyramid;
+}
+
+void PyramidBuilder::halve_depth_into(const DepthImage& depth, DepthImage& half) const {
+  if (options_.depth == HalvedDepth::surfaces) {
+    halve_depth(depth, half);
+  } else {
+    make_writable(half, {depth.cols / 2, depth.rows / 2});
+    cv::resize(depth, half, half.size(), 0, 0, cv::INTER_CUBIC);
+  }
 }
 
 FramePyramid build_pyramid(const RgbdFrame& frame, const PinholeCamera& camera,
                            const PyramidOptions& options) {
-  return build_pyramid(frame, camera_levels(camera, options), options);
+  FramePyramid pyramid;
+  PyramidBuilder(camera, options).build(frame, {}, pyramid);
+  return pyramid;
 }
 
-void add_edges(FramePyramid& pyramid, const EdgeFinder& finder) {
+void add_edges(FramePyramid& pyramid, EdgeFinder& finder) {
   for (PyramidLevel& level : pyramid.levels) {
-    level.edges = finder.detect(level.intensity);
+    finder.detect(level.intensity, level.edges);
   }
 }
 
 void add_edges(FramePyramid& pyramid, const EdgeOptions& options) {
-  add_edges(pyramid, EdgeFinder(options));
+  EdgeFinder finder(options);
+  add_edges(pyramid, finder);
 }
 
 std::size_t memory_bytes(const FramePyramid& pyramid) {

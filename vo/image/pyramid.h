@@ -74,16 +74,29 @@ struct FramePyramid {
   Vignette vignette;  ///< taken out of the intensities
 };
 
-/// Intensity by 2x2 means, the vignette taken out of it; depth as the options say.
-FramePyramid build_pyramid(const RgbdFrame& frame, const std::vector<CameraLevel>& levels,
-                           const PyramidOptions& options, const Vignette& vignette = {});
+/// Builds the pyramids of a camera's frames, one after the other in the same memory.
+class PyramidBuilder {
+ public:
+  PyramidBuilder(const PinholeCamera& camera, const PyramidOptions& options);
 
-/// The same for a single frame.
+  /// Intensity by 2x2 means, the vignette taken out of it; depth as the options say. No edges. What
+  /// `pyramid` was before is forgotten; its images' memory is used where nobody else holds it.
+  void build(const RgbdFrame& frame, const Vignette& vignette, FramePyramid& pyramid);
+
+ private:
+  void halve_depth_into(const DepthImage& depth, DepthImage& half) const;
+
+  PyramidOptions options_;
+  std::vector<CameraLevel> levels_;
+  ByteImage luma_;  ///< of the frame
+};
+
+/// The pyramid of a single frame.
 FramePyramid build_pyramid(const RgbdFrame& frame, const PinholeCamera& camera,
                            const PyramidOptions& options);
 
 /// Edges of each level's own intensity, with thresholds of its own.
-void add_edges(FramePyramid& pyramid, const EdgeFinder& finder);
+void add_edges(FramePyramid& pyramid, EdgeFinder& finder);
 
 /// The same for a single frame.
 void add_edges(FramePyramid& pyramid, const EdgeOptions& options);
@@ -91,12 +104,13 @@ void add_edges(FramePyramid& pyramid, const EdgeOptions& options);
 /// Bytes of the images that are this frame's own; the rays belong to the camera.
 std::size_t memory_bytes(const FramePyramid& pyramid);
 
-/// Half the size, each pixel the mean of four. An odd last row or column is left out.
-GrayImage halve(const GrayImage& image);
+/// Half the size, each pixel the mean of four. An odd last row or column is left out. The memory of
+/// `half` is used if nobody else holds it.
+void halve(const GrayImage& image, GrayImage& half);
 
 /// Half the size without a depth that nobody measured: the mean of the four inverse depths where
 /// all are there and within 5 %, else the nearest (foreground) of those that are there, else none.
-DepthImage halve_depth(const DepthImage& depth);
+void halve_depth(const DepthImage& depth, DepthImage& half);
 
 /// (I(u+1) - I(u-1)) / 2 and likewise in v, intensity per px; 0 on the border.
 cv::Vec2f central_gradient(const GrayImage& image, cv::Point pixel);

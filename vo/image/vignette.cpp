@@ -2,12 +2,50 @@
 
 #include <cmath>
 
+#include "vo/core/instruction_set.h"
+
 namespace vo {
 namespace {
 
 double inverse_square_of_half_diagonal(const PinholeCamera& camera) {
   const double diagonal = std::hypot(camera.width, camera.height);
   return 4 / (diagonal * diagonal);
+}
+
+/// What the intensities of one row are multiplied by: that of `now` over that of `before`. For
+/// none before the quotient is that of `now` to the bit.
+struct RowGains {
+  float cx;              ///< px
+  float dv2;             ///< px^2, of the row from the principal point
+  float inverse_square;  ///< of half the diagonal, 1/px^2
+  Eigen::Vector2f now;
+  Eigen::Vector2f before;
+
+  template <bool kHasBefore>
+  EDVO_INLINE void apply(float* __restrict row, int cols) const {
+    for (int u = 0; u < cols; ++u) {
+      const float du = static_cast<float>(u) - cx;
+      const float rho2 = inverse_square * (du * du + dv2);
+      const float gain = 1 + rho2 * (now[0] + rho2 * now[1]);
+      row[u] *= kHasBefore ? gain / (1 + rho2 * (before[0] + rho2 * before[1])) : gain;
+    }
+  }
+
+  EDVO_INLINE void apply(float* row, int cols) const {
+    if (before.isZero(0)) {
+      apply<false>(row, cols);
+    } else {
+      apply<true>(row, cols);
+    }
+  }
+};
+
+EDVO_TARGET_AVX2 void apply_avx2(const RowGains& gains, float* row, int cols) {
+  gains.apply(row, cols);
+}
+
+void apply_baseline(const RowGains& gains, float* row, int cols) {
+  gains.apply(row, cols);
 }
 
 }  // namespace
@@ -20,19 +58,18 @@ void take_out(const Vignette& vignette, const PinholeCamera& camera, const Vigne
   if (vignette == before) {
     return;
   }
+  const auto apply =
+      available_instruction_set() == InstructionSet::baseline ? apply_baseline : apply_avx2;
   const auto inverse_square = static_cast<float>(inverse_square_of_half_diagonal(camera));
-  const Eigen::Vector2f now = vignette.coefficients.cast<float>();
-  const Eigen::Vector2f then = before.coefficients.cast<float>();
-  const auto cx = static_cast<float>(camera.cx);
   const auto cy = static_cast<float>(camera.cy);
   for (int v = 0; v < image.rows; ++v) {
     const float dv = static_cast<float>(v) - cy;
-    float* row = image[v];
-    for (int u = 0; u < image.cols; ++u) {
-      const float du = static_cast<float>(u) - cx;
-      const float rho2 = inverse_square * (du * du + dv * dv);
-      row[u] *= (1 + rho2 * (now[0] + rho2 * now[1])) / (1 + rho2 * (then[0] + rho2 * then[1]));
-    }
+    apply({.cx = static_cast<float>(camera.cx),
+           .dv2 = dv * dv,
+           .inverse_square = inverse_square,
+           .now = vignette.coefficients.cast<float>(),
+           .before = before.coefficients.cast<float>()},
+          image[v], image.cols);
   }
 }
 

@@ -66,7 +66,10 @@ vo::EdgeMask flooded(vo::ByteImage classes) {
 }
 
 vo::EdgeMask followed(const vo::ByteImage& classes) {
-  vo::Hysteresis hysteresis(classes.size());
+  vo::Hysteresis hysteresis;
+  hysteresis.reset({300, 300});  // what it was used for before is forgotten
+  hysteresis.set(1, 1, {~std::uint64_t{0}, ~std::uint64_t{0}});
+  hysteresis.reset(classes.size());
   constexpr int kWord = 64;
   for (int v = 0; v < classes.rows; ++v) {
     for (int first = 0; first < classes.cols; first += kWord) {
@@ -80,7 +83,9 @@ vo::EdgeMask followed(const vo::ByteImage& classes) {
     }
   }
   hysteresis.follow();
-  return hysteresis.strong();
+  vo::EdgeMask mask(classes.size());
+  hysteresis.write_strong(mask);
+  return mask;
 }
 
 TEST(Hysteresis, FollowsWhatAFloodReaches) {

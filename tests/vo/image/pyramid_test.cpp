@@ -10,6 +10,12 @@ using support::small_camera;
 using vo::DepthImage;
 using vo::GrayImage;
 
+DepthImage halved(const DepthImage& depth) {
+  DepthImage half;
+  vo::halve_depth(depth, half);
+  return half;
+}
+
 /// I = a u + b v + c is halved to the same ramp in the pixels of the half image.
 TEST(Pyramid, HalvingARampShiftsByHalfAPixel) {
   GrayImage ramp(8, 10);
@@ -18,7 +24,8 @@ TEST(Pyramid, HalvingARampShiftsByHalfAPixel) {
       ramp(v, u) = 0.01F * static_cast<float>(u) + 0.02F * static_cast<float>(v) + 0.1F;
     }
   }
-  const GrayImage half = vo::halve(ramp);
+  GrayImage half;
+  vo::halve(ramp, half);
   ASSERT_EQ(half.size(), cv::Size(5, 4));
   EXPECT_NEAR(half(1, 2), 0.01F * 4.5F + 0.02F * 2.5F + 0.1F, 1e-6);
 }
@@ -39,15 +46,15 @@ TEST(Pyramid, GradientOfARampIsItsSlope) {
 TEST(Pyramid, DepthOfOneSurfaceIsTheMeanOfInverseDepths) {
   const DepthImage depth = (DepthImage(2, 2) << 2.0F, 2.02F, 2.04F, 2.06F);
   const float expected = 4 / (1 / 2.0F + 1 / 2.02F + 1 / 2.04F + 1 / 2.06F);
-  EXPECT_NEAR(vo::halve_depth(depth)(0, 0), expected, 1e-6);
+  EXPECT_NEAR(halved(depth)(0, 0), expected, 1e-6);
 }
 
 TEST(Pyramid, DepthIsNeverAveragedAcrossHolesOrSteps) {
-  EXPECT_EQ(vo::halve_depth((DepthImage(2, 2) << 0.0F, 2.0F, 2.01F, 2.02F))(0, 0), 2.0F);
-  EXPECT_EQ(vo::halve_depth((DepthImage(2, 2) << 4.0F, 0.0F, 0.0F, 0.0F))(0, 0), 4.0F);
-  EXPECT_EQ(vo::halve_depth((DepthImage(2, 2) << 4.0F, 1.0F, 4.1F, 4.0F))(0, 0), 1.0F)
+  EXPECT_EQ(halved((DepthImage(2, 2) << 0.0F, 2.0F, 2.01F, 2.02F))(0, 0), 2.0F);
+  EXPECT_EQ(halved((DepthImage(2, 2) << 4.0F, 0.0F, 0.0F, 0.0F))(0, 0), 4.0F);
+  EXPECT_EQ(halved((DepthImage(2, 2) << 4.0F, 1.0F, 4.1F, 4.0F))(0, 0), 1.0F)
       << "the edge belongs to the occluder";
-  EXPECT_EQ(vo::halve_depth(DepthImage(2, 2, 0.0F))(0, 0), 0.0F);
+  EXPECT_EQ(halved(DepthImage(2, 2, 0.0F))(0, 0), 0.0F);
 }
 
 /// A level's camera sees the plane's exact depth at its own pixel centres.
@@ -70,6 +77,33 @@ TEST(Pyramid, StopsBeforeImagesBecomeTooSmall) {
   const vo::PinholeCamera camera = vo::PinholeCamera::from_horizontal_fov(80, 60, 60);
   const support::TexturedPlane plane;
   EXPECT_EQ(vo::build_pyramid(plane.render(camera, {}), camera, {.levels = 5}).levels.size(), 2U);
+}
+
+bool are_same(const cv::Mat& a, const cv::Mat& b) {
+  return a.size() == b.size() && cv::norm(a, b, cv::NORM_INF) == 0;
+}
+
+TEST(Pyramid, AnotherFrameTakesTheMemoryThatNobodyElseHolds) {
+  const support::TexturedPlane plane;
+  const vo::RgbdFrame first = plane.render(small_camera(), {});
+  const vo::RgbdFrame second =
+      plane.render(small_camera(), vo::SE3(Eigen::Quaterniond::Identity(), {0.1, 0, 0}));
+  const vo::FramePyramid expected = vo::build_pyramid(second, small_camera(), {});
+  vo::PyramidBuilder builder(small_camera(), {});
+  vo::FramePyramid pyramid;
+  builder.build(first, {}, pyramid);
+  const vo::FramePyramid kept = pyramid;
+  const GrayImage kept_before = kept.levels[1].intensity.clone();
+  builder.build(second, {}, pyramid);
+  EXPECT_TRUE(are_same(kept.levels[1].intensity, kept_before)) << "a copy was written to";
+  const uchar* memory = pyramid.levels[1].depth.data;
+  builder.build(first, {}, pyramid);
+  builder.build(second, {}, pyramid);
+  EXPECT_EQ(pyramid.levels[1].depth.data, memory);
+  for (std::size_t l = 0; l < expected.levels.size(); ++l) {
+    EXPECT_TRUE(are_same(pyramid.levels[l].intensity, expected.levels[l].intensity)) << l;
+    EXPECT_TRUE(are_same(pyramid.levels[l].depth, expected.levels[l].depth)) << l;
+  }
 }
 
 }  // namespace
