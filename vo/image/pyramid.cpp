@@ -76,6 +76,10 @@ EDVO_TARGET_AVX2 void merge_depth_avx2(const DepthImage& depth, DepthImage& half
   merge_depth(depth, half);
 }
 
+EDVO_TARGET_AVX512 void merge_depth_avx512(const DepthImage& depth, DepthImage& half) {
+  merge_depth(depth, half);
+}
+
 void merge_depth_baseline(const DepthImage& depth, DepthImage& half) {
   merge_depth(depth, half);
 }
@@ -120,11 +124,11 @@ void halve(const GrayImage& image, GrayImage& half) {
 
 void halve_depth(const DepthImage& depth, DepthImage& half) {
   make_writable(half, {depth.cols / 2, depth.rows / 2});
-  if (available_instruction_set() == InstructionSet::baseline) {
-    merge_depth_baseline(depth, half);
-  } else {
-    merge_depth_avx2(depth, half);
-  }
+  const InstructionSet set = available_instruction_set();
+  const auto merge = set == InstructionSet::avx512 ? merge_depth_avx512
+                     : set == InstructionSet::avx2 ? merge_depth_avx2
+                                                   : merge_depth_baseline;
+  merge(depth, half);
 }
 
 cv::Vec2f central_gradient(const GrayImage& image, cv::Point pixel) {
