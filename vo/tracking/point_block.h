@@ -182,11 +182,17 @@ struct alignas(64) BlockQuads {
 EDVO_INLINE void load_quads(const GrayImage& image, const Block& block, BlockQuads& quads) {
   const auto* pixels = reinterpret_cast<const float*>(image.data);
   const auto stride = static_cast<std::ptrdiff_t>(image.step1());
+  std::array<int, kBlock> corners;  // where each point's first pixel is
+  BlockRow above_v;
   for (std::size_t i = 0; i < kBlock; ++i) {
     const int u0 = static_cast<int>(block.u[i]);
     const int v0 = static_cast<int>(block.v[i]);
-    const float dv = block.v[i] - static_cast<float>(v0);
-    const float* corner = pixels + (v0 - 1) * stride + (u0 - 1);
+    corners[i] = (v0 - 1) * static_cast<int>(stride) + (u0 - 1);
+    above_v[i] = block.v[i] - static_cast<float>(v0);
+  }
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float* corner = pixels + corners[i];
+    const float dv = above_v[i];
     const Quad row0 = load_quad(corner);
     const Quad row1 = load_quad(corner + stride);
     const Quad row2 = load_quad(corner + 2 * stride);
