@@ -7,7 +7,8 @@
 #include <cstdint>
 #include <cstring>
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(__clang__)  // which ignores EDVO_TARGET_AVX512
+#define EDVO_HAS_MASKS
 #include <immintrin.h>
 #endif
 
@@ -96,7 +97,7 @@ EDVO_INLINE EdgeWord suppressed(const Neighbourhood& at, SquaredThresholds thres
   return {packed_word(edges.data()), packed_word(strong.data())};
 }
 
-#if defined(__x86_64__)
+#if defined(EDVO_HAS_MASKS)
 constexpr int kLanes = 16;
 using Lanes = int __attribute__((vector_size(kLanes * sizeof(int))));
 using ShortLanes = std::int16_t __attribute__((vector_size(kLanes * sizeof(std::int16_t))));
@@ -182,21 +183,26 @@ EDVO_INLINE void classify(const ByteImage& image, const SuppressWord& suppress_w
   }
 }
 
-#if defined(__x86_64__)
-EDVO_TARGET_AVX512 void classify_avx512(const ByteImage& image, SquaredThresholds thresholds,
-                                        std::array<GradientRow, 3>& rows, Hysteresis& edges) {
-  const auto suppress_word = [&](const Neighbourhood& at)
-                                 EDVO_TARGET_AVX512 { return suppressed_avx512(at, thresholds); };
-  classify(image, suppress_word, rows, edges);
-}
-#endif
-
 EDVO_TARGET_AVX2 void classify_avx2(const ByteImage& image, SquaredThresholds thresholds,
                                     std::array<GradientRow, 3>& rows, Hysteresis& edges) {
   const auto suppress_word = [&](const Neighbourhood& at)
                                  EDVO_TARGET_AVX2 { return suppressed(at, thresholds); };
   classify(image, suppress_word, rows, edges);
 }
+
+#if defined(EDVO_HAS_MASKS)
+EDVO_TARGET_AVX512 void classify_avx512(const ByteImage& image, SquaredThresholds thresholds,
+                                        std::array<GradientRow, 3>& rows, Hysteresis& edges) {
+  const auto suppress_word = [&](const Neighbourhood& at)
+                                 EDVO_TARGET_AVX512 { return suppressed_avx512(at, thresholds); };
+  classify(image, suppress_word, rows, edges);
+}
+#else
+void classify_avx512(const ByteImage& image, SquaredThresholds thresholds,
+                     std::array<GradientRow, 3>& rows, Hysteresis& edges) {
+  classify_avx2(image, thresholds, rows, edges);
+}
+#endif
 
 void classify_baseline(const ByteImage& image, SquaredThresholds thresholds,
                        std::array<GradientRow, 3>& rows, Hysteresis& edges) {
@@ -214,11 +220,9 @@ void Canny::find(const ByteImage& image, double weak, double strong, Instruction
   }
   hysteresis_.reset(image.size());
   switch (set) {
-#if defined(__x86_64__)
     case InstructionSet::avx512:
       classify_avx512(image, thresholds, rows_, hysteresis_);
       break;
-#endif
     case InstructionSet::avx2:
       classify_avx2(image, thresholds, rows_, hysteresis_);
       break;
