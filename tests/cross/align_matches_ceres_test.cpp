@@ -1,53 +1,21 @@
 #include <array>
-#include <utility>
 
 #include <ceres/ceres.h>
 #include <ceres/rotation.h>
 #include <gtest/gtest.h>
 
+#include "tests/cross/image_function.h"
 #include "tests/support/pose_near.h"
 #include "tests/support/textured_plane.h"
-#include "tests/support/warp_oracle.h"
 #include "vo/tracking/align.h"
 
 namespace {
 
+using support::ImageFunction;
 using support::PoseNear;
 using support::small_camera;
 using vo::SE3;
 using vo::Vector6d;
-
-/// The level's interpolated image as Ceres sees it: value and gradient at a point, and the chain
-/// rule for automatic derivatives.
-class ImageFunction {
- public:
-  explicit ImageFunction(const vo::PyramidLevel& level)
-      : level_(level), gradient_(level.intensity.size()) {
-    for (int v = 0; v < gradient_.rows; ++v) {
-      for (int u = 0; u < gradient_.cols; ++u) {
-        gradient_(v, u) = vo::central_gradient(level.intensity, {u, v});
-      }
-    }
-  }
-
-  double operator()(double u, double v) const { return look_up(u, v).first; }
-
-  template <int N>
-  ceres::Jet<double, N> operator()(const ceres::Jet<double, N>& u,
-                                   const ceres::Jet<double, N>& v) const {
-    const auto [value, gradient] = look_up(u.a, v.a);
-    return {value, gradient[0] * u.v + gradient[1] * v.v};
-  }
-
- private:
-  std::pair<double, cv::Vec2f> look_up(double u, double v) const {
-    const support::BilinearWeights at(static_cast<float>(u), static_cast<float>(v));
-    return {at(level_.intensity), at(gradient_)};
-  }
-
-  const vo::PyramidLevel& level_;
-  cv::Mat_<cv::Vec2f> gradient_;
-};
 
 /// The photometric residual of one point as a function of an increment [translation; rotation
 /// vector] left of a fixed pose: written apart from the tracker's warp and Jacobian.

@@ -94,6 +94,15 @@ Eigen::Matrix3d skew(const Eigen::Vector3d& a) {
   return A;
 }
 
+Matrix6d adjoint(const SE3& T_a_b) {
+  const Eigen::Matrix3d R = T_a_b.rotation_matrix();
+  Matrix6d result = Matrix6d::Zero();
+  result.topLeftCorner<3, 3>() = R;
+  result.topRightCorner<3, 3>() = skew(T_a_b.translation()) * R;
+  result.bottomRightCorner<3, 3>() = R;
+  return result;
+}
+
 SE3 look_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, const Eigen::Vector3d& up) {
   const Eigen::Vector3d forward = (target - eye).normalized();
   const Eigen::Vector3d right = forward.cross(up).normalized();

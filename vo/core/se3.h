@@ -43,6 +43,9 @@ Eigen::Vector3d operator*(const SE3& T_a_b, const Eigen::Vector3d& p_b);
 /// The matrix with skew(a) * b = a x b.
 Eigen::Matrix3d skew(const Eigen::Vector3d& a);
 
+/// The matrix Ad(T) with T exp(delta) = exp(Ad(T) delta) T.
+Matrix6d adjoint(const SE3& T_a_b);
+
 /// T_world_camera of a camera at `eye` whose optical axis runs through `target` and whose image
 /// shows `up` upwards. All in world coordinates; `up` must not be parallel to the viewing
 /// direction.

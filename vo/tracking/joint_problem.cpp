@@ -10,17 +10,10 @@
 namespace vo {
 namespace {
 
-/// H_bb of gain and offset, kept invertible where the images have no contrast.
-Eigen::Matrix2d brightness_block(const LinearSystem& part) {
-  constexpr double kPrior = 1e-3;  // times the points
-  return part.H.bottomRightCorner<2, 2>() +
-         kPrior * static_cast<double>(part.points + 1) * Eigen::Matrix2d::Identity();
-}
-
 /// Takes gain and offset out of the normal equations (Schur complement).
 void eliminate_brightness(const LinearSystem& part, Matrix6d& H, Vector6d& b) {
   const Eigen::Matrix<double, 6, 2> coupling = part.H.topRightCorner<6, 2>();
-  const Eigen::Matrix<double, 6, 2> eliminated = coupling * brightness_block(part).inverse();
+  const Eigen::Matrix<double, 6, 2> eliminated = coupling * part.H_brightness().inverse();
   H -= eliminated * coupling.transpose();
   b -= eliminated * part.b.tail<2>();
 }
@@ -177,7 +170,7 @@ CellScores::Projection JointProblem::projection(std::size_t pair, const LinearSy
   CellScores::Projection eliminated = CellScores::Projection::Zero();
   eliminated.leftCols<6>().setIdentity();
   if (options_.brightness == BrightnessModel::affine) {
-    eliminated.rightCols<2>() = -part.H.topRightCorner<6, 2>() * brightness_block(part).inverse();
+    eliminated.rightCols<2>() = -part.H.topRightCorner<6, 2>() * part.H_brightness().inverse();
   }
   const Matrix6d J = increment_jacobian(pairs_[pair], T_cur_first);
   return J.transpose() * eliminated / (models_[pair].scale * models_[pair].scale);
@@ -220,7 +213,7 @@ void JointProblem::add_readout(const ScoredPair& scored, const SE3& T_cur_first,
       scored.seen, scored.scores, adjoint(scored.seen.T_cur_ref) * of_points, of_image);
   Eigen::Vector2d eliminated = Eigen::Vector2d::Zero();
   if (options_.brightness == BrightnessModel::affine) {
-    eliminated = brightness_block(scored.part).inverse() * moments.coupling.tail<2>();
+    eliminated = scored.part.H_brightness().inverse() * moments.coupling.tail<2>();
   }
   system.H +=
       scored.inverse_variance * (moments.square - eliminated.dot(moments.coupling.tail<2>()));
@@ -285,19 +278,10 @@ void JointProblem::update_brightness(const JointSystem& system, const Vector6d& 
     const Vector6d pair_delta = increment_jacobian(pairs_[i], T_cur_first) * delta;
     const Eigen::Vector2d right =
         part.b.tail<2>() + part.H.topRightCorner<6, 2>().transpose() * pair_delta;
-    const Eigen::Vector2d step = -brightness_block(part).inverse() * right;
+    const Eigen::Vector2d step = -part.H_brightness().inverse() * right;
     models_[i].brightness.gain += step[0];
     models_[i].brightness.offset += step[1];
   }
-}
-
-Matrix6d adjoint(const SE3& T_a_b) {
-  const Eigen::Matrix3d R = T_a_b.rotation_matrix();
-  Matrix6d result = Matrix6d::Zero();
-  result.topLeftCorner<3, 3>() = R;
-  result.topRightCorner<3, 3>() = skew(T_a_b.translation()) * R;
-  result.bottomRightCorner<3, 3>() = R;
-  return result;
 }
 
 }  // namespace vo

@@ -149,7 +149,4 @@ class JointProblem {
   double distance_scale_ = 0;  ///< m, of the distances from the first reference's surfaces
 };
 
-/// The matrix Ad(T) with T exp(delta) = exp(Ad(T) delta) T.
-Matrix6d adjoint(const SE3& T_a_b);
-
 }  // namespace vo

@@ -57,6 +57,12 @@ struct Moments {
 
 }  // namespace
 
+Eigen::Matrix2d LinearSystem::H_brightness() const {
+  constexpr double kPrior = 1e-3;  // times the points
+  return H.bottomRightCorner<2, 2>() +
+         kPrior * static_cast<double>(points + 1) * Eigen::Matrix2d::Identity();
+}
+
 LinearSystem linearize(const PointView& view, const AlignOptions& options,
                        const ResidualModel& model) {
   const PassOptions pass = pass_options(options, model);

@@ -37,6 +37,7 @@ struct LinearSystem {
 
   Matrix6d H_pose() const { return H.topLeftCorner<6, 6>(); }
   Vector6d b_pose() const { return b.head<6>(); }
+  Eigen::Matrix2d H_brightness() const;  ///< kept invertible where the images have no contrast
 };
 
 /// One pass over the points: r = I_cur(pi(T_cur_ref p_ref)) - gain I_ref - offset (paper, Eq. 6),
