@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "synth/sensor/preset.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
@@ -55,6 +56,18 @@ TEST(Scenario, APresetIsWhereTheOptionsStartFromWhereverItStands) {
   EXPECT_EQ(scenario.odometry.tracker.pyramid.levels, 4);
   EXPECT_EQ(scenario.odometry.tracker.points.source, vo::EdgeSource::current);
   EXPECT_EQ(scenario.odometry.tracker.lens, vo::LensModel::ignore);
+}
+
+TEST(Scenario, ASensorPresetMayComeFromTheFileOrFromAChange) {
+  const TempFolder folder;
+  const auto file = folder.write(
+      "s.toml", std::string(kScenario) + "[sensor]\npreset = \"azure-kinect\"\nmin_depth = 0.7\n");
+  EXPECT_EQ(tools::load_scenario(file, {}).sensor.max_depth, 3.86);
+  const tools::Scenario changed = tools::load_scenario(file, {{"sensor.preset", "kinect-v1"}});
+  const synth::SensorOptions kinect = synth::preset_options(synth::SensorPreset::kinect_v1);
+  EXPECT_EQ(changed.sensor.max_depth, kinect.max_depth);
+  EXPECT_EQ(changed.sensor.depth.delay, kinect.depth.delay);
+  EXPECT_EQ(changed.sensor.min_depth, 0.7) << "the file's";
 }
 
 TEST(Scenario, ErrorsNameFileLineAndNearestKey) {

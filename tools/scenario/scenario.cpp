@@ -33,17 +33,6 @@ std::vector<vo::Field> bound_fields(std::map<std::string, Bound>& bounds) {
   return fields;
 }
 
-/// A preset is where the sensor's options start from, so it is applied before them.
-void apply_preset(const std::vector<vo::TomlValue>& values, synth::SensorOptions& sensor) {
-  for (const vo::TomlValue& value : values) {
-    if (value.key == "sensor.preset") {
-      std::vector<vo::Field> fields = vo::fields_of(sensor, "sensor.");
-      vo::assign_fields({value}, fields);
-    }
-  }
-  sensor = synth::preset_options(sensor.preset);
-}
-
 void apply(const Assignments& changes, std::vector<vo::Field>& fields) {
   for (const auto& [key, value] : changes) {
     try {
@@ -54,23 +43,37 @@ void apply(const Assignments& changes, std::vector<vo::Field>& fields) {
   }
 }
 
+/// One option that others start from: the file's value, then the changes'.
+template <typename Options>
+void apply_first(const std::string& key, const std::vector<vo::TomlValue>& values,
+                 const Assignments& changes, Options& options) {
+  const std::string prefix = key.substr(0, key.find('.') + 1);
+  std::vector<vo::Field> fields = vo::fields_of(options, prefix);
+  for (const vo::TomlValue& value : values) {
+    if (value.key == key) {
+      vo::assign_fields({value}, fields);
+    }
+  }
+  for (const Assignment& change : changes) {
+    if (change.first == key) {
+      apply({change}, fields);
+    }
+  }
+}
+
+/// A preset is where the sensor's options start from, so it is applied before them.
+void apply_preset(const std::vector<vo::TomlValue>& values, const Assignments& changes,
+                  synth::SensorOptions& sensor) {
+  apply_first("sensor.preset", values, changes, sensor);
+  sensor = synth::preset_options(sensor.preset);
+}
+
 /// The mode decides which options there are, the preset where the tracker's start from: they are
-/// applied before all others, first the file's, then the changes'.
+/// applied before all others.
 void apply_start(const std::vector<vo::TomlValue>& values, const Assignments& changes,
                  OdometryOptions& odometry) {
   for (const std::string key : {"odometry.mode", "odometry.preset"}) {
-    for (const vo::TomlValue& value : values) {
-      std::vector<vo::Field> fields = vo::fields_of(odometry, "odometry.");
-      if (value.key == key) {
-        vo::assign_fields({value}, fields);
-      }
-    }
-    for (const Assignment& change : changes) {
-      std::vector<vo::Field> fields = vo::fields_of(odometry, "odometry.");
-      if (change.first == key) {
-        apply({change}, fields);
-      }
-    }
+    apply_first(key, values, changes, odometry);
     odometry = odometry_defaults(odometry.mode, odometry.preset);
   }
 }
@@ -180,7 +183,7 @@ Scenario load_scenario(const fs::path& path, const Assignments& changes) {
   Scenario scenario;
   scenario.file = path;
   scenario.name = path.stem().string();
-  apply_preset(values, scenario.sensor);
+  apply_preset(values, changes, scenario.sensor);
   apply_start(values, changes, scenario.odometry);
 
   std::vector<vo::Field> fields = vo::fields_of(scenario);
