@@ -80,19 +80,6 @@ void thin_out(const EdgePointOptions& options, int width, std::vector<cv::Point>
   pixels.resize(kept);
 }
 
-EdgePointLevel collect_points(const PyramidLevel& reference, const EdgeMask& mask,
-                              const EdgePointOptions& options) {
-  std::vector<cv::Point> pixels = usable_pixels(reference.depth, mask, usable_depth(options));
-  thin_out(options, mask.cols, pixels);
-  std::vector<PixelDepth> depths;
-  depths.reserve(pixels.size());
-  for (const cv::Point pixel : pixels) {
-    const float z = reference.depth(pixel);
-    depths.push_back({pixel, z, structured_light_sigma(z)});
-  }
-  return points_at(reference, depths, available_instruction_set());
-}
-
 }  // namespace
 
 EdgePointOptions EdgePointOptions::at_level(std::size_t level) const {
@@ -162,15 +149,33 @@ bool has_edge_pixels_with_depth(const PyramidLevel& level, std::size_t wanted,
   return count >= wanted;
 }
 
+void EdgePointFinder::find(const PyramidLevel& reference, const EdgeMask& mask,
+                           const EdgePointOptions& options, EdgePointLevel& points) {
+  find_usable_pixels(reference.depth, mask, usable_depth(options), pixels_);
+  thin_out(options, mask.cols, pixels_);
+  depths_.clear();
+  for (const cv::Point pixel : pixels_) {
+    const float z = reference.depth(pixel);
+    depths_.push_back({pixel, z, structured_light_sigma(z)});
+  }
+  show_points(reference, depths_, available_instruction_set(), points);
+}
+
+void EdgePointFinder::find(const FramePyramid& reference, const FramePyramid& current,
+                           EdgePoints& points) {
+  assert(reference.levels.size() == current.levels.size());
+  points.levels.resize(reference.levels.size());
+  for (std::size_t l = 0; l < reference.levels.size(); ++l) {
+    const PyramidLevel& level = reference.levels[l];
+    const EdgeMask mask = edge_mask(level, current.levels[l], options_.source);
+    find(level, selected(level, mask, options_), options_.at_level(l), points.levels[l]);
+  }
+}
+
 EdgePoints edge_points(const FramePyramid& reference, const FramePyramid& current,
                        const EdgePointOptions& options) {
-  assert(reference.levels.size() == current.levels.size());
   EdgePoints points;
-  for (std::size_t l = 0; l < reference.levels.size(); ++l) {
-    const EdgeMask mask = edge_mask(reference.levels[l], current.levels[l], options.source);
-    points.levels.push_back(collect_points(
-        reference.levels[l], selected(reference.levels[l], mask, options), options.at_level(l)));
-  }
+  EdgePointFinder(options).find(reference, current, points);
   return points;
 }
 

@@ -115,9 +115,9 @@ struct PixelDepth {
   float sigma;      ///< standard deviation, m
 };
 
-/// What a level shows at pixels of known depth, in their order.
-EdgePointLevel points_at(const PyramidLevel& level, std::span<const PixelDepth> pixels,
-                         InstructionSet set);
+/// What a level shows at pixels of known depth, in their order; `points` are overwritten.
+void show_points(const PyramidLevel& level, std::span<const PixelDepth> pixels, InstructionSet set,
+                 EdgePointLevel& points);
 
 /// Which of a level's `count` candidates the options' fraction and limit leave: those whose rank in
 /// a pseudo-random order of the pixels is low enough.
@@ -143,8 +143,25 @@ class Thinning {
 bool has_edge_pixels_with_depth(const PyramidLevel& level, std::size_t wanted,
                                 const EdgePointOptions& options);
 
-/// The pixels of `reference` that lie on an edge of the chosen source and have depth. Both pyramids
-/// have edges, the same cameras and the same number of levels.
+/// Chooses the points of one frame after the other in the same memory.
+class EdgePointFinder {
+ public:
+  explicit EdgePointFinder(EdgePointOptions options) : options_(options) {}
+
+  /// The pixels of `reference` that lie on an edge of the chosen source and have depth. Both
+  /// pyramids have edges, the same cameras and the same number of levels. `points` are overwritten.
+  void find(const FramePyramid& reference, const FramePyramid& current, EdgePoints& points);
+
+ private:
+  void find(const PyramidLevel& reference, const EdgeMask& mask, const EdgePointOptions& options,
+            EdgePointLevel& points);
+
+  EdgePointOptions options_;
+  std::vector<cv::Point> pixels_;
+  std::vector<PixelDepth> depths_;
+};
+
+/// The same for a single frame.
 EdgePoints edge_points(const FramePyramid& reference, const FramePyramid& current,
                        const EdgePointOptions& options);
 

@@ -104,9 +104,8 @@ void store(const Block& block, std::size_t first, std::span<const PixelDepth> pi
 
 }  // namespace
 
-EdgePointLevel points_at(const PyramidLevel& level, std::span<const PixelDepth> pixels,
-                         InstructionSet set) {
-  EdgePointLevel points;
+void show_points(const PyramidLevel& level, std::span<const PixelDepth> pixels, InstructionSet set,
+                 EdgePointLevel& points) {
   points.resize(pixels.size());
   Block block{};
   block.z.fill(1);
@@ -120,7 +119,6 @@ EdgePointLevel points_at(const PyramidLevel& level, std::span<const PixelDepth> 
     }
     store(block, first, some, points);
   }
-  return points;
 }
 
 }  // namespace vo

@@ -42,10 +42,10 @@ void prefetch(const DepthImage& depth, int v) {
 
 }  // namespace
 
-std::vector<cv::Point> usable_pixels(const DepthImage& depth, const EdgeMask& mask,
-                                     const UsableDepth& usable) {
+void find_usable_pixels(const DepthImage& depth, const EdgeMask& mask, const UsableDepth& usable,
+                        std::vector<cv::Point>& pixels) {
   const StepDetector steps(depth, usable);
-  std::vector<cv::Point> pixels(static_cast<std::size_t>(cv::countNonZero(mask)));
+  pixels.resize(static_cast<std::size_t>(cv::countNonZero(mask)));
   std::size_t count = 0;
   for (int v = 0; v < mask.rows; ++v) {
     constexpr int kRowsAhead = 3;
@@ -57,7 +57,6 @@ std::vector<cv::Point> usable_pixels(const DepthImage& depth, const EdgeMask& ma
     });
   }
   pixels.resize(count);
-  return pixels;
 }
 
 }  // namespace vo

@@ -16,8 +16,8 @@ struct UsableDepth {
   bool is_in_range(float depth) const { return depth >= nearest && depth <= farthest; }
 };
 
-/// The mask's pixels whose depth is usable, in scan order.
-std::vector<cv::Point> usable_pixels(const DepthImage& depth, const EdgeMask& mask,
-                                     const UsableDepth& usable);
+/// The mask's pixels whose depth is usable, in scan order; `pixels` is overwritten.
+void find_usable_pixels(const DepthImage& depth, const EdgeMask& mask, const UsableDepth& usable,
+                        std::vector<cv::Point>& pixels);
 
 }  // namespace vo

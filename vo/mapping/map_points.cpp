@@ -121,7 +121,7 @@ EdgePoints map_points(const FramePyramid& anchor, const PointCells& cells,
     const PyramidLevel& level = anchor.levels[l];
     const std::vector<PixelDepth> usable =
         usable_depths(cells[l], depths, options.at_level(l), level.intensity.cols);
-    points.levels.push_back(points_at(level, usable, available_instruction_set()));
+    show_points(level, usable, available_instruction_set(), points.levels.emplace_back());
   }
   return points;
 }

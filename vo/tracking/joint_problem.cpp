@@ -177,13 +177,14 @@ CellScores::Projection JointProblem::projection(std::size_t pair, const LinearSy
 }
 
 JointProblem::ScoredPair JointProblem::scored(std::size_t pair, const LinearSystem& part,
-                                              const SE3& T_cur_first) const {
+                                              const SE3& T_cur_first, PointScores& scores) const {
   const PointView seen = view(pairs_[pair], T_cur_first);
   const ResidualModel& model = models_[pair];
+  score_points(seen, options_, model, scores);
   return {.pair = pairs_[pair],
           .part = part,
           .seen = seen,
-          .scores = score_points(seen, options_, model),
+          .scores = scores,
           .to_pose = projection(pair, part, T_cur_first),
           .inverse_variance = 1 / (model.scale * model.scale)};
 }
@@ -228,8 +229,9 @@ JointScores JointProblem::scores(const JointSystem& system, const SE3& T_cur_fir
                      .by_reference_velocity = {references, Matrix6d::Zero()}};
   CurvatureSums sums;
   ReadoutSystem readout;
+  PointScores scores;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    ScoredPair pair = scored(i, system.parts[i], T_cur_first);
+    const ScoredPair pair = scored(i, system.parts[i], T_cur_first, scores);
     add_velocities(pair, result);
     add_readout(pair, T_cur_first, readout);
     if (pair.pair.backward) {

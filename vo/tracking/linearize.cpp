@@ -78,9 +78,9 @@ LinearSystem linearize(const PointView& view, const AlignOptions& options,
   return system;
 }
 
-PointScores score_points(const PointView& view, const AlignOptions& options,
-                         const ResidualModel& model) {
-  return score_points(view, pass_options(options, model), available_instruction_set());
+void score_points(const PointView& view, const AlignOptions& options, const ResidualModel& model,
+                  PointScores& scores) {
+  score_points(view, pass_options(options, model), available_instruction_set(), scores);
 }
 
 std::vector<float> sampled_intensities(const PointView& view) {

@@ -103,9 +103,13 @@ EDVO_TARGET_AVX2 void sample_avx2(const PointView& view, std::size_t stride,
 
 }  // namespace
 
-PointScores::PointScores(std::size_t points)
-    : weight(points), residual(points), u(points), v(points) {
-  J.fill(std::vector<float>(points));
+void PointScores::resize(std::size_t points) {
+  for (std::vector<float>* values : {&weight, &residual, &u, &v}) {
+    values->resize(points);
+  }
+  for (std::vector<float>& column : J) {
+    column.resize(points);
+  }
 }
 
 Eigen::Matrix<double, kPassParameters, kPassParameters> PassSums::matrix() const {
@@ -139,14 +143,14 @@ PassSums sum_points(const PointView& view, const PassOptions& options, Instructi
   return sums;
 }
 
-PointScores score_points(const PointView& view, const PassOptions& options, InstructionSet set) {
-  PointScores scores(view.points.size());
+void score_points(const PointView& view, const PassOptions& options, InstructionSet set,
+                  PointScores& scores) {
+  scores.resize(view.points.size());
   if (set == InstructionSet::baseline) {
     score_baseline(view, options, scores);
   } else {
     score_avx2(view, options, scores);
   }
-  return scores;
 }
 
 void sample_points(const PointView& view, std::size_t stride, InstructionSet set,

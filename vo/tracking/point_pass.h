@@ -52,7 +52,7 @@ struct PointScores {
   std::vector<float> u;         ///< px, in the image
   std::vector<float> v;         ///< px
 
-  explicit PointScores(std::size_t points);
+  void resize(std::size_t points);
 };
 
 /// Points of one frame and the image of another that they are looked up in.
@@ -67,8 +67,9 @@ struct PointView {
 /// r = I_cur(pi(T_cur_ref p_ref)) - gain I_ref - offset over all points that are seen.
 PassSums sum_points(const PointView& view, const PassOptions& options, InstructionSet set);
 
-/// The terms of the sums' b, point by point.
-PointScores score_points(const PointView& view, const PassOptions& options, InstructionSet set);
+/// The terms of the sums' b, point by point; `scores` are overwritten.
+void score_points(const PointView& view, const PassOptions& options, InstructionSet set,
+                  PointScores& scores);
 
 /// The image's intensity at each point, NaN where the point is not seen. With a stride, only every
 /// so many groups of 64 neighbouring points are looked up, and the others are NaN.

@@ -13,10 +13,10 @@ namespace {
 constexpr double kDoubtfulCorrelation = 0.8;  ///< below it other starting points are tried
 constexpr double kClearlyBetter = 0.02;       ///< of two correlations
 
-/// The points of a frame's own edges, whatever else chooses points while tracking.
-std::shared_ptr<const EdgePoints> own_points(const FramePyramid& frame, EdgePointOptions options) {
+/// Of a frame's own edges, whatever else chooses points while tracking.
+EdgePointFinder own_point_finder(EdgePointOptions options) {
   options.source = EdgeSource::reference;
-  return std::make_shared<const EdgePoints>(edge_points(frame, frame, options));
+  return EdgePointFinder(options);
 }
 
 /// Mean gradient of the intensity at the finest points, 1/px; falls as the camera shakes.
@@ -42,6 +42,7 @@ Tracker::Tracker(const TrackerOptions& options, SE3 T_world_first)
     : options_(options),
       map_(options.map),
       readout_(options.align.readout),
+      own_point_finder_(own_point_finder(options.points)),
       reference_points_(std::make_shared<const EdgePoints>()),
       T_world_last_(std::move(T_world_first)) {
   options_.validate();
@@ -56,7 +57,9 @@ TrackingResult Tracker::track(const FramePyramid& current) {
             .status = fit ? TrackingStatus::initialized : TrackingStatus::lost,
             .reason = fit ? LostReason::none : LostReason::too_few_points};
   }
-  current_points_ = options_.symmetric ? own_points(current, options_.points) : nullptr;
+  if (options_.symmetric) {
+    find_current_points(current);
+  }
   ++frames_since_keyframe_;
   TrackingResult result = aligned_from(current, starting_pose(current));
   const bool doubtful =
@@ -71,6 +74,14 @@ TrackingResult Tracker::track(const FramePyramid& current) {
     was_lost_ = true;
   }
   return result;
+}
+
+/// In the memory of the last frame's, unless that became a keyframe.
+void Tracker::find_current_points(const FramePyramid& current) {
+  if (current_points_ == nullptr || current_points_.use_count() > 1) {
+    current_points_ = std::make_shared<EdgePoints>();
+  }
+  own_point_finder_.find(current, current, *current_points_);
 }
 
 SE3 Tracker::starting_pose(const FramePyramid& current) const {
@@ -240,9 +251,11 @@ bool Tracker::needs_keyframe(const FramePyramid& current, const TrackingResult& 
 }
 
 void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyframe) {
-  set_keyframe(
-      keyframe, T_world_keyframe,
-      current_points_ != nullptr ? current_points_ : own_points(keyframe, options_.points));
+  if (current_points_ == nullptr) {
+    find_current_points(keyframe);
+  }
+  set_keyframe(keyframe, T_world_keyframe,
+               options_.symmetric ? current_points_ : std::exchange(current_points_, nullptr));
 }
 
 void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyframe,

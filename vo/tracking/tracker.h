@@ -53,6 +53,7 @@ class Tracker {
     bool velocities_known() const;  ///< the first keyframe's is known a frame later
   };
 
+  void find_current_points(const FramePyramid& current);
   SE3 starting_pose(const FramePyramid& current) const;
   TrackingResult aligned_from(const FramePyramid& current, const SE3& T_world_guess);
   TrackingResult searched(const FramePyramid& current, const TrackingResult& first);
@@ -68,8 +69,9 @@ class Tracker {
   ReadoutEstimate readout_;
   VignetteEstimate vignette_;
 
+  EdgePointFinder own_point_finder_;
   std::shared_ptr<const EdgePoints> reference_points_;
-  std::shared_ptr<const EdgePoints> current_points_;  ///< of the tracked frame, where symmetric
+  std::shared_ptr<EdgePoints> current_points_;  ///< of the tracked frame, where symmetric
 
   int frames_since_keyframe_ = 0;
   double last_timestamp_ = 0;  ///< s, of the last tracked frame

@@ -204,15 +204,32 @@ TEST(EdgePoints, HaveTheSameBitsWithEveryInstructionSet) {
       pixels.push_back({{3 * i, 2 * i}, 1 + 0.01F * static_cast<float>(i), 0.02F});
     }
     const vo::InstructionSet best = vo::available_instruction_set();
-    const vo::EdgePointLevel one = vo::points_at(frame.levels[0], pixels, best);
-    const vo::EdgePointLevel other =
-        vo::points_at(frame.levels[0], pixels, vo::InstructionSet::baseline);
+    vo::EdgePointLevel one;
+    vo::EdgePointLevel other;
+    vo::show_points(frame.levels[0], pixels, best, one);
+    vo::show_points(frame.levels[0], pixels, vo::InstructionSet::baseline, other);
     EXPECT_EQ(one.x_ref, other.x_ref);
     EXPECT_EQ(one.y_ref, other.y_ref);
     EXPECT_EQ(one.dI_dx, other.dI_dx);
     EXPECT_EQ(one.dI_dy, other.dI_dy);
     EXPECT_EQ(one.dI_dz, other.dI_dz);
   }
+}
+
+TEST(EdgePoints, OfTheNextFrameAreFoundInTheSameMemory) {
+  const vo::PinholeCamera camera = small_camera();
+  vo::FramePyramid frame =
+      vo::build_pyramid(support::TexturedPlane().render(camera, vo::SE3()), camera, {.levels = 2});
+  vo::add_edges(frame, vo::EdgeOptions{});
+  const vo::EdgePointOptions options{.max_points = 500};
+  vo::EdgePointFinder finder(options);
+  vo::EdgePoints points;
+  finder.find(frame, frame, points);
+  const float* memory = points.levels[0].x_ref.data();
+  points.levels[0].x_ref[0] = -1;
+  finder.find(frame, frame, points);
+  EXPECT_EQ(points.levels[0].x_ref.data(), memory);
+  EXPECT_EQ(points.levels[0].x_ref, vo::edge_points(frame, frame, options).levels[0].x_ref);
 }
 
 TEST(EdgePoints, OptionsOutOfRangeAreErrors) {
