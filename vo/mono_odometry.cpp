@@ -40,6 +40,8 @@ void MonoOptions::validate() const {
           "mono.points: expected source = reference and selection = edges, the map's points");
   require(tracker.vignette == VignetteModel::ignore,
           "mono.vignette: expected ignore, the map looks edges up in images as they are");
+  require(tracker.window.adjust == WindowAdjustment::none,
+          "mono.window.adjust: expected none, the map finds the depths of its points");
   require(tracker.align.max_depth_ratio == 0,
           "mono.align.max_depth_ratio: expected 0, there is no current depth to test against");
   tracker.validate();

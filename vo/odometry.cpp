@@ -110,6 +110,7 @@ TrackingResult RgbdOdometry::track(const RgbdFrame& frame) {
   stage_times_.alignment_ms = watch.lap_ms();
   if (tracker_->needs_keyframe(current_, result)) {
     tracker_->set_keyframe(current_, result.T_world_camera);
+    result.T_world_camera = tracker_->map().last()->T_world_keyframe;
     result.is_keyframe = true;
   }
   if (result.status != TrackingStatus::lost) {

@@ -6,6 +6,7 @@
 #include "tests/support/plane_frames.h"
 #include "tests/support/pose_near.h"
 #include "vo/core/error.h"
+#include "vo/tracking/tracker.h"
 
 namespace {
 
@@ -34,6 +35,29 @@ TEST(RgbdOdometry, FollowsATexturedPlane) {
           << "frame " << i;
     }
     EXPECT_EQ(odometry.trajectory().size(), 20U);
+  }
+}
+
+/// The pose that a new keyframe reports is the adjusted one, which the map goes on with.
+TEST(RgbdOdometry, FollowsATexturedPlaneWhileItAdjustsItsKeyframes) {
+  for (const vo::WindowAdjustment adjust :
+       {vo::WindowAdjustment::poses, vo::WindowAdjustment::depth}) {
+    vo::TrackerOptions options = vo::preset_options(TrackerPreset::best_measured);
+    options.window.adjust = adjust;
+    options.keyframes.every = 4;
+    vo::RgbdOdometry odometry(small_camera(), options, sway(0));
+    for (int i = 0; i < 20; ++i) {
+      const vo::TrackingResult result = odometry.track(frame_at(sway(i), i));
+      EXPECT_THAT(
+          result.T_world_camera,
+          PoseNear(sway(i), support::PoseTolerance{.translation_m = 2e-3, .rotation_deg = 0.1}))
+          << "frame " << i;
+      if (result.is_keyframe) {
+        EXPECT_THAT(odometry.tracker().map().last()->T_world_keyframe,
+                    PoseNear(result.T_world_camera, support::PoseTolerance{}));
+      }
+    }
+    EXPECT_GE(odometry.tracker().map().keyframes().size(), 3U);
   }
 }
 

@@ -85,6 +85,7 @@ std::size_t LocalMap::memory_bytes() const {
   for (const std::shared_ptr<const Keyframe>& keyframe : keyframes_) {
     bytes += vo::memory_bytes(keyframe->pyramid) + vo::memory_bytes(*keyframe->points);
     bytes += keyframe->surface != nullptr ? keyframe->surface->memory_bytes() : 0;
+    bytes += keyframe->measured_depth.size() * sizeof(float);
   }
   return bytes;
 }
@@ -112,31 +113,63 @@ void LocalMap::set_last_points(std::shared_ptr<const EdgePoints> points) {
   keyframes_.back() = std::make_shared<const Keyframe>(std::move(keyframe));
 }
 
+void LocalMap::adjust(std::size_t keyframe, const SE3& T_world_keyframe, EdgePointLevel finest) {
+  Keyframe adjusted = *keyframes_[keyframe];
+  adjusted.T_world_keyframe = T_world_keyframe;
+  EdgePoints points = *adjusted.points;
+  points.levels.front() = std::move(finest);
+  adjusted.points = std::make_shared<const EdgePoints>(std::move(points));
+  keyframes_[keyframe] = std::make_shared<const Keyframe>(std::move(adjusted));
+}
+
+/// Least flow first, at most `count` of those with enough in common.
+std::vector<std::size_t> LocalMap::seen_from(const SE3& T_world_camera, std::size_t count) const {
+  std::vector<std::pair<double, std::size_t>> ranked;
+  for (std::size_t k = 0; k < keyframes_.size(); ++k) {
+    const Keyframe& keyframe = *keyframes_[k];
+    const ImageMotion motion = image_motion(*keyframe.points, keyframe.pyramid,
+                                            T_world_camera.inverse() * keyframe.T_world_keyframe);
+    if (motion.overlap >= options_.min_overlap) {
+      ranked.emplace_back(motion.flow_px, k);
+    }
+  }
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  ranked.resize(std::min(ranked.size(), count));
+  std::vector<std::size_t> result;
+  for (const auto& [flow, k] : ranked) {
+    result.push_back(k);
+  }
+  return result;
+}
+
 std::vector<std::shared_ptr<const Keyframe>> LocalMap::references_for(
     const SE3& T_world_camera) const {
   if (options_.references == 1) {
     return {keyframes_.back()};
   }
-  std::vector<std::pair<double, std::shared_ptr<const Keyframe>>> ranked;
-  for (const std::shared_ptr<const Keyframe>& keyframe : keyframes_) {
-    const ImageMotion motion = image_motion(*keyframe->points, keyframe->pyramid,
-                                            T_world_camera.inverse() * keyframe->T_world_keyframe);
-    if (motion.overlap >= options_.min_overlap) {
-      ranked.emplace_back(motion.flow_px, keyframe);
-    }
-  }
-  std::stable_sort(ranked.begin(), ranked.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::shared_ptr<const Keyframe>> references;
-  for (const auto& [flow, keyframe] : ranked) {
-    if (references.size() < static_cast<std::size_t>(options_.references)) {
-      references.push_back(keyframe);
-    }
+  for (const std::size_t k :
+       seen_from(T_world_camera, static_cast<std::size_t>(options_.references))) {
+    references.push_back(keyframes_[k]);
   }
   if (references.empty()) {
     references.push_back(keyframes_.back());
   }
   return references;
+}
+
+std::vector<std::size_t> LocalMap::around_last(std::size_t count) const {
+  const std::size_t last = keyframes_.size() - 1;
+  std::vector<std::size_t> result = seen_from(keyframes_.back()->T_world_keyframe, count);
+  const auto found = std::find(result.begin(), result.end(), last);
+  if (found == result.end()) {
+    result.insert(result.begin(), last);
+    result.resize(std::min(result.size(), count));
+  } else {
+    std::rotate(result.begin(), found, found + 1);
+  }
+  return result;
 }
 
 }  // namespace vo

@@ -23,6 +23,7 @@ struct Keyframe {
   std::optional<FrameVelocity>
       velocity;  ///< of the camera in its own frame, m/s and rad/s; if known
   std::shared_ptr<const SurfacePoints> surface;  ///< where depth is aligned, too
+  std::vector<float> measured_depth;  ///< m, of the finest points; where the window is adjusted
 };
 
 /// How the points of one frame move in the image of another.
@@ -48,11 +49,19 @@ class LocalMap {
   void set_last_velocity(const FrameVelocity& velocity);           ///< once the next frame has told
   void set_last_points(std::shared_ptr<const EdgePoints> points);  ///< as far as they are known now
 
+  /// Where it is by now, and its finest points.
+  void adjust(std::size_t keyframe, const SE3& T_world_keyframe, EdgePointLevel finest);
+
   /// The keyframe that the camera sees most alike, then the next, at most `references`; the last
   /// keyframe where none has enough in common.
   std::vector<std::shared_ptr<const Keyframe>> references_for(const SE3& T_world_camera) const;
 
+  /// The last keyframe, then those that it sees most alike; indices, at most `count`.
+  std::vector<std::size_t> around_last(std::size_t count) const;
+
  private:
+  std::vector<std::size_t> seen_from(const SE3& T_world_camera, std::size_t count) const;
+
   MapOptions options_;
   std::deque<std::shared_ptr<const Keyframe>> keyframes_;  ///< oldest first
 };

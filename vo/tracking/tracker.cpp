@@ -256,6 +256,40 @@ void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyf
   }
   set_keyframe(keyframe, T_world_keyframe,
                options_.symmetric ? current_points_ : std::exchange(current_points_, nullptr));
+  adjust_keyframes();
+}
+
+/// Those that are moved come first. One is held in any case: the one that was there first.
+std::vector<WindowFrame> Tracker::window(const std::vector<std::size_t>& keyframes) const {
+  const auto moved = static_cast<std::size_t>(options_.window.moved);
+  const std::size_t oldest = *std::min_element(keyframes.begin(), keyframes.end());
+  std::vector<WindowFrame> frames;
+  for (const std::size_t k : keyframes) {
+    const Keyframe& keyframe = *map_.keyframes()[k];
+    const bool held = frames.size() >= moved || (keyframes.size() <= moved && k == oldest);
+    frames.push_back({.image = &keyframe.pyramid.levels.front(),
+                      .points = keyframe.points->levels.front(),
+                      .measured_depth = keyframe.measured_depth,
+                      .T_frame_world = keyframe.T_world_keyframe.inverse(),
+                      .velocity = keyframe.velocity.value_or(FrameVelocity()),
+                      .held = held});
+  }
+  return frames;
+}
+
+/// The newest keyframe is the last tracked frame.
+void Tracker::adjust_keyframes() {
+  const int count = options_.window.moved + options_.window.held;
+  const std::vector<std::size_t> keyframes = map_.around_last(static_cast<std::size_t>(count));
+  if (options_.window.adjust == WindowAdjustment::none || keyframes.size() < 2) {
+    return;
+  }
+  std::vector<WindowFrame> frames = window(keyframes);
+  adjust_window(frames, options_.window, options_.align);
+  for (std::size_t n = 0; n < frames.size(); ++n) {
+    map_.adjust(keyframes[n], frames[n].T_frame_world.inverse(), std::move(frames[n].points));
+  }
+  T_world_last_ = map_.last()->T_world_keyframe;
 }
 
 void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyframe,
@@ -265,7 +299,12 @@ void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyf
     surface = std::make_shared<const SurfacePoints>(
         surface_points(keyframe.levels[surface_level(keyframe)]));
   }
-  map_.add({keyframe, std::move(points), T_world_keyframe, velocity_, std::move(surface)});
+  std::vector<float> measured_depth;
+  if (options_.window.adjust == WindowAdjustment::depth) {
+    measured_depth = points->levels.front().z_ref;
+  }
+  map_.add({keyframe, std::move(points), T_world_keyframe, velocity_, std::move(surface),
+            std::move(measured_depth)});
   frames_since_keyframe_ = 0;
 }
 

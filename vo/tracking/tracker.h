@@ -13,6 +13,7 @@
 #include "vo/tracking/tracker_options.h"
 #include "vo/tracking/tracking_result.h"
 #include "vo/tracking/vignette_estimate.h"
+#include "vo/tracking/window_adjustment.h"
 
 namespace vo {
 
@@ -60,6 +61,8 @@ class Tracker {
   References references_for(const FramePyramid& current, const SE3& T_world_guess) const;
   void calibrate(const References& references, const AlignCurrent& frame,
                  const AlignResult& aligned);
+  std::vector<WindowFrame> window(const std::vector<std::size_t>& keyframes) const;
+  void adjust_keyframes();
   LostReason judge(const AlignResult& alignment) const;
   void accept(const FramePyramid& current, TrackingResult& result);
   bool can_be_reference(const FramePyramid& frame) const;

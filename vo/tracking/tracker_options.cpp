@@ -29,6 +29,7 @@ void TrackerOptions::validate() const {
   align.validate();
   keyframes.validate();
   map.validate();
+  window.validate();
   lost.validate();
 }
 

@@ -8,6 +8,7 @@
 #include "vo/image/pyramid.h"
 #include "vo/tracking/align_options.h"
 #include "vo/tracking/map_options.h"
+#include "vo/tracking/window_options.h"
 
 namespace vo {
 
@@ -104,6 +105,7 @@ struct TrackerOptions {
   AlignOptions align;
   KeyframeOptions keyframes;
   MapOptions map;
+  WindowOptions window;
   LostOptions lost;
   bool symmetric = false;  ///< whether references are looked up at the current frame's points, too
   MotionModel motion_model = MotionModel::constant_velocity;
@@ -122,6 +124,7 @@ void visit_fields(Visitor& visit, TrackerOptions& options) {
   visit("align", options.align, "");
   visit("keyframes", options.keyframes, "");
   visit("map", options.map, "");
+  visit("window", options.window, "");
   visit("lost", options.lost, "");
   visit("symmetric", options.symmetric,
         "whether references are looked up at the current frame's points, too");

@@ -132,6 +132,24 @@ TEST(LocalMap, WithOneReferenceItIsTheLast) {
   EXPECT_EQ(positions_of(map.references_for(moved_by(0))), (std::vector{0.2}));
 }
 
+TEST(LocalMap, AWindowIsTheLastKeyframeAndThoseAroundIt) {
+  const vo::LocalMap map = map_of({.min_overlap = 0.5}, {0, 0.3, 1.5, 0.4, 0.1});
+  EXPECT_EQ(map.around_last(3), (std::vector<std::size_t>{4, 0, 1}));
+  EXPECT_EQ(map.around_last(9), (std::vector<std::size_t>{4, 0, 1, 3})) << "2 is out of view";
+  EXPECT_EQ(map.around_last(1), (std::vector<std::size_t>{4}));
+}
+
+TEST(LocalMap, AnAdjustedKeyframeIsWhereItWasFound) {
+  vo::LocalMap map = map_of({}, {0, 0.1, 0.2});
+  vo::EdgePointLevel finest;
+  finest.z_ref = {7};
+  const std::shared_ptr<const vo::Keyframe> before = map.keyframes()[1];
+  map.adjust(1, moved_by(0.11), finest);
+  EXPECT_EQ(map.keyframes()[1]->T_world_keyframe.translation().x(), 0.11);
+  EXPECT_EQ(map.keyframes()[1]->points->levels.front().z_ref, finest.z_ref);
+  EXPECT_TRUE(before->points->levels.front().z_ref.empty()) << "whoever holds it sees no change";
+}
+
 TEST(LocalMap, ForgetsTheOldest) {
   const vo::LocalMap map = map_of({.references = 2, .max_keyframes = 2}, {0, 0.1, 0.2});
   ASSERT_EQ(map.keyframes().size(), 2U);

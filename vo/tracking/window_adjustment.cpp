@@ -1,0 +1,292 @@
+#include "vo/tracking/window_adjustment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <Eigen/Cholesky>
+
+#include "vo/core/damped_descent.h"
+#include "vo/core/error.h"
+#include "vo/tracking/host_system.h"
+#include "vo/tracking/linearize.h"
+
+namespace vo {
+namespace {
+
+constexpr Eigen::Index kPose = 6;
+
+/// The points of one frame, the host, in the image of another, the target.
+struct WindowPair {
+  std::size_t host;
+  std::size_t target;
+};
+
+/// All that is adjusted.
+struct WindowState {
+  std::vector<SE3> T_frame_world;
+  std::vector<Eigen::VectorXd> inverse_depth;  ///< 1/m, of each frame's points
+  std::vector<ResidualModel> models;           ///< of each pair
+
+  SE3 T_target_host(const WindowPair& pair) const {
+    return T_frame_world[pair.target] * T_frame_world[pair.host].inverse();
+  }
+};
+
+Eigen::VectorXd inverses(const std::vector<float>& depth) {
+  return Eigen::Map<const Eigen::VectorXf>(depth.data(), static_cast<Eigen::Index>(depth.size()))
+      .cast<double>()
+      .cwiseInverse();
+}
+
+EdgePointLevel at_inverse_depths(const EdgePointLevel& points, const Eigen::VectorXd& inverse) {
+  const Eigen::VectorXf depth = inverse.cwiseInverse().cast<float>();
+  return at_depths(points, {depth.begin(), depth.end()});
+}
+
+double visible_fraction(const PointView& view) {
+  const std::vector<float> seen = sampled_intensities(view);
+  const auto hidden =
+      std::count_if(seen.begin(), seen.end(), [](float value) { return std::isnan(value); });
+  return seen.empty() ? 0 : 1 - static_cast<double>(hidden) / static_cast<double>(seen.size());
+}
+
+/// Brightness and scale of a pair as its images show them, each in turn.
+ResidualModel shown_model(const PointView& view, const AlignOptions& options) {
+  constexpr int kRounds = 3;
+  ResidualModel model{options.loss_scale, {}};
+  const bool affine = options.brightness == BrightnessModel::affine;
+  if (affine) {
+    model.brightness = matched_brightness(view);
+  }
+  for (int round = 0; round < kRounds; ++round) {
+    if (options.scale == LossScale::residuals) {
+      const double spread = residual_spread(view, model.brightness);
+      model.scale = std::max(efficient_scale(options.loss) * spread, options.min_loss_scale);
+    }
+    if (affine) {
+      const LinearSystem system = linearize(view, options, model);
+      const Eigen::Vector2d step = -system.H_brightness().ldlt().solve(system.b.tail<2>());
+      model.brightness.gain += step[0];
+      model.brightness.offset += step[1];
+    }
+  }
+  return model;
+}
+
+/// The frames and the pairs of them that see enough of each other.
+class Window {
+ public:
+  Window(const std::vector<WindowFrame>& frames, const WindowOptions& window,
+         const AlignOptions& options)
+      : frames_(frames), window_(window), options_(options), pairs_of_(frames.size()) {
+    start_.inverse_depth.resize(frames.size());
+    for (const WindowFrame& frame : frames) {
+      start_.T_frame_world.push_back(frame.T_frame_world);
+    }
+    for (std::size_t host = 0; host < frames.size(); ++host) {
+      start_.inverse_depth[host] = inverses(frames[host].points.z_ref);
+      for (std::size_t target = 0; target < frames.size(); ++target) {
+        add_pair({host, target});
+      }
+    }
+  }
+
+  const WindowState& start() const { return start_; }
+
+  double loss(const WindowState& state) const {
+    double sum = 0;
+    for (std::size_t host = 0; host < frames_.size(); ++host) {
+      const EdgePointLevel points = points_of(host, state);
+      for (const std::size_t p : pairs_of_[host]) {
+        const ResidualModel& model = state.models[p];
+        sum += linearize(view(pairs_[p], points, state), options_, model).cost /
+               (model.scale * model.scale);
+      }
+      if (adjusts_depth()) {
+        sum += firmness(host).dot(strayed(host, state).cwiseAbs2());
+      }
+    }
+    return sum;
+  }
+
+  /// Where a step from `state` leads.
+  WindowState stepped(const WindowState& state, double damping) const {
+    std::vector<HostSystem> systems;
+    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(pose_rows(), pose_rows());
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(pose_rows());
+    for (std::size_t host = 0; host < frames_.size(); ++host) {
+      systems.push_back(system_of(host, state));
+      const HostSystem::Increments part = systems.back().increments();
+      const Eigen::MatrixXd J = increment_jacobian(host, state);
+      H += J.transpose() * part.H * J;
+      b += J.transpose() * part.b;
+    }
+    hold_poses(H, b);
+    H.diagonal() *= 1 + damping;
+    return moved(state, systems, -H.ldlt().solve(b));
+  }
+
+ private:
+  bool adjusts_depth() const { return window_.adjust == WindowAdjustment::depth; }
+  Eigen::Index pose_rows() const { return kPose * static_cast<Eigen::Index>(frames_.size()); }
+
+  void add_pair(const WindowPair& pair) {
+    const WindowFrame& host = frames_[pair.host];
+    const bool says_something = !host.held || !frames_[pair.target].held || adjusts_depth();
+    if (pair.host == pair.target || !says_something) {
+      return;
+    }
+    const PointView seen = view(pair, host.points, start_);
+    if (visible_fraction(seen) >= window_.min_overlap) {
+      pairs_of_[pair.host].push_back(pairs_.size());
+      pairs_.push_back(pair);
+      start_.models.push_back(shown_model(seen, options_));
+    }
+  }
+
+  EdgePointLevel points_of(std::size_t host, const WindowState& state) const {
+    return adjusts_depth() ? at_inverse_depths(frames_[host].points, state.inverse_depth[host])
+                           : frames_[host].points;
+  }
+
+  PointView view(const WindowPair& pair, const EdgePointLevel& points,
+                 const WindowState& state) const {
+    return {points, *frames_[pair.target].image, state.T_target_host(pair),
+            RowMotion(frames_[pair.host].velocity.twist, options_.readout),
+            RowMotion(frames_[pair.target].velocity.twist, options_.readout)};
+  }
+
+  /// Inverse variance of the measured inverse depths, m^2.
+  Eigen::VectorXd firmness(std::size_t host) const {
+    const WindowFrame& frame = frames_[host];
+    Eigen::VectorXd result(static_cast<Eigen::Index>(frame.points.size()));
+    for (Eigen::Index i = 0; i < result.size(); ++i) {
+      const double z = frame.measured_depth[static_cast<std::size_t>(i)];
+      const double sigma =
+          window_.depth_noise * frame.points.depth_sigma[static_cast<std::size_t>(i)] / (z * z);
+      result[i] = 1 / (sigma * sigma);
+    }
+    return result;
+  }
+
+  Eigen::VectorXd strayed(std::size_t host, const WindowState& state) const {
+    return state.inverse_depth[host] - inverses(frames_[host].measured_depth);
+  }
+
+  HostSystem system_of(std::size_t host, const WindowState& state) const {
+    const EdgePointLevel points = points_of(host, state);
+    const std::vector<std::size_t>& pairs = pairs_of_[host];
+    HostSystem system(options_, pairs.size(), adjusts_depth() ? points.size() : 0);
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      system.add(k, view(pairs_[pairs[k]], points, state), state.models[pairs[k]]);
+    }
+    if (adjusts_depth()) {
+      system.hold_depth(firmness(host), strayed(host, state));
+    }
+    return system;
+  }
+
+  /// d(increments of the host's pairs) / d(increments left of all T_frame_world).
+  Eigen::MatrixXd increment_jacobian(std::size_t host, const WindowState& state) const {
+    const std::vector<std::size_t>& pairs = pairs_of_[host];
+    Eigen::MatrixXd J =
+        Eigen::MatrixXd::Zero(kPose * static_cast<Eigen::Index>(pairs.size()), pose_rows());
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const WindowPair& pair = pairs_[pairs[k]];
+      const Eigen::Index row = kPose * static_cast<Eigen::Index>(k);
+      J.block<kPose, kPose>(row, kPose * static_cast<Eigen::Index>(pair.target)).setIdentity();
+      J.block<kPose, kPose>(row, kPose * static_cast<Eigen::Index>(host)) =
+          -adjoint(state.T_target_host(pair));
+    }
+    return J;
+  }
+
+  void hold_poses(Eigen::MatrixXd& H, Eigen::VectorXd& b) const {
+    for (std::size_t f = 0; f < frames_.size(); ++f) {
+      if (frames_[f].held) {
+        const Eigen::Index at = kPose * static_cast<Eigen::Index>(f);
+        H.middleRows<kPose>(at).setZero();
+        H.middleCols<kPose>(at).setZero();
+        H.block<kPose, kPose>(at, at).setIdentity();
+        b.segment<kPose>(at).setZero();
+      }
+    }
+  }
+
+  WindowState moved(const WindowState& state, const std::vector<HostSystem>& systems,
+                    const Eigen::VectorXd& delta) const {
+    WindowState next = state;
+    for (std::size_t f = 0; f < frames_.size(); ++f) {
+      const Vector6d increment = delta.segment<kPose>(kPose * static_cast<Eigen::Index>(f));
+      next.T_frame_world[f] = SE3::exp(increment) * state.T_frame_world[f];
+      move_points(f, systems[f].step_with(increment_jacobian(f, state) * delta), next);
+    }
+    return next;
+  }
+
+  void move_points(std::size_t host, const HostSystem::Step& step, WindowState& next) const {
+    constexpr double kMaxChange = 0.3;  // of an inverse depth, in one step
+    for (std::size_t k = 0; k < pairs_of_[host].size(); ++k) {
+      Brightness& brightness = next.models[pairs_of_[host][k]].brightness;
+      brightness.gain += step.brightness[2 * static_cast<Eigen::Index>(k)];
+      brightness.offset += step.brightness[2 * static_cast<Eigen::Index>(k) + 1];
+    }
+    if (adjusts_depth()) {
+      const Eigen::VectorXd limit = kMaxChange * next.inverse_depth[host];
+      next.inverse_depth[host] += step.inverse_depth.cwiseMin(limit).cwiseMax(-limit);
+    }
+  }
+
+  const std::vector<WindowFrame>& frames_;
+  const WindowOptions& window_;
+  const AlignOptions& options_;
+  std::vector<WindowPair> pairs_;
+  std::vector<std::vector<std::size_t>> pairs_of_;  ///< of each host
+  WindowState start_;
+};
+
+}  // namespace
+
+void WindowOptions::validate() const {
+  require(moved >= 1 && moved <= 20, "window.moved: expected 1 to 20, got ", moved);
+  require(held >= 1 && held <= 20, "window.held: expected 1 to 20, got ", held);
+  require(max_iterations >= 1, "window.max_iterations: expected at least 1, got ", max_iterations);
+  require(min_overlap >= 0 && min_overlap <= 1, "window.min_overlap: expected 0 to 1, got ",
+          min_overlap);
+  require(converged >= 0, "window.converged: expected at least 0, got ", converged);
+  require(depth_noise > 0, "window.depth_noise: expected above 0, got ", depth_noise);
+}
+
+EdgePointLevel at_depths(const EdgePointLevel& points, const std::vector<float>& depth) {
+  EdgePointLevel result = points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const float factor = depth[i] / points.z_ref[i];
+    result.x_ref[i] *= factor;
+    result.y_ref[i] *= factor;
+    result.z_ref[i] = depth[i];
+    for (std::vector<float>* slope : {&result.dI_dx, &result.dI_dy, &result.dI_dz}) {
+      (*slope)[i] /= factor;
+    }
+  }
+  return result;
+}
+
+void adjust_window(std::vector<WindowFrame>& frames, const WindowOptions& window,
+                   const AlignOptions& options) {
+  const Window problem(frames, window, options);
+  WindowState state = problem.start();
+  descend(
+      state,
+      [&](const WindowState& from, double damping) { return problem.stepped(from, damping); },
+      [&](const WindowState& at) { return problem.loss(at); },
+      {.iterations = window.max_iterations, .converged = window.converged});
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    frames[f].T_frame_world = state.T_frame_world[f];
+    if (window.adjust == WindowAdjustment::depth) {
+      frames[f].points = at_inverse_depths(frames[f].points, state.inverse_depth[f]);
+    }
+  }
+}
+
+}  // namespace vo
