@@ -7,7 +7,9 @@
 
 #include "tests/support/pose_near.h"
 #include "tests/support/textured_plane.h"
+#include "vo/core/error.h"
 #include "vo/core/instruction_set.h"
+#include "vo/mono_options.h"
 
 namespace {
 
@@ -167,6 +169,22 @@ TEST_F(WindowAdjustmentTest, MovesPointsAlongTheirRays) {
     EXPECT_NEAR(moved.dI_dy[i], expected.dI_dy[i], 1e-4);
     EXPECT_NEAR(moved.dI_dz[i], expected.dI_dz[i], 1e-4);
   }
+}
+
+TEST(WindowOptions, OutOfRangeAreErrors) {
+  EXPECT_THROW(vo::WindowOptions{.moved = 0}.validate(), vo::Error);
+  EXPECT_THROW(vo::WindowOptions{.held = 0}.validate(), vo::Error);
+  EXPECT_THROW(vo::WindowOptions{.max_iterations = 0}.validate(), vo::Error);
+  EXPECT_THROW(vo::WindowOptions{.min_overlap = 1.1}.validate(), vo::Error);
+  EXPECT_THROW(vo::WindowOptions{.depth_noise = 0}.validate(), vo::Error);
+}
+
+/// A monocular map finds depths by itself: two would move the same points.
+TEST(WindowOptions, AreNoneForAMonocularMap) {
+  vo::MonoOptions options = vo::mono_options();
+  EXPECT_NO_THROW(options.validate());
+  options.tracker.window.adjust = WindowAdjustment::poses;
+  EXPECT_THROW(options.validate(), vo::Error);
 }
 
 }  // namespace
