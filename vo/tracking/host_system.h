@@ -14,7 +14,8 @@ namespace vo {
 /// its own scale.
 class HostSystem {
  public:
-  /// With inverse depths if `points` is not 0. The options must outlive the system.
+  /// Of at least one pair, with inverse depths if `points` is not 0. The options must outlive the
+  /// system.
   HostSystem(const AlignOptions& options, std::size_t pairs, std::size_t points);
 
   /// `view` is the k-th pair's.

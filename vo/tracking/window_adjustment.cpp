@@ -89,6 +89,9 @@ class Window {
       for (std::size_t target = 0; target < frames.size(); ++target) {
         add_pair({host, target});
       }
+      if (!pairs_of_[host].empty()) {
+        hosts_.push_back(host);
+      }
     }
   }
 
@@ -96,7 +99,7 @@ class Window {
 
   double loss(const WindowState& state) const {
     double sum = 0;
-    for (std::size_t host = 0; host < frames_.size(); ++host) {
+    for (const std::size_t host : hosts_) {
       const EdgePointLevel points = points_of(host, state);
       for (const std::size_t p : pairs_of_[host]) {
         const ResidualModel& model = state.models[p];
@@ -115,7 +118,7 @@ class Window {
     std::vector<HostSystem> systems;
     Eigen::MatrixXd H = Eigen::MatrixXd::Zero(pose_rows(), pose_rows());
     Eigen::VectorXd b = Eigen::VectorXd::Zero(pose_rows());
-    for (std::size_t host = 0; host < frames_.size(); ++host) {
+    for (const std::size_t host : hosts_) {
       systems.push_back(system_of(host, state));
       const HostSystem::Increments part = systems.back().increments();
       const Eigen::MatrixXd J = increment_jacobian(host, state);
@@ -220,7 +223,10 @@ class Window {
     for (std::size_t f = 0; f < frames_.size(); ++f) {
       const Vector6d increment = delta.segment<kPose>(kPose * static_cast<Eigen::Index>(f));
       next.T_frame_world[f] = SE3::exp(increment) * state.T_frame_world[f];
-      move_points(f, systems[f].step_with(increment_jacobian(f, state) * delta), next);
+    }
+    for (std::size_t h = 0; h < hosts_.size(); ++h) {
+      const Eigen::VectorXd increments = increment_jacobian(hosts_[h], state) * delta;
+      move_points(hosts_[h], systems[h].step_with(increments), next);
     }
     return next;
   }
@@ -242,7 +248,8 @@ class Window {
   const WindowOptions& window_;
   const AlignOptions& options_;
   std::vector<WindowPair> pairs_;
-  std::vector<std::vector<std::size_t>> pairs_of_;  ///< of each host
+  std::vector<std::vector<std::size_t>> pairs_of_;  ///< of each frame as a host
+  std::vector<std::size_t> hosts_;                  ///< frames with pairs
   WindowState start_;
 };
 
