@@ -46,7 +46,19 @@ void expect_sane(const TrackingResult& result) {
   EXPECT_EQ(result.status == TrackingStatus::lost, result.reason != LostReason::none);
 }
 
-class BadLuck : public testing::TestWithParam<TrackerPreset> {
+enum class Tracked { paper, best_measured, with_window };
+
+vo::TrackerOptions options_of(Tracked tracked) {
+  vo::TrackerOptions options = vo::preset_options(
+      tracked == Tracked::paper ? TrackerPreset::paper : TrackerPreset::best_measured);
+  if (tracked == Tracked::with_window) {
+    options.window.adjust = vo::WindowAdjustment::depth;
+    options.keyframes.every = 2;
+  }
+  return options;
+}
+
+class BadLuck : public testing::TestWithParam<Tracked> {
  protected:
   TrackingResult track(const vo::RgbdFrame& frame) {
     const TrackingResult result = odometry_.track(frame);
@@ -81,15 +93,18 @@ class BadLuck : public testing::TestWithParam<TrackerPreset> {
   }
 
   vo::PinholeCamera camera_ = vo::PinholeCamera::from_horizontal_fov(240, 180, 60);
-  vo::RgbdOdometry odometry_{camera_, vo::preset_options(GetParam())};
+  vo::RgbdOdometry odometry_{camera_, options_of(GetParam())};
 };
 
-std::string preset_name(const testing::TestParamInfo<TrackerPreset>& info) {
-  return info.param == TrackerPreset::paper ? "paper" : "best_measured";
+std::string preset_name(const testing::TestParamInfo<Tracked>& info) {
+  return info.param == Tracked::paper           ? "paper"
+         : info.param == Tracked::best_measured ? "best_measured"
+                                                : "with_window";
 }
 
 INSTANTIATE_TEST_SUITE_P(Preset, BadLuck,
-                         testing::Values(TrackerPreset::paper, TrackerPreset::best_measured),
+                         testing::Values(Tracked::paper, Tracked::best_measured,
+                                         Tracked::with_window),
                          preset_name);
 
 TEST_P(BadLuck, WithoutAnyDepthNothingStarts) {
@@ -160,7 +175,7 @@ TEST_P(BadLuck, ABlurredFrameIsFollowedOrLost) {
   }
   for (int i = 4; i < 7; ++i) {
     EXPECT_THAT(track_sway(i).T_world_camera,
-                PoseNear(sway(i), GetParam() == TrackerPreset::paper ? kBlur : kPixel));
+                PoseNear(sway(i), GetParam() == Tracked::paper ? kBlur : kPixel));
   }
 }
 
@@ -185,14 +200,14 @@ TEST_P(BadLuck, RepeatedFramesStandStill) {
 /// Images that moved while the clock stood still, or as good as: no motion is infinitely fast.
 TEST_P(BadLuck, AStoppedClockIsFollowed) {
   for (const double step : {0.0, 1e-9, 1e-5}) {
-    vo::RgbdOdometry odometry(camera_, vo::preset_options(GetParam()));
+    vo::RgbdOdometry odometry(camera_, options_of(GetParam()));
     for (int i = 0; i < 10; ++i) {
       vo::RgbdFrame frame = sway_frame(camera_, i);
       frame.timestamp = 1 + step * i;
       const TrackingResult result = odometry.track(frame);
       expect_sane(result);
       expect_followed(result, i);
-      EXPECT_TRUE(GetParam() == TrackerPreset::paper ||
+      EXPECT_TRUE(GetParam() == Tracked::paper ||
                   (result.T_world_camera.translation() - sway(i).translation()).norm() < 2e-3)
           << "a fifth of a pixel, frame " << i;
     }
@@ -216,7 +231,7 @@ TEST_P(BadLuck, ASuddenTurnIsFollowedOrLost) {
   const SE3 T_world_turned = sway(2) * sudden_turn();
   const TrackingResult result = track(support::plane_frame(camera_, T_world_turned, 3));
   EXPECT_EQ(result.status,
-            GetParam() == TrackerPreset::paper ? TrackingStatus::lost : TrackingStatus::tracked);
+            GetParam() == Tracked::paper ? TrackingStatus::lost : TrackingStatus::tracked);
   if (result.status == TrackingStatus::tracked) {
     EXPECT_THAT(result.T_world_camera, PoseNear(T_world_turned, kPixel));
   }
@@ -228,7 +243,7 @@ TEST_P(BadLuck, ACoveredCameraIsFoundAgain) {
   for (int i = 4; i < 14; ++i) {
     EXPECT_EQ(track(blank_frame(camera_, 0, i)).status, TrackingStatus::lost);
   }
-  if (GetParam() == TrackerPreset::best_measured) {
+  if (GetParam() != Tracked::paper) {
     follow(14, 18);
     return;
   }
@@ -241,13 +256,13 @@ TEST_P(BadLuck, ACoveredCameraIsFoundAgain) {
 /// The paper compares intensities as they are: a jump is an error it cannot see, but only one.
 TEST_P(BadLuck, AJumpOfTheExposureIsFollowed) {
   for (const double gain : {0.5, 2.0}) {
-    vo::RgbdOdometry odometry(camera_, vo::preset_options(GetParam()));
+    vo::RgbdOdometry odometry(camera_, options_of(GetParam()));
     for (int i = 0; i < 8; ++i) {
       vo::RgbdFrame frame = sway_frame(camera_, i);
       frame.image.convertTo(frame.image, -1, i < 4 ? 1 : gain);
       const TrackingResult result = odometry.track(frame);
       expect_sane(result);
-      if (GetParam() == TrackerPreset::best_measured) {
+      if (GetParam() != Tracked::paper) {
         expect_followed(result, i);
       }
     }
@@ -259,7 +274,7 @@ TEST_P(BadLuck, AnyImageSizeIsFollowedOrLost) {
   for (const auto& [width, height] : {std::pair{161, 121}, {40, 30}, {24, 20}}) {
     const vo::PinholeCamera camera = vo::PinholeCamera::from_horizontal_fov(width, height, 60);
     const double pixel_m = 2 / camera.fx;
-    vo::RgbdOdometry odometry(camera, vo::preset_options(GetParam()));
+    vo::RgbdOdometry odometry(camera, options_of(GetParam()));
     for (int i = 0; i < 8; ++i) {
       const TrackingResult result = odometry.track(sway_frame(camera, i));
       expect_sane(result);
@@ -320,7 +335,7 @@ TEST(StationaryCamera, ShakesByItsCovarianceInNoise) {
 
 /// Bits, not tolerances: noise, a loss and a search included.
 TEST_P(BadLuck, TwoRunsGiveTheSameBits) {
-  vo::RgbdOdometry again(camera_, vo::preset_options(GetParam()));
+  vo::RgbdOdometry again(camera_, options_of(GetParam()));
   for (int i = 0; i < 8; ++i) {
     const vo::RgbdFrame frame =
         i == 4 ? blank_frame(camera_, 0, i) : support::with_noise(sway_frame(camera_, i), 3, 7);
