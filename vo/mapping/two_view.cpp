@@ -6,8 +6,8 @@
 
 #include <Eigen/Cholesky>
 
-#include "vo/core/median.h"
 #include "vo/core/damped_descent.h"
+#include "vo/core/median.h"
 #include "vo/mapping/pair_terms.h"
 
 namespace vo {
