@@ -256,7 +256,9 @@ void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyf
   }
   set_keyframe(keyframe, T_world_keyframe,
                options_.symmetric ? current_points_ : std::exchange(current_points_, nullptr));
-  adjust_keyframes();
+  if (options_.window.adjust != WindowAdjustment::none) {
+    adjust_keyframes();
+  }
 }
 
 /// Those that are moved come first. One is held in any case: the one that was there first.
@@ -281,7 +283,7 @@ std::vector<WindowFrame> Tracker::window(const std::vector<std::size_t>& keyfram
 void Tracker::adjust_keyframes() {
   const int count = options_.window.moved + options_.window.held;
   const std::vector<std::size_t> keyframes = map_.around_last(static_cast<std::size_t>(count));
-  if (options_.window.adjust == WindowAdjustment::none || keyframes.size() < 2) {
+  if (keyframes.size() < 2) {
     return;
   }
   std::vector<WindowFrame> frames = window(keyframes);
