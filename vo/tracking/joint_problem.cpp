@@ -256,8 +256,7 @@ void JointProblem::estimate_scales(const SE3& T_cur_first) {
     return;
   }
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const double spread = residual_spread(view(pairs_[i], T_cur_first), models_[i].brightness);
-    models_[i].scale = std::max(efficient_scale(options_.loss) * spread, options_.min_loss_scale);
+    models_[i].scale = shown_scale(view(pairs_[i], T_cur_first), models_[i].brightness, options_);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "vo/tracking/linearize.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -54,6 +55,25 @@ struct Moments {
   double cur_variance() const { return n * cur_cur - cur * cur; }
   double covariance() const { return n * ref_cur - ref * cur; }
 };
+
+/// 1.4826 median |r|, the standard deviation of Gaussian residuals, whatever the outliers;
+/// intensity.
+double residual_spread(const PointView& view, const Brightness& brightness) {
+  constexpr std::size_t kEnoughPoints = 600;
+  const auto gain = static_cast<float>(brightness.gain);
+  const auto offset = static_cast<float>(brightness.offset);
+  std::vector<float> magnitudes;
+  sample_points(view, 1 + view.points.size() / kEnoughPoints, available_instruction_set(),
+                magnitudes);
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < magnitudes.size(); ++i) {
+    if (!std::isnan(magnitudes[i])) {
+      magnitudes[seen++] = std::abs(magnitudes[i] - (gain * view.points.intensity[i] + offset));
+    }
+  }
+  magnitudes.resize(seen);
+  return robust_sigma(std::move(magnitudes));
+}
 
 }  // namespace
 
@@ -116,21 +136,10 @@ Brightness matched_brightness(const PointView& view) {
   return {gain, (m.cur - gain * m.ref) / m.n};
 }
 
-double residual_spread(const PointView& view, const Brightness& brightness) {
-  constexpr std::size_t kEnoughPoints = 600;
-  const auto gain = static_cast<float>(brightness.gain);
-  const auto offset = static_cast<float>(brightness.offset);
-  std::vector<float> magnitudes;
-  sample_points(view, 1 + view.points.size() / kEnoughPoints, available_instruction_set(),
-                magnitudes);
-  std::size_t seen = 0;
-  for (std::size_t i = 0; i < magnitudes.size(); ++i) {
-    if (!std::isnan(magnitudes[i])) {
-      magnitudes[seen++] = std::abs(magnitudes[i] - (gain * view.points.intensity[i] + offset));
-    }
-  }
-  magnitudes.resize(seen);
-  return robust_sigma(std::move(magnitudes));
+double shown_scale(const PointView& view, const Brightness& brightness,
+                   const AlignOptions& options) {
+  return std::max(efficient_scale(options.loss) * residual_spread(view, brightness),
+                  options.min_loss_scale);
 }
 
 }  // namespace vo

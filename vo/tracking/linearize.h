@@ -64,8 +64,8 @@ double correlation(const PointView& view);
 /// Gain and offset that give the points' intensities the mean and the spread of the image's.
 Brightness matched_brightness(const PointView& view);
 
-/// 1.4826 median |r|, the standard deviation of Gaussian residuals, whatever the outliers;
-/// intensity.
-double residual_spread(const PointView& view, const Brightness& brightness);
+/// Scale of the robust loss that the residuals show, intensity; for LossScale::residuals.
+double shown_scale(const PointView& view, const Brightness& brightness,
+                   const AlignOptions& options);
 
 }  // namespace vo

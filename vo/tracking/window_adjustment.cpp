@@ -61,8 +61,7 @@ ResidualModel shown_model(const PointView& view, const AlignOptions& options) {
   }
   for (int round = 0; round < kRounds; ++round) {
     if (options.scale == LossScale::residuals) {
-      const double spread = residual_spread(view, model.brightness);
-      model.scale = std::max(efficient_scale(options.loss) * spread, options.min_loss_scale);
+      model.scale = shown_scale(view, model.brightness, options);
     }
     if (affine) {
       const LinearSystem system = linearize(view, options, model);
