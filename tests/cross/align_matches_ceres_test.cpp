@@ -5,15 +5,16 @@
 #include <gtest/gtest.h>
 
 #include "tests/cross/image_function.h"
+#include "tests/support/plane_view.h"
 #include "tests/support/pose_near.h"
-#include "tests/support/textured_plane.h"
 #include "vo/tracking/align.h"
 
 namespace {
 
 using support::ImageFunction;
+using support::interior;
+using support::plane_view;
 using support::PoseNear;
-using support::small_camera;
 using vo::SE3;
 using vo::Vector6d;
 
@@ -64,38 +65,15 @@ SE3 solve_with_ceres(const vo::EdgePointLevel& points, const vo::PyramidLevel& l
   return SE3(SE3::exp(rotation_only).rotation(), Eigen::Vector3d(translation.data())) * T_start;
 }
 
-/// Points well inside, so that none leaves the view and both objectives sum over the same ones.
-vo::EdgePointLevel interior(const vo::EdgePointLevel& points) {
-  constexpr int kBorder = 40;  // px
-  std::vector<std::size_t> inside;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const cv::Point pixel = points.pixel[i];
-    if (pixel.x > kBorder && pixel.x < 320 - kBorder && pixel.y > kBorder &&
-        pixel.y < 240 - kBorder) {
-      inside.push_back(i);
-    }
-  }
-  vo::EdgePointLevel kept = points;
-  kept.keep(inside);
-  return kept;
-}
-
-vo::FramePyramid single_level(const SE3& T_world_camera) {
-  vo::FramePyramid pyramid =
-      vo::build_pyramid(support::TexturedPlane().render(small_camera(), T_world_camera),
-                        small_camera(), {.levels = 1});
-  vo::add_edges(pyramid, {});
-  return pyramid;
-}
-
 TEST(Align, FindsWhatCeresFinds) {
   Vector6d xi;
   xi << 0.004, -0.003, 0.005, 0.002, 0.003, -0.004;
   const SE3 T_world_cur = SE3::exp(xi);
-  const vo::FramePyramid reference = single_level(SE3());
-  const vo::FramePyramid current = single_level(T_world_cur);
+  const vo::FramePyramid reference = plane_view(SE3());
+  const vo::FramePyramid current = plane_view(T_world_cur);
   vo::EdgePoints points = vo::edge_points(reference, current, {});
-  points.levels[0] = interior(points.levels[0]);
+  constexpr int kBorder = 40;  // px; no point leaves the view: both objectives sum over the same
+  points.levels[0] = interior(points.levels[0], kBorder);
   ASSERT_GT(points.levels[0].size(), 1000U);
 
   const vo::AlignOptions options{

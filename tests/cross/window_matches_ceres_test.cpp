@@ -8,8 +8,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "tests/cross/image_function.h"
+#include "tests/support/plane_view.h"
 #include "tests/support/pose_near.h"
-#include "tests/support/textured_plane.h"
 #include "vo/tracking/window_adjustment.h"
 
 namespace {
@@ -132,41 +132,23 @@ CeresWindow solve_with_ceres(const std::vector<vo::WindowFrame>& frames, double 
   return window;
 }
 
-/// Points well inside and few, so that none leaves a view and both objectives sum over the same.
-vo::EdgePointLevel interior(const vo::EdgePointLevel& points) {
-  constexpr int kBorder = 60;  // px
-  constexpr std::size_t kStep = 5;
-  std::vector<std::size_t> inside;
-  for (std::size_t i = 0; i < points.size(); i += kStep) {
-    const cv::Point pixel = points.pixel[i];
-    if (pixel.x > kBorder && pixel.x < 320 - kBorder && pixel.y > kBorder &&
-        pixel.y < 240 - kBorder) {
-      inside.push_back(i);
-    }
-  }
-  vo::EdgePointLevel kept = points;
-  kept.keep(inside);
-  return kept;
-}
-
 TEST(AdjustWindow, FindsWhatCeresFinds) {
   const std::vector<SE3> T_world{
       SE3(), SE3::exp((Vector6d() << 0.03, 0.01, 0.01, 0.004, -0.01, 0.005).finished()),
       SE3::exp((Vector6d() << -0.01, 0.04, 0.01, -0.012, 0, 0.01).finished())};
+  constexpr int kBorder = 60;  // px; no point leaves a view: both objectives sum over the same
+  constexpr std::size_t kStep = 5;
   constexpr double kSmooth = 4;  // px; central differences are then near to what is looked up
   std::vector<vo::FramePyramid> pyramids;
   for (const SE3& T_world_camera : T_world) {
-    pyramids.push_back(
-        vo::build_pyramid(support::TexturedPlane().render(small_camera(), T_world_camera),
-                          small_camera(), {.levels = 1}));
-    vo::add_edges(pyramids.back(), {});
+    pyramids.push_back(support::plane_view(T_world_camera));
     cv::Mat& intensity = pyramids.back().levels.front().intensity;
     cv::GaussianBlur(intensity, intensity, {}, kSmooth);
   }
   std::vector<vo::WindowFrame> frames;
   for (std::size_t f = 0; f < pyramids.size(); ++f) {
-    const vo::EdgePointLevel points =
-        interior(vo::edge_points(pyramids[f], pyramids[f], {}).levels.front());
+    const vo::EdgePointLevel points = support::interior(
+        vo::edge_points(pyramids[f], pyramids[f], {}).levels.front(), kBorder, kStep);
     ASSERT_GT(points.size(), 100U);
     std::vector<float> measured = points.z_ref;
     for (std::size_t i = 0; i < measured.size(); ++i) {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/plane_view.h"
 #include "tests/support/pose_near.h"
-#include "tests/support/textured_plane.h"
 #include "vo/core/error.h"
 #include "vo/core/instruction_set.h"
 #include "vo/mono_options.h"
@@ -28,11 +28,7 @@ class WindowAdjustmentTest : public testing::Test {
  protected:
   WindowAdjustmentTest() {
     for (const SE3& T_world_camera : T_world_) {
-      vo::FramePyramid pyramid =
-          vo::build_pyramid(support::TexturedPlane().render(small_camera(), T_world_camera),
-                            small_camera(), {.levels = 1});
-      vo::add_edges(pyramid, {});
-      pyramids_.push_back(std::move(pyramid));
+      pyramids_.push_back(support::plane_view(T_world_camera));
     }
     for (std::size_t f = 0; f < pyramids_.size(); ++f) {
       vo::EdgePoints points = vo::edge_points(pyramids_[f], pyramids_[f], {.max_points = 1500});
