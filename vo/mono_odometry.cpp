@@ -58,6 +58,9 @@ MonoOptions mono_options() {
   options.tracker.points.max_depth = 1e3;
   options.tracker.points.discontinuity_radius = 0;
   options.tracker.align.depth_noise = 1;
+  options.tracker.align.min_translation = 5e-5;  // finer steps than depths of a map are worth
+  options.tracker.align.min_rotation_deg = 2e-3;
+  options.tracker.align.step_limit_growth = 2;
   options.tracker.map.references = 6;
   return options;
 }

@@ -43,9 +43,7 @@ TrackerOptions best_options() {
   options.points.max_points = 2000;
   options.points.coarser_share = 0.7;
   options.points.discontinuity_radius = 1;
-  options.align.min_translation = 5e-5;
-  options.align.min_rotation_deg = 2e-3;
-  options.align.step_limit_growth = 2;
+  options.align.step_limit_growth = 5;
   options.align.formulation = Formulation::esm;
   options.align.loss = RobustLoss::student_t;
   options.align.scale = LossScale::residuals;
