@@ -1,6 +1,7 @@
 #include "vo/odometry.h"
 
 #include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
 
 #include "tests/support/image_allocations.h"
 #include "tests/support/plane_frames.h"
@@ -159,6 +160,30 @@ TEST(RgbdOdometry, AKeyframeEveryNFrames) {
     keyframes += odometry.track(frame_at(sway(i), i)).is_keyframe ? 'K' : '-';
   }
   EXPECT_EQ(keyframes, "K--K--K-");
+}
+
+/// A pixel a frame, blurred from the second frame on.
+int frames_to_a_keyframe(double blur_px) {
+  const auto camera = vo::PinholeCamera::from_horizontal_fov(240, 180, 60);
+  vo::RgbdOdometry odometry(camera, vo::preset_options(vo::TrackerPreset::best_measured));
+  const double step = support::TexturedPlane().point.z() / camera.fx;  // m
+  for (int i = 0; i < 60; ++i) {
+    const SE3 T_world_camera(Eigen::Quaterniond::Identity(), {i * step, 0, 0});
+    vo::RgbdFrame frame = support::plane_frame(camera, T_world_camera, i);
+    if (i > 0 && blur_px > 0) {
+      cv::GaussianBlur(frame.image, frame.image, {}, blur_px);
+    }
+    if (odometry.track(frame).is_keyframe && i > 0) {
+      return i;
+    }
+  }
+  return 0;
+}
+
+/// 6 % of the width are 14.4 px.
+TEST(RgbdOdometry, AKeyframeWaitsForASharpImageButNotForever) {
+  EXPECT_NEAR(frames_to_a_keyframe(0), 15, 1);
+  EXPECT_NEAR(frames_to_a_keyframe(2), 29, 2);
 }
 
 /// How far off the last pose is, m, after a sway before a plane, seen through the camera's lens.

@@ -1,11 +1,11 @@
 #include "vo/tracking/tracker.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "vo/core/error.h"
 #include "vo/tracking/pose_search.h"
+#include "vo/tracking/sharpness.h"
 
 namespace vo {
 namespace {
@@ -17,16 +17,6 @@ constexpr double kClearlyBetter = 0.02;       ///< of two correlations
 EdgePointFinder own_point_finder(EdgePointOptions options) {
   options.source = EdgeSource::reference;
   return EdgePointFinder(options);
-}
-
-/// Mean gradient of the intensity at the finest points, 1/px; falls as the camera shakes.
-double sharpness(const EdgePoints& points, const PinholeCamera& camera) {
-  const EdgePointLevel& level = points.levels.front();
-  double sum = 0;
-  for (std::size_t i = 0; i < level.size(); ++i) {
-    sum += std::hypot(level.dI_dx[i], level.dI_dy[i]) * level.z_ref[i];
-  }
-  return level.size() > 0 ? sum / (camera.fx * static_cast<double>(level.size())) : 0;
 }
 
 /// Whether the time between two frames says how fast the camera moved: a clock that stands still,
@@ -202,7 +192,6 @@ LostReason Tracker::judge(const AlignResult& alignment) const {
 }
 
 void Tracker::accept(const FramePyramid& current, TrackingResult& result) {
-  constexpr double kForgetting = 0.1;
   const SE3 T_last_cur = T_world_last_.inverse() * result.T_world_camera;
   const double seconds = current.timestamp - last_timestamp_;
   const std::optional<MeanVelocity> before = std::exchange(mean_velocity_, std::nullopt);
@@ -217,11 +206,6 @@ void Tracker::accept(const FramePyramid& current, TrackingResult& result) {
   if (options_.motion_model != MotionModel::stationary && !was_lost_) {
     T_last_predicted_ = T_last_cur;
   }
-  if (current_points_ != nullptr) {
-    const double now = sharpness(*current_points_, current.levels.front().camera);
-    mean_sharpness_ =
-        mean_sharpness_ == 0 ? now : mean_sharpness_ + kForgetting * (now - mean_sharpness_);
-  }
   T_world_last_ = result.T_world_camera;
   last_timestamp_ = current.timestamp;
   was_lost_ = false;
@@ -234,20 +218,35 @@ bool Tracker::needs_keyframe(const FramePyramid& current, const TrackingResult& 
   if (result.status != TrackingStatus::tracked || !can_be_reference(current)) {
     return false;
   }
+  constexpr double kLongestWait = 2;  // for a sharp frame, of the flow at which one is due
   const KeyframeOptions& options = options_.keyframes;
   if (options.every > 0) {
     return frames_since_keyframe_ >= options.every;
   }
-  const PinholeCamera& camera = current.levels.front().camera;
   const SE3 T_cur_last = result.T_world_camera.inverse() * map_.last()->T_world_keyframe;
   const ImageMotion motion = image_motion(*map_.last()->points, current, T_cur_last);
-  if (motion.flow_px <= options.max_flow * camera.width && motion.overlap >= options.min_overlap) {
+  const double flow = motion.flow_px / current.levels.front().camera.width;
+  const double overlap = std::min(motion.overlap, result.alignment.visible_fraction);
+  if (flow <= options.max_flow && overlap >= options.min_overlap) {
     return false;
   }
-  const bool urgent = motion.overlap < options_.map.min_overlap;
-  const bool blurred = current_points_ != nullptr && sharpness(*current_points_, camera) <
-                                                         options.min_sharpness * mean_sharpness_;
-  return urgent || (!blurred && result.alignment.correlation >= options.min_correlation);
+  const bool urgent = flow > kLongestWait * options.max_flow || overlap < options_.map.min_overlap;
+  return urgent || (result.alignment.correlation >= options.min_correlation &&
+                    !is_blurred(current, T_cur_last));
+}
+
+/// Beside the last keyframe.
+bool Tracker::is_blurred(const FramePyramid& current, const SE3& T_cur_last) const {
+  if (current_points_ == nullptr) {
+    return false;
+  }
+  const auto finest = [](const EdgePoints& points, const FramePyramid& frame) {
+    const PyramidLevel& level = frame.levels.front();
+    return PointedImage{points.levels.front(), level.intensity, level.camera};
+  };
+  const Keyframe& last = *map_.last();
+  return relative_sharpness(finest(*last.points, last.pyramid), finest(*current_points_, current),
+                            T_cur_last) < options_.keyframes.min_sharpness;
 }
 
 void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyframe) {

@@ -66,6 +66,7 @@ class Tracker {
   LostReason judge(const AlignResult& alignment) const;
   void accept(const FramePyramid& current, TrackingResult& result);
   bool can_be_reference(const FramePyramid& frame) const;
+  bool is_blurred(const FramePyramid& current, const SE3& T_cur_last) const;
 
   TrackerOptions options_;
   LocalMap map_;
@@ -82,7 +83,6 @@ class Tracker {
   SE3 T_last_predicted_;                       ///< motion since the last frame, by the motion model
   std::optional<MeanVelocity> mean_velocity_;  ///< between the last two frames, if known
   std::optional<FrameVelocity> velocity_;      ///< of the last frame, if known
-  double mean_sharpness_ = 0;                  ///< intensity per px
   bool was_lost_ = false;
 };
 

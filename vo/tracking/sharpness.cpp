@@ -1,0 +1,51 @@
+#include "vo/tracking/sharpness.h"
+
+#include <cmath>
+
+#include "vo/image/pyramid.h"
+#include "vo/tracking/warp.h"
+
+namespace vo {
+namespace {
+
+/// Sums over pixels of one image.
+struct Strength {
+  double gradient = 0;
+  double intensity = 0;
+
+  void add(const GrayImage& image, cv::Point pixel) {
+    gradient += cv::norm(central_gradient(image, pixel));
+    intensity += image(pixel);
+  }
+
+  double contrast() const { return intensity > 0 ? gradient / intensity : 0; }
+};
+
+/// Contrast of `other` over that of the image, at those of the image's points that both see; 0 if
+/// there are none.
+double contrast_ratio(const PointedImage& image, const PointedImage& other,
+                      const SE3& T_other_image) {
+  const Warp<float> warp(other.camera, T_other_image);
+  Strength own;
+  Strength others;
+  for (std::size_t i = 0; i < image.points.size(); ++i) {
+    const WarpedPoint<float> point = warp_point<float>(
+        warp, {image.points.x_ref[i], image.points.y_ref[i], image.points.z_ref[i]});
+    if (point.p_cur.z() > 0 && other.camera.contains({point.u, point.v})) {
+      own.add(image.intensity, image.points.pixel[i]);
+      others.add(other.intensity, {cvRound(point.u), cvRound(point.v)});
+    }
+  }
+  return own.contrast() > 0 ? others.contrast() / own.contrast() : 0;
+}
+
+}  // namespace
+
+double relative_sharpness(const PointedImage& reference, const PointedImage& current,
+                          const SE3& T_cur_ref) {
+  const double at_reference = contrast_ratio(reference, current, T_cur_ref);
+  const double at_current = contrast_ratio(current, reference, T_cur_ref.inverse());
+  return at_reference > 0 && at_current > 0 ? std::sqrt(at_reference / at_current) : 1;
+}
+
+}  // namespace vo
