@@ -51,7 +51,7 @@ TrackerOptions best_options() {
   options.align.depth_term = 0.4;
   options.keyframes = {.every = 0, .max_flow = 0.06, .min_overlap = 0.75, .min_sharpness = 0.85};
   options.map.references = 4;
-  options.lost.recover = true;
+  options.lost = {.min_depth_agreement = 0.45, .recover = true};
   options.symmetric = true;
   options.motion_model = MotionModel::best;
   options.shutter = ShutterModel::estimated;

@@ -253,6 +253,26 @@ TEST_P(BadLuck, ACoveredCameraIsFoundAgain) {
   }
 }
 
+/// The paper does not compare depths. The others follow a camera though a part of what it measures
+/// is something else, but do not believe in a place where it was not expected.
+TEST_P(BadLuck, DepthsThatDisagreeAreDoubted) {
+  const auto farther = [&](int index, double share) {
+    const vo::RgbdFrame frame = sway_frame(camera_, index);
+    vo::RgbdFrame changed{frame.timestamp, frame.image, frame.depth.clone()};
+    changed.depth.colRange(0, static_cast<int>(share * camera_.width)) *= 1.2;
+    return changed;
+  };
+  const LostReason doubt =
+      GetParam() == Tracked::paper ? LostReason::none : LostReason::depths_disagree;
+  follow(0, 3);
+  EXPECT_EQ(track(farther(3, 1)).reason, doubt);
+  EXPECT_EQ(track(farther(4, 0.3)).reason, doubt);
+  if (GetParam() != Tracked::paper) {
+    follow(5, 7);
+    expect_followed(track(farther(7, 0.3)), 7);
+  }
+}
+
 /// The paper compares intensities as they are: a jump is an error it cannot see, but only one.
 TEST_P(BadLuck, AJumpOfTheExposureIsFollowed) {
   for (const double gain : {0.5, 2.0}) {

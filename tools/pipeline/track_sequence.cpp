@@ -22,7 +22,7 @@ std::vector<double> stage(const std::vector<vo::StageTimes>& times, Stage select
 std::string frame_log_header() {
   std::string text =
       "timestamp,status,reason,keyframe,termination,iterations,points,visible_fraction,correlation,"
-      "cost,conditioning,readout_s,vignette_2,vignette_4";
+      "depth_agreement,cost,conditioning,readout_s,vignette_2,vignette_4";
   const std::array names{"tx", "ty", "tz", "rx", "ry", "rz"};
   for (std::size_t i = 0; i < names.size(); ++i) {
     for (std::size_t j = i; j < names.size(); ++j) {
@@ -96,8 +96,8 @@ std::string format_frame_log(const std::vector<vo::TrackingResult>& frames) {
                        aligned ? vo::to_string(alignment.termination) : "none", ",",
                        alignment.iterations, ",", alignment.points);
     for (const double value :
-         {alignment.visible_fraction, alignment.correlation, alignment.cost, alignment.conditioning,
-          frame.readout_s, frame.vignette.coefficients[0], frame.vignette.coefficients[1]}) {
+         {alignment.visible_fraction, alignment.correlation, alignment.depth_agreement,
+          alignment.cost, alignment.conditioning, frame.readout_s, frame.vignette.coefficients[0], frame.vignette.coefficients[1]}) {
       text += "," + vo::format_real(value);
     }
     for (int i = 0; i < alignment.covariance.rows(); ++i) {

@@ -44,8 +44,9 @@ struct TimeSummary {
 TimeSummary summarize(const std::vector<vo::StageTimes>& times);
 
 /// CSV with one line per frame: stamp, status, why it is lost, why the alignment ended, iterations,
-/// points, visible fraction, correlation, cost, conditioning, read-out time and the upper triangle
-/// of the covariance row by row ([translation; rotation], m and rad).
+/// points, visible fraction, correlation, depth agreement, cost, conditioning, read-out time,
+/// vignette and the upper triangle of the covariance row by row ([translation; rotation], m and
+/// rad).
 std::string format_frame_log(const std::vector<vo::TrackingResult>& frames);
 
 }  // namespace tools

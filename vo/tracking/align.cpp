@@ -135,6 +135,7 @@ void summarize(const JointSystem& system, const JointProblem& problem, AlignResu
     result.loss_by_readout = scores.loss_by_readout;
   }
   result.correlation = correlation(problem.forward_view(0, result.T_cur_ref));
+  result.depth_agreement = problem.depth_agreement(result.T_cur_ref);
 }
 
 /// Brightness found on one level is where the next one starts.

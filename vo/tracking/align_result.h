@@ -38,6 +38,8 @@ struct AlignResult {
   std::size_t points = 0;       ///< of the finest level, seen, of all pairs of images together
   double visible_fraction = 0;  ///< of the first reference's points of the finest level
   double correlation = 0;       ///< of first reference and current intensities at visible points
+  double depth_agreement = 1;   ///< share of the first reference's surfaces that are measured where
+                                ///< they would be seen; 1 where none are compared
   double cost = 0;              ///< robust, per point of the finest level, in squares of its scale
   double conditioning = 0;      ///< least over greatest eigenvalue of the scaled normal equations;
                                 ///< near 0 a direction of motion is not determined

@@ -6,6 +6,7 @@
 
 #include "vo/core/median.h"
 #include "vo/tracking/lane_sums.h"
+#include "vo/tracking/warp.h"
 
 namespace vo {
 namespace {
@@ -174,6 +175,27 @@ double distance_spread(const DepthView& view) {
     }
   });
   return robust_sigma(std::move(magnitudes));
+}
+
+double depth_agreement(const DepthView& view) {
+  constexpr float kMaxStep = 0.05F;  // of the depth
+  constexpr int kEnoughPoints = 20;
+  const PinholeCamera& camera = view.image.camera;
+  const Warp<float> warp(camera, view.T_cur_ref);
+  int measured = 0;
+  int agreeing = 0;
+  for (const Eigen::Vector3f& position : view.surface.position) {
+    const WarpedPoint<float> point = warp_point<float>(warp, position);
+    if (!(point.p_cur.z() > 0) || !camera.contains({point.u, point.v})) {
+      continue;
+    }
+    const float depth = view.image.depth(cvRound(point.v), cvRound(point.u));
+    if (has_depth(depth)) {
+      ++measured;
+      agreeing += std::abs(depth - point.p_cur.z()) <= kMaxStep * point.p_cur.z() ? 1 : 0;
+    }
+  }
+  return measured >= kEnoughPoints ? static_cast<double>(agreeing) / measured : 1;
 }
 
 }  // namespace vo

@@ -38,4 +38,8 @@ std::vector<DepthScore> score_depth(const DepthView& view, double scale);
 /// 1.4826 median |r| of the distances, m; 0 where no point is seen.
 double distance_spread(const DepthView& view);
 
+/// Share of the points in view, of those where any depth is measured, for which it is the point's
+/// to 5 %; 1 where hardly any is measured.
+double depth_agreement(const DepthView& view);
+
 }  // namespace vo

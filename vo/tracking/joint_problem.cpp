@@ -126,6 +126,11 @@ DepthView JointProblem::depth_view(const SE3& T_cur_first) const {
           T_cur_first * first().T_first_ref};
 }
 
+double JointProblem::depth_agreement(const SE3& T_cur_first) const {
+  const bool is_known = first().surface != nullptr && !current_.frame.levels[0].depth.empty();
+  return is_known ? vo::depth_agreement(depth_view(T_cur_first)) : 1;
+}
+
 double JointProblem::depth_weight() const {
   return options_.depth_term / (distance_scale_ * distance_scale_);
 }

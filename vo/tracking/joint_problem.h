@@ -89,6 +89,9 @@ class JointProblem {
   /// A reference's points in the current image; `models` has it at the same index.
   PointView forward_view(std::size_t reference, const SE3& T_cur_first) const;
 
+  /// Of the first reference's surfaces with what is measured; 1 if they are not known.
+  double depth_agreement(const SE3& T_cur_first) const;
+
   /// Scale and brightness of each pair as its images show them at this pose, where the options say
   /// that they are estimated.
   void estimate_scales(const SE3& T_cur_first);

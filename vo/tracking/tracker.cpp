@@ -11,12 +11,26 @@ namespace vo {
 namespace {
 
 constexpr double kDoubtfulCorrelation = 0.8;  ///< below it other starting points are tried
-constexpr double kClearlyBetter = 0.02;       ///< of two correlations
+
+// A pose where the camera was not expected is built upon, too, and must show more.
+constexpr double kRecognisedImage = 0.7;  ///< correlation
+constexpr double kRecognisedDepth = 0.8;  ///< depth agreement
 
 /// Of a frame's own edges, whatever else chooses points while tracking.
 EdgePointFinder own_point_finder(EdgePointOptions options) {
   options.source = EdgeSource::reference;
   return EdgePointFinder(options);
+}
+
+/// Whether a pose that was searched for is believed rather than the best there is.
+bool is_more_credible(const TrackingResult& found, const TrackingResult& best) {
+  constexpr double kClearlyBetter = 0.02;  // of two correlations
+  constexpr double kWorse = 0.05;          // of two depth agreements
+  if (found.status != TrackingStatus::tracked || best.status != TrackingStatus::tracked) {
+    return found.status == TrackingStatus::tracked;
+  }
+  return found.alignment.correlation > best.alignment.correlation + kClearlyBetter &&
+         found.alignment.depth_agreement >= best.alignment.depth_agreement - kWorse;
 }
 
 /// Whether the time between two frames says how fast the camera moved: a clock that stands still,
@@ -145,8 +159,8 @@ void Tracker::calibrate(const References& references, const AlignCurrent& frame,
   }
 }
 
-/// Aligns from turned poses and from the keyframes that look most alike, too; the result with the
-/// highest correlation is believed. After a jump the motion model starts from rest.
+/// Aligns from turned poses and from the keyframes that look most alike, too; the most credible
+/// result is believed. After a jump the motion model starts from rest.
 TrackingResult Tracker::searched(const FramePyramid& current, const TrackingResult& first) {
   constexpr std::size_t kTurnsTried = 3;
   constexpr std::size_t kKeyframesTried = 3;
@@ -161,9 +175,7 @@ TrackingResult Tracker::searched(const FramePyramid& current, const TrackingResu
   std::shared_ptr<const EdgePoints> points_of_best = reference_points_;
   for (const SE3& guess : guesses) {
     TrackingResult result = aligned_from(current, guess);
-    if (result.status == TrackingStatus::tracked &&
-        (best.status != TrackingStatus::tracked ||
-         result.alignment.correlation > best.alignment.correlation + kClearlyBetter)) {
+    if (is_more_credible(result, best)) {
       best = std::move(result);
       points_of_best = reference_points_;
       jumped = true;
@@ -187,8 +199,12 @@ LostReason Tracker::judge(const AlignResult& alignment) const {
   if (!(alignment.visible_fraction >= options_.lost.min_visible_fraction)) {
     return LostReason::out_of_view;
   }
-  return alignment.correlation >= options_.lost.min_correlation ? LostReason::none
-                                                                : LostReason::images_disagree;
+  const bool unexpected = was_lost_ && options_.lost.recover;  // searched for, too
+  if (!(alignment.correlation >= (unexpected ? kRecognisedImage : options_.lost.min_correlation))) {
+    return LostReason::images_disagree;
+  }
+  const double min_depth = unexpected ? kRecognisedDepth : options_.lost.min_depth_agreement;
+  return alignment.depth_agreement >= min_depth ? LostReason::none : LostReason::depths_disagree;
 }
 
 void Tracker::accept(const FramePyramid& current, TrackingResult& result) {

@@ -20,6 +20,8 @@ void LostOptions::validate() const {
           "lost.min_visible_fraction: expected 0 to 1, got ", min_visible_fraction);
   require(min_correlation >= -1 && min_correlation <= 1,
           "lost.min_correlation: expected -1 to 1, got ", min_correlation);
+  require(min_depth_agreement >= 0 && min_depth_agreement <= 1,
+          "lost.min_depth_agreement: expected 0 to 1, got ", min_depth_agreement);
 }
 
 void TrackerOptions::validate() const {

@@ -72,6 +72,7 @@ void visit_fields(Visitor& visit, KeyframeOptions& options) {
 struct LostOptions {
   double min_visible_fraction = 0.4;  ///< of the reference's edge points
   double min_correlation = 0.5;       ///< of the intensities at the visible points
+  double min_depth_agreement = 0;     ///< share of the reference's surfaces measured where they are
   bool recover = false;               ///< whether other starting points are tried
 
   void validate() const;  ///< throws Error
@@ -83,6 +84,8 @@ void visit_fields(Visitor& visit, LostOptions& options) {
         "lost below this share of the reference's points in view");
   visit("min_correlation", options.min_correlation,
         "lost below this correlation of the intensities at the visible points");
+  visit("min_depth_agreement", options.min_depth_agreement,
+        "lost below this share of the reference's surfaces measured where they would be seen");
   visit("recover", options.recover,
         "whether turned poses and all keyframes are tried before a frame is lost");
 }

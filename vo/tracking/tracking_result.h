@@ -24,6 +24,7 @@ enum class LostReason {
   undetermined,     ///< the points leave a direction of motion open
   out_of_view,      ///< too small a share of the reference is in view
   images_disagree,  ///< the images do not look alike where they were brought to agree
+  depths_disagree,  ///< other depths are measured than the reference's surfaces would have
 };
 
 constexpr auto enum_names(LostReason) {
@@ -31,7 +32,8 @@ constexpr auto enum_names(LostReason) {
                     std::pair{LostReason::too_few_points, "too_few_points"},
                     std::pair{LostReason::undetermined, "undetermined"},
                     std::pair{LostReason::out_of_view, "out_of_view"},
-                    std::pair{LostReason::images_disagree, "images_disagree"}};
+                    std::pair{LostReason::images_disagree, "images_disagree"},
+                    std::pair{LostReason::depths_disagree, "depths_disagree"}};
 }
 
 struct TrackingResult {

@@ -125,4 +125,25 @@ TEST(DepthTerm, AWallDeterminesThreeDirections) {
   EXPECT_LT(solver.eigenvalues()[2], 1e-4 * solver.eigenvalues()[3]);
 }
 
+TEST(DepthAgreement, IsTheShareOfSurfacesThatAreMeasured) {
+  vo::PyramidLevel level = box_level({});
+  vo::SurfacePoints wall;  // the far one
+  for (int i = 0; i < 100; ++i) {
+    wall.position.emplace_back(0.01F * static_cast<float>(i - 50) + 0.005F, 0, 2);
+    wall.normal.emplace_back(0, 0, 1);
+  }
+  EXPECT_EQ(vo::depth_agreement({wall, level, SE3()}), 1);
+  const SE3 T_cur_ref(Eigen::Quaterniond::Identity(), {0, 0, 0.2});
+  EXPECT_EQ(vo::depth_agreement({wall, level, T_cur_ref}), 0);
+
+  cv::Mat left = level.depth.colRange(0, level.depth.cols / 2);
+  left *= 0.9;
+  EXPECT_EQ(vo::depth_agreement({wall, level, SE3()}), 0.5);
+  left.setTo(0);
+  EXPECT_EQ(vo::depth_agreement({wall, level, SE3()}), 1)
+      << "where nothing is measured is not told";
+  level.depth.setTo(0);
+  EXPECT_EQ(vo::depth_agreement({wall, level, T_cur_ref}), 1);
+}
+
 }  // namespace
