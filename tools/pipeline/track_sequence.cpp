@@ -97,7 +97,8 @@ std::string format_frame_log(const std::vector<vo::TrackingResult>& frames) {
                        alignment.iterations, ",", alignment.points);
     for (const double value :
          {alignment.visible_fraction, alignment.correlation, alignment.depth_agreement,
-          alignment.cost, alignment.conditioning, frame.readout_s, frame.vignette.coefficients[0], frame.vignette.coefficients[1]}) {
+          alignment.cost, alignment.conditioning, frame.readout_s, frame.vignette.coefficients[0],
+          frame.vignette.coefficients[1]}) {
       text += "," + vo::format_real(value);
     }
     for (int i = 0; i < alignment.covariance.rows(); ++i) {
