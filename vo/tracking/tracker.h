@@ -78,12 +78,12 @@ class Tracker {
   std::shared_ptr<EdgePoints> current_points_;  ///< of the tracked frame, where symmetric
 
   int frames_since_keyframe_ = 0;
+  bool was_lost_ = false;      ///< the last frame, or it is being searched for
   double last_timestamp_ = 0;  ///< s, of the last tracked frame
   SE3 T_world_last_;
   SE3 T_last_predicted_;                       ///< motion since the last frame, by the motion model
   std::optional<MeanVelocity> mean_velocity_;  ///< between the last two frames, if known
   std::optional<FrameVelocity> velocity_;      ///< of the last frame, if known
-  bool was_lost_ = false;
 };
 
 }  // namespace vo
