@@ -51,7 +51,7 @@ constexpr auto enum_names(ShutterModel) {
 struct KeyframeOptions {
   int every = 1;               ///< frames; 1 aligns frame to frame, 0 goes by what the image shows:
   double max_flow = 0.04;      ///< mean displacement since the last one, image widths
-  double min_overlap = 0.75;   ///< share of the last one's points in view
+  double min_overlap = 0.75;   ///< share of the last or the nearest one's points in view
   double min_sharpness = 0;    ///< of edges, over the last one's; blurred frames wait
   double min_correlation = 0;  ///< of an alignment that makes a keyframe
 
@@ -62,7 +62,8 @@ template <typename Visitor>
 void visit_fields(Visitor& visit, KeyframeOptions& options) {
   visit("every", options.every, "frames from keyframe to keyframe; 1 is frame to frame, 0 by view");
   visit("max_flow", options.max_flow, "a new one beyond this mean displacement, image widths");
-  visit("min_overlap", options.min_overlap, "a new one below this share of points in view");
+  visit("min_overlap", options.min_overlap,
+        "a new one below this share of the last or the nearest one's points in view");
   visit("min_sharpness", options.min_sharpness,
         "not yet where edges are weaker than this share of what they are in the last one");
   visit("min_correlation", options.min_correlation, "not yet where images agree less");
