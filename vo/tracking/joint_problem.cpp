@@ -127,8 +127,7 @@ DepthView JointProblem::depth_view(const SE3& T_cur_first) const {
 }
 
 double JointProblem::depth_agreement(const SE3& T_cur_first) const {
-  const bool is_known = first().surface != nullptr && !current_.frame.levels[0].depth.empty();
-  return is_known ? vo::depth_agreement(depth_view(T_cur_first)) : 1;
+  return first().surface != nullptr ? vo::depth_agreement(depth_view(T_cur_first)) : 1;
 }
 
 double JointProblem::depth_weight() const {

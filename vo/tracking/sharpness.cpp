@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "vo/image/pyramid.h"
 #include "vo/tracking/warp.h"
 
 namespace vo {
@@ -25,15 +24,15 @@ struct Strength {
 /// there are none.
 double contrast_ratio(const PointedImage& image, const PointedImage& other,
                       const SE3& T_other_image) {
-  const Warp<float> warp(other.camera, T_other_image);
+  const Warp<float> warp(other.level.camera, T_other_image);
   Strength own;
   Strength others;
   for (std::size_t i = 0; i < image.points.size(); ++i) {
     const WarpedPoint<float> point = warp_point<float>(
         warp, {image.points.x_ref[i], image.points.y_ref[i], image.points.z_ref[i]});
-    if (point.p_cur.z() > 0 && other.camera.contains({point.u, point.v})) {
-      own.add(image.intensity, image.points.pixel[i]);
-      others.add(other.intensity, {cvRound(point.u), cvRound(point.v)});
+    if (is_seen(point, other.level.camera)) {
+      own.add(image.level.intensity, image.points.pixel[i]);
+      others.add(other.level.intensity, {cvRound(point.u), cvRound(point.v)});
     }
   }
   return own.contrast() > 0 ? others.contrast() / own.contrast() : 0;

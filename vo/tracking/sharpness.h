@@ -1,17 +1,15 @@
 #pragma once
 
-#include "vo/core/camera.h"
-#include "vo/core/image.h"
 #include "vo/core/se3.h"
 #include "vo/image/edge_points.h"
+#include "vo/image/pyramid.h"
 
 namespace vo {
 
 /// One level of a frame and its own points there.
 struct PointedImage {
   const EdgePointLevel& points;
-  const GrayImage& intensity;
-  const PinholeCamera& camera;
+  const PyramidLevel& level;
 };
 
 /// How strong the gradients of the current image are where both images show the same, over those of

@@ -234,7 +234,6 @@ bool Tracker::needs_keyframe(const FramePyramid& current, const TrackingResult& 
   if (result.status != TrackingStatus::tracked || !can_be_reference(current)) {
     return false;
   }
-  constexpr double kLongestWait = 2;  // for a sharp frame, of the flow at which one is due
   const KeyframeOptions& options = options_.keyframes;
   if (options.every > 0) {
     return frames_since_keyframe_ >= options.every;
@@ -246,6 +245,7 @@ bool Tracker::needs_keyframe(const FramePyramid& current, const TrackingResult& 
   if (flow <= options.max_flow && overlap >= options.min_overlap) {
     return false;
   }
+  constexpr double kLongestWait = 2;  // for a sharp frame, of the flow at which one is due
   const bool urgent = flow > kLongestWait * options.max_flow || overlap < options_.map.min_overlap;
   return urgent || (result.alignment.correlation >= options.min_correlation &&
                     !is_blurred(current, T_cur_last));
@@ -256,12 +256,9 @@ bool Tracker::is_blurred(const FramePyramid& current, const SE3& T_cur_last) con
   if (current_points_ == nullptr) {
     return false;
   }
-  const auto finest = [](const EdgePoints& points, const FramePyramid& frame) {
-    const PyramidLevel& level = frame.levels.front();
-    return PointedImage{points.levels.front(), level.intensity, level.camera};
-  };
   const Keyframe& last = *map_.last();
-  return relative_sharpness(finest(*last.points, last.pyramid), finest(*current_points_, current),
+  return relative_sharpness({last.points->levels.front(), last.pyramid.levels.front()},
+                            {current_points_->levels.front(), current.levels.front()},
                             T_cur_last) < options_.keyframes.min_sharpness;
 }
 

@@ -58,4 +58,10 @@ inline WarpedPoint<Scalar> warp_point(const Warp<Scalar>& warp,
   return point;
 }
 
+/// In front of the camera and inside its image.
+template <typename Scalar>
+inline bool is_seen(const WarpedPoint<Scalar>& point, const PinholeCamera& camera) {
+  return point.p_cur.z() > 0 && camera.contains({point.u, point.v});
+}
+
 }  // namespace vo

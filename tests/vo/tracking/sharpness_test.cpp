@@ -33,14 +33,12 @@ vo::FramePyramid wall(int shift_px, double blur_px = 0, double gain = 1) {
 }
 
 double relative(const vo::FramePyramid& reference, const vo::FramePyramid& current, int shift_px) {
-  const vo::PyramidLevel& level = reference.levels.front();
-  const vo::PyramidLevel& current_level = current.levels.front();
   const vo::EdgePoints points = vo::edge_points(reference, reference, {});
   const vo::EdgePoints current_points = vo::edge_points(current, current, {});
-  const SE3 T_cur_ref(Eigen::Quaterniond::Identity(), {-shift_px * kDepth / level.camera.fx, 0, 0});
-  return vo::relative_sharpness(
-      {points.levels.front(), level.intensity, level.camera},
-      {current_points.levels.front(), current_level.intensity, current_level.camera}, T_cur_ref);
+  const SE3 T_cur_ref(Eigen::Quaterniond::Identity(),
+                      {-shift_px * kDepth / reference.levels.front().camera.fx, 0, 0});
+  return vo::relative_sharpness({points.levels.front(), reference.levels.front()},
+                                {current_points.levels.front(), current.levels.front()}, T_cur_ref);
 }
 
 TEST(RelativeSharpness, OfAnImageBesideItselfIsOne) {
