@@ -162,6 +162,17 @@ TEST(RgbdOdometry, AKeyframeEveryNFrames) {
   EXPECT_EQ(keyframes, "K--K--K-");
 }
 
+/// Images from other poses never correlate fully; after a loss no less is asked for.
+TEST(RgbdOdometry, ALossDoesNotLowerWhatTheOptionsAskFor) {
+  vo::TrackerOptions options = vo::preset_options(TrackerPreset::best_measured);
+  options.lost.min_correlation = 1;
+  vo::RgbdOdometry odometry(small_camera(), options);
+  odometry.track(frame_at(sway(0), 0));
+  for (int i = 1; i < 4; ++i) {
+    EXPECT_EQ(odometry.track(frame_at(sway(i), i)).reason, vo::LostReason::images_disagree);
+  }
+}
+
 /// A pixel a frame, blurred from the second frame on.
 int frames_to_a_keyframe(double blur_px) {
   const auto camera = vo::PinholeCamera::from_horizontal_fov(240, 180, 60);

@@ -13,8 +13,8 @@ namespace {
 constexpr double kDoubtfulCorrelation = 0.8;  ///< below it other starting points are tried
 
 // A pose where the camera was not expected is built upon, too, and must show more.
-constexpr double kRecognisedImage = 0.7;  ///< correlation
-constexpr double kRecognisedDepth = 0.8;  ///< depth agreement
+constexpr double kRecognisedCorrelation = 0.7;
+constexpr double kRecognisedDepthAgreement = 0.8;
 
 /// Of a frame's own edges, whatever else chooses points while tracking.
 EdgePointFinder own_point_finder(EdgePointOptions options) {
@@ -199,12 +199,16 @@ LostReason Tracker::judge(const AlignResult& alignment) const {
   if (!(alignment.visible_fraction >= options_.lost.min_visible_fraction)) {
     return LostReason::out_of_view;
   }
-  const bool unexpected = was_lost_ && options_.lost.recover;  // searched for, too
-  if (!(alignment.correlation >= (unexpected ? kRecognisedImage : options_.lost.min_correlation))) {
+  LostOptions least = options_.lost;
+  if (was_lost_ && least.recover) {  // or it is searched for
+    least.min_correlation = std::max(least.min_correlation, kRecognisedCorrelation);
+    least.min_depth_agreement = std::max(least.min_depth_agreement, kRecognisedDepthAgreement);
+  }
+  if (!(alignment.correlation >= least.min_correlation)) {
     return LostReason::images_disagree;
   }
-  const double min_depth = unexpected ? kRecognisedDepth : options_.lost.min_depth_agreement;
-  return alignment.depth_agreement >= min_depth ? LostReason::none : LostReason::depths_disagree;
+  return alignment.depth_agreement >= least.min_depth_agreement ? LostReason::none
+                                                                : LostReason::depths_disagree;
 }
 
 void Tracker::accept(const FramePyramid& current, TrackingResult& result) {
