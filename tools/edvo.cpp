@@ -11,8 +11,8 @@
 #include "tools/cli/exit_code.h"
 #include "tools/cli/interrupt.h"
 #include "tools/commands/commands.h"
-#include "tools/version.h"
 #include "vo/core/error.h"
+#include "vo/core/version.h"
 
 namespace {
 
@@ -47,7 +47,7 @@ constexpr const char* kFooter =
 int run(int argc, char** argv) {
   CLI::App program(kDescription, "edvo");
   program.footer(kFooter);
-  program.set_version_flag("--version", std::string("edvo ") + tools::version());
+  program.set_version_flag("--version", std::string("edvo ") + vo::version());
   program.require_subcommand(1);
   int exit_code = tools::exit_code::kOk;
   tools::add_inspect_command(program, exit_code);

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "synth/random.h"
 #include "synth/sensor/gaussian.h"
+#include "vo/core/random_field.h"
 
 namespace synth {
 namespace {
@@ -116,7 +116,7 @@ vo::DepthImage with_flying_pixels(const vo::DepthImage& measured, const vo::Dept
   if (flying.share == 0) {
     return measured;
   }
-  const RandomField random(flying.seed, kFlying, frame);
+  const vo::RandomField random(flying.seed, kFlying, frame);
   vo::DepthImage result = measured.clone();
   for (int v = 0; v < result.rows; ++v) {
     for (int u = 0; u < result.cols; ++u) {

@@ -5,8 +5,8 @@
 #include <opencv2/core.hpp>
 
 #include "synth/sensor/depth_noise.h"
-#include "vo/core/camera.h"
 #include "vo/core/image.h"
+#include "vo/geometry/camera.h"
 
 namespace synth {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "synth/random.h"
 #include "synth/sensor/gaussian.h"
+#include "vo/core/random_field.h"
 
 namespace synth {
 namespace {
@@ -90,7 +90,7 @@ vo::DepthImage with_normal_noise(const DepthView& view, const vo::PinholeCamera&
   if (noise.sigma == 0 && noise.grazing == 0) {
     return view.depth;
   }
-  const RandomField random(noise.seed, kNormal, frame);
+  const vo::RandomField random(noise.seed, kNormal, frame);
   return changed(view.depth, [&](const cv::Point& pixel, double depth) {
     const double sigma_px =
         lateral_sigma(noise.sigma, noise.grazing, incidence(view, camera, pixel));
@@ -104,7 +104,7 @@ vo::DepthImage with_lateral_noise(const DepthView& view, const vo::PinholeCamera
   if (noise.sigma == 0 && noise.grazing == 0) {
     return view.depth;
   }
-  const RandomField random(noise.seed, kLateral, frame);
+  const vo::RandomField random(noise.seed, kLateral, frame);
   return changed(view.depth, [&](const cv::Point& pixel, double) {
     const double angle = noise.grazing > 0 ? incidence(view, camera, pixel) : 0;
     const double sigma_px = lateral_sigma(noise.sigma, noise.grazing, angle);

@@ -6,8 +6,8 @@
 
 #include <opencv2/core.hpp>
 
-#include "vo/core/camera.h"
 #include "vo/core/image.h"
+#include "vo/geometry/camera.h"
 
 namespace synth {
 

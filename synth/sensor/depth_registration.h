@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 
-#include "vo/core/camera.h"
 #include "vo/core/image.h"
+#include "vo/geometry/camera.h"
 
 namespace synth {
 

@@ -62,7 +62,7 @@ cv::Mat_<cv::Vec3f> blurred(const cv::Mat_<cv::Vec3f>& image, double sigma_px) {
 }
 
 cv::Mat_<float> noise_image(const cv::Size& size, double correlation_px,
-                            const RandomField& random) {
+                            const vo::RandomField& random) {
   const std::vector<float> kernel = gaussian_kernel(correlation_px);
   const int radius = static_cast<int>(kernel.size()) - 1;
   cv::Mat_<float> white(size.height + 2 * radius, size.width + 2 * radius);

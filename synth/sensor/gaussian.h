@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "synth/random.h"
+#include "vo/core/random_field.h"
 
 namespace synth {
 
@@ -17,6 +17,7 @@ cv::Mat_<cv::Vec3f> blurred(const cv::Mat_<cv::Vec3f>& image, double sigma_px);
 
 /// Normal noise of mean 0 and variance 1 whose pixels are correlated like white noise under a
 /// Gaussian blur; white at 0.
-cv::Mat_<float> noise_image(const cv::Size& size, double correlation_px, const RandomField& random);
+cv::Mat_<float> noise_image(const cv::Size& size, double correlation_px,
+                            const vo::RandomField& random);
 
 }  // namespace synth

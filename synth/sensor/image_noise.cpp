@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synth/random.h"
 #include "vo/core/error.h"
+#include "vo/core/random_field.h"
 
 namespace synth {
 namespace {
@@ -46,9 +46,9 @@ double poisson(double mean, double uniform, double normal) {
 cv::Mat_<cv::Vec3f> with_image_noise(const cv::Mat_<cv::Vec3f>& linear,
                                      const ImageNoiseOptions& options, double amplification,
                                      std::uint64_t frame) {
-  const RandomField shot(options.seed, kShot, frame);
-  const RandomField read(options.seed, kRead, frame);
-  const RandomField gain(options.seed, kGain, 0);  // the pixels' own: the same in all frames
+  const vo::RandomField shot(options.seed, kShot, frame);
+  const vo::RandomField read(options.seed, kRead, frame);
+  const vo::RandomField gain(options.seed, kGain, 0);  // the pixels' own: the same in all frames
   cv::Mat_<cv::Vec3f> noisy(linear.size());
   for (int v = 0; v < linear.rows; ++v) {
     for (int u = 0; u < linear.cols; ++u) {

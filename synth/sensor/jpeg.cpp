@@ -10,7 +10,7 @@ void JpegOptions::validate() const {
 }
 
 vo::ColorImage through_jpeg(const vo::ColorImage& image, const JpegOptions& options) {
-  return decode_jpeg(encode_jpeg(image, options.quality, options.chroma), image.size());
+  return vo::decode_jpeg(vo::encode_jpeg(image, options.quality, options.chroma), image.size());
 }
 
 }  // namespace synth

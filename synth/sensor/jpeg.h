@@ -1,13 +1,13 @@
 #pragma once
 
-#include "synth/jpeg_codec.h"
 #include "vo/core/image.h"
+#include "vo/files/jpeg_codec.h"
 
 namespace synth {
 
 struct JpegOptions {
   int quality = 0;  ///< 1 to 100; 0 = not compressed
-  ChromaSampling chroma = ChromaSampling::quarter;
+  vo::ChromaSampling chroma = vo::ChromaSampling::quarter;
 
   void validate() const;  ///< throws vo::Error
 };

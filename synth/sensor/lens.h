@@ -2,7 +2,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "vo/core/camera.h"
+#include "vo/geometry/camera.h"
 
 namespace synth {
 

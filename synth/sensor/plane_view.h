@@ -1,7 +1,7 @@
 #pragma once
 
 #include "synth/sensor/depth_noise.h"
-#include "vo/core/camera.h"
+#include "vo/geometry/camera.h"
 
 namespace synth {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "synth/sensor.h"
+#include "synth/sensor/sensor.h"
 
 namespace synth {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "synth/srgb.h"
+#include "synth/scene/srgb.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 

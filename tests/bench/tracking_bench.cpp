@@ -4,7 +4,7 @@
 
 #include "tests/support/textured_plane.h"
 #include "tools/bench/opencv_peer.h"
-#include "vo/odometry.h"
+#include "vo/odometry/rgbd_odometry.h"
 
 namespace {
 

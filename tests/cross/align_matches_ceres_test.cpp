@@ -7,7 +7,7 @@
 #include "tests/cross/image_function.h"
 #include "tests/support/plane_view.h"
 #include "tests/support/pose_near.h"
-#include "vo/tracking/align.h"
+#include "vo/alignment/align.h"
 
 namespace {
 

@@ -3,8 +3,8 @@
 
 #include "tests/support/instruction_sets.h"
 #include "vo/core/hash.h"
-#include "vo/image/canny.h"
-#include "vo/image/sobel_magnitudes.h"
+#include "vo/edges/canny.h"
+#include "vo/edges/sobel_magnitudes.h"
 
 namespace {
 

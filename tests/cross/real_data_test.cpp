@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "vo/dataset/camera_file.h"
+#include "vo/dataset/sequence.h"
 #include "vo/evaluation/evaluate.h"
-#include "vo/io/camera_file.h"
-#include "vo/io/sequence.h"
-#include "vo/mono_odometry.h"
-#include "vo/odometry.h"
+#include "vo/odometry/mono_odometry.h"
+#include "vo/odometry/rgbd_odometry.h"
 
 namespace {
 

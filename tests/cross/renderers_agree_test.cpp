@@ -7,9 +7,10 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "synth/gltf.h"
-#include "synth/renderer.h"
-#include "tests/synth/quads.h"
+#include "synth/camera/make_renderer.h"
+#include "synth/gltf/gltf.h"
+#include "synth/rendering/renderer.h"
+#include "tests/support/quads.h"
 #include "vo/core/error.h"
 
 namespace synth {

@@ -1,7 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "synth/renderer.h"
-#include "tests/synth/copied_meshes.h"
+#include "synth/camera/make_renderer.h"
+#include "synth/rendering/renderer.h"
+#include "tests/support/copied_meshes.h"
 
 namespace synth {
 namespace {

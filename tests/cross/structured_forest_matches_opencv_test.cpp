@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "vo/image/structured_forest.h"
-#include "vo/image/structured_forest_file.h"
+#include "vo/structured_forest/structured_forest.h"
+#include "vo/structured_forest/structured_forest_file.h"
 
 #ifdef EDVO_HAS_XIMGPROC
 #include <opencv2/ximgproc.hpp>

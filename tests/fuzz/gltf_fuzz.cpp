@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <span>
 
-#include "synth/gltf.h"
-#include "synth/scene_motion.h"
+#include "synth/gltf/gltf.h"
+#include "synth/scene/scene_motion.h"
 #include "vo/core/error.h"
 
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name

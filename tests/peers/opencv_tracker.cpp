@@ -4,10 +4,10 @@
 
 #include "tools/bench/opencv_peer.h"
 #include "vo/core/error.h"
-#include "vo/io/camera_file.h"
-#include "vo/io/output.h"
-#include "vo/io/sequence.h"
-#include "vo/io/trajectory_file.h"
+#include "vo/dataset/camera_file.h"
+#include "vo/dataset/sequence.h"
+#include "vo/dataset/trajectory_file.h"
+#include "vo/files/output.h"
 
 namespace {
 

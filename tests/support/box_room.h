@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "synth/scene.h"
+#include "synth/scene/scene.h"
 
 namespace support {
 

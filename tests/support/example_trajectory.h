@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "vo/core/trajectory.h"
+#include "vo/geometry/trajectory.h"
 
 namespace support {
 

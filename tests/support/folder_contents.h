@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "vo/io/output.h"
+#include "vo/files/output.h"
 
 namespace support {
 

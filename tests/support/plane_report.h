@@ -2,7 +2,7 @@
 
 #include "tests/support/plane_frames.h"
 #include "tools/report/scenario_report.h"
-#include "vo/odometry.h"
+#include "vo/odometry/rgbd_odometry.h"
 
 namespace support {
 
@@ -16,7 +16,7 @@ inline tools::ScenarioReport plane_report(int frames, int covered_from,
   report.command = "edvo run plane.toml --out DIR";
   report.camera = vo::PinholeCamera::from_horizontal_fov(160, 120, 60);
   report.gallery = tools::FrameGallery(gallery);
-  const tools::FrameObserver observe = report.gallery.observer();
+  const vo::FrameObserver observe = report.gallery.observer();
   vo::RgbdOdometry odometry(*report.camera, vo::preset_options(vo::TrackerPreset::paper));
   for (int i = 0; i < frames; ++i) {
     const vo::RgbdFrame frame =

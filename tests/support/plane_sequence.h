@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "tests/support/textured_plane.h"
-#include "vo/io/sequence.h"
+#include "vo/dataset/sequence.h"
 
 namespace support {
 

@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "vo/core/se3.h"
+#include "vo/geometry/se3.h"
 
 namespace vo {
 

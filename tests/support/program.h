@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 
 #include "tests/support/temp_folder.h"
-#include "vo/io/output.h"
+#include "vo/files/output.h"
 
 namespace support {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "vo/core/se3.h"
+#include "vo/geometry/se3.h"
 
 namespace support {
 

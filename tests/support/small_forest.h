@@ -3,7 +3,7 @@
 #include <numeric>
 #include <vector>
 
-#include "vo/image/structured_forest.h"
+#include "vo/structured_forest/structured_forest.h"
 
 namespace support {
 

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "vo/core/camera.h"
 #include "vo/core/image.h"
-#include "vo/core/se3.h"
+#include "vo/geometry/camera.h"
+#include "vo/geometry/se3.h"
 
 namespace support {
 

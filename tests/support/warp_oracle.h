@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
 
-#include "vo/tracking/warp.h"
+#include "vo/residuals/warp.h"
 
 /// What the passes over points compute, written one point at a time.
 namespace support {

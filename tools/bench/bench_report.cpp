@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/bench/opencv_peer.h"
-#include "tools/version.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
+#include "vo/core/version.h"
 
 namespace tools {
 namespace {
@@ -161,7 +161,7 @@ std::string bench_table(const BenchReport& report) {
 }
 
 Json bench_json(const BenchReport& report) {
-  Json json = {{"edvo", version()},
+  Json json = {{"edvo", vo::version()},
                {"input", report.input},
                {"cpu", report.cpu},
                {"threads", kThreads},

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "tools/bench/contestant.h"
+#include "tools/bench/baseline.h"
 #include "tools/bench/growth.h"
 #include "tools/bench/race.h"
 #include "tools/bench/summary.h"

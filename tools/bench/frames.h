@@ -5,11 +5,11 @@
 
 #include <opencv2/core.hpp>
 
-#include "vo/core/camera.h"
 #include "vo/core/image.h"
 #include "vo/core/progress.h"
-#include "vo/core/trajectory.h"
-#include "vo/io/sequence.h"
+#include "vo/dataset/sequence.h"
+#include "vo/geometry/camera.h"
+#include "vo/geometry/trajectory.h"
 
 namespace tools {
 

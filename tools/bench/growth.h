@@ -7,9 +7,9 @@
 #include "tools/bench/frames.h"
 #include "tools/bench/race.h"
 #include "tools/bench/summary.h"
-#include "tools/report/linear_fit.h"
+#include "tools/plot/linear_fit.h"
 #include "vo/core/progress.h"
-#include "vo/odometry.h"
+#include "vo/odometry/rgbd_odometry.h"
 
 namespace tools {
 

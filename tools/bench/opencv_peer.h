@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "tools/bench/contestant.h"
+#include "tools/bench/baseline.h"
 
 namespace tools {
 

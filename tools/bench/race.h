@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "tools/bench/contestant.h"
+#include "tools/bench/baseline.h"
 #include "tools/bench/frames.h"
 #include "vo/core/progress.h"
-#include "vo/core/trajectory.h"
+#include "vo/geometry/trajectory.h"
 
 namespace tools {
 

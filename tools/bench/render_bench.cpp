@@ -8,7 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "synth/flat_scene.h"
+#include "synth/camera/make_renderer.h"
+#include "synth/scene/world_geometry.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 

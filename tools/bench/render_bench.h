@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "synth/renderer.h"
-#include "synth/scene.h"
-#include "vo/core/camera.h"
-#include "vo/core/trajectory.h"
+#include "synth/rendering/renderer.h"
+#include "synth/scene/scene.h"
+#include "vo/geometry/camera.h"
+#include "vo/geometry/trajectory.h"
 
 namespace tools {
 

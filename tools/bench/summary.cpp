@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "tools/pipeline/track_sequence.h"
 #include "vo/core/error.h"
 #include "vo/evaluation/evaluate.h"
+#include "vo/odometry/track_sequence.h"
 
 namespace tools {
 namespace {
@@ -20,14 +20,14 @@ std::vector<double> per_frame(const RaceResult& result, const RaceOptions& optio
     for (const std::vector<FrameSample>& samples : result.samples) {
       repeats.push_back(value(samples[i]));
     }
-    values.push_back(percentile(repeats, 0.5));
+    values.push_back(vo::percentile(repeats, 0.5));
   }
   return values;
 }
 
 template <typename Value>
 double median(const RaceResult& result, const RaceOptions& options, Value value) {
-  return percentile(per_frame(result, options, value), 0.5);
+  return vo::percentile(per_frame(result, options, value), 0.5);
 }
 
 StageCosts median_stages(const RaceResult& result, const RaceOptions& options) {
@@ -68,8 +68,8 @@ Summary summarize(const RaceResult& result, const Frames& input, const RaceOptio
   const auto keyframes = std::count_if(samples.begin(), samples.end(),
                                        [](const FrameSample& s) { return s.is_keyframe; });
   return {.name = result.name,
-          .median_ms = percentile(totals, 0.5),
-          .p90_ms = percentile(totals, 0.9),
+          .median_ms = vo::percentile(totals, 0.5),
+          .p90_ms = vo::percentile(totals, 0.9),
           .cpu_ms = median(result, options, [](const FrameSample& s) { return s.cpu_ms; }),
           .stages = median_stages(result, options),
           .points = median(result, options,

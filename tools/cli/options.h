@@ -10,7 +10,7 @@
 #include "tools/cli/progress_bar.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/io/output.h"
+#include "vo/files/output.h"
 
 namespace tools {
 

@@ -6,21 +6,21 @@
 #include "tools/cli/options.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/io/camera_file.h"
+#include "vo/dataset/camera_file.h"
 
 namespace tools {
 namespace {
 
 std::vector<std::string> path_kinds() {
   std::vector<std::string> names;
-  for (const auto& [kind, name] : enum_names(PathKind{})) {
+  for (const auto& [kind, name] : enum_names(synth::PathKind{})) {
     names.emplace_back(name);
   }
   return names;
 }
 
 /// The path's own fields, without those that have an option of another name.
-std::vector<vo::Field> path_fields(PathOptions& path) {
+std::vector<vo::Field> path_fields(synth::PathOptions& path) {
   std::vector<vo::Field> fields;
   for (const vo::Field& field : vo::fields_of(path)) {
     if (field.key != "kind" && field.key != "file") {
@@ -68,12 +68,12 @@ void add_path_options(CLI::App& command, PathArguments& arguments) {
   add_field_options(command, path_fields(arguments.options), "Path");
 }
 
-PathOptions chosen_path(const PathArguments& arguments) {
-  PathOptions path = arguments.options;
+synth::PathOptions chosen_path(const PathArguments& arguments) {
+  synth::PathOptions path = arguments.options;
   if (!arguments.kind.empty()) {
-    path.kind = vo::parse_enum<PathKind>(arguments.kind);
+    path.kind = vo::parse_enum<synth::PathKind>(arguments.kind);
   } else if (!path.file.empty()) {
-    path.kind = PathKind::trajectory;
+    path.kind = synth::PathKind::trajectory;
   } else {
     vo::fail_as(vo::ErrorKind::usage, "expected --trajectory POSES.txt or --path KIND");
   }

@@ -4,8 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "tools/pipeline/path_options.h"
-#include "vo/core/camera.h"
+#include "synth/path_planning/path_options.h"
+#include "vo/geometry/camera.h"
 
 namespace tools {
 
@@ -25,12 +25,12 @@ vo::RgbdCamera chosen_camera(const CameraArguments& arguments);
 /// The camera's path on a command line.
 struct PathArguments {
   std::string kind;
-  PathOptions options;
+  synth::PathOptions options;
 };
 
 void add_path_options(CLI::App& command, PathArguments& arguments);
 
 /// Throws vo::Error of kind usage.
-PathOptions chosen_path(const PathArguments& arguments);
+synth::PathOptions chosen_path(const PathArguments& arguments);
 
 }  // namespace tools

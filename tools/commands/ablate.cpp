@@ -9,25 +9,25 @@
 
 #include <tbb/global_control.h>
 
-#include "tools/ablate/pose_pairs.h"
-#include "tools/ablate/study.h"
+#include "synth/sequence/render_sequence.h"
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/study_output.h"
-#include "tools/pipeline/render_sequence.h"
-#include "tools/pipeline/result_files.h"
 #include "tools/scenario/run_scenario.h"
 #include "tools/scenario/scenario.h"
+#include "tools/studies/pose_pairs.h"
+#include "tools/studies/study.h"
 #include "vo/core/error.h"
-#include "vo/io/camera_file.h"
+#include "vo/dataset/camera_file.h"
+#include "vo/files/result_files.h"
 
 namespace tools {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHelp =
+constexpr const char* kAblateHelp =
     "Repeats the experiments of the paper (Christensen & Hebert, Edge-Direct Visual Odometry) on "
     "a\n"
     "sequence with ground truth or on a scenario, which is rendered into DIR/sequence first:\n"
@@ -43,7 +43,7 @@ constexpr const char* kHelp =
     "run:\n"
     "to measure again into the same DIR, --force.";
 
-constexpr const char* kExamples =
+constexpr const char* kAblateExamples =
     "Examples:\n"
     "  edvo ablate scenarios/room_orbit.toml --study points --out ablation\n"
     "  edvo ablate rgbd_dataset_freiburg1_xyz --camera tum-fr1 --study levels \\\n"
@@ -130,22 +130,22 @@ fs::path render_pairs(const AblateArguments& arguments) {
   const vo::PinholeCamera camera{
       kWidth, kHeight, kFocalLength, kFocalLength, (kWidth - 1) / 2.0, (kHeight - 1) / 2.0, {}};
   constexpr int kSamples = 9;
-  const SceneFile scene(arguments.input);
-  const RenderJob job{.scene = scene,
-                      .recipe = {.truth = pose_pairs(scene.scene(), camera, {}),
-                                 .camera = {camera},
-                                 .render = {.samples = kSamples}}};
+  const synth::SceneFile scene(arguments.input);
+  const synth::RenderJob job{.scene = scene,
+                             .recipe = {.truth = pose_pairs(scene.scene(), camera, {}),
+                                        .camera = {camera},
+                                        .render = {.samples = kSamples}}};
   fs::path folder = fs::path(arguments.out) / "pairs";
   ProgressBar bar("rendering", arguments.common.verbosity());
-  render_sequence(job, folder, arguments.common.existing(), bar.callback());
+  synth::render_sequence(job, folder, arguments.common.existing(), bar.callback());
   return folder;
 }
 
 fs::path render_scenario(const AblateArguments& arguments) {
   fs::path folder = fs::path(arguments.out) / "sequence";
   ProgressBar bar("rendering", arguments.common.verbosity());
-  render_sequence(render_job(load_scenario(arguments.input)), folder, arguments.common.existing(),
-                  bar.callback());
+  synth::render_sequence(render_job(load_scenario(arguments.input)), folder,
+                         arguments.common.existing(), bar.callback());
   return folder;
 }
 
@@ -202,7 +202,7 @@ void ablate(AblateArguments& arguments) {
                                   arguments.common.max_threads());
   complete(arguments);
   const Study study = find_study(arguments.study);
-  make_folder(arguments.out);
+  vo::make_folder(arguments.out);
   const Clip clip = load(arguments);
   ProgressBar bar(arguments.study, arguments.common.verbosity());
   const StudyReport report = study(clip, arguments.settings, bar.callback());
@@ -212,9 +212,9 @@ void ablate(AblateArguments& arguments) {
 }  // namespace
 
 void add_ablate_command(CLI::App& program, int& /*exit_code*/) {
-  CLI::App& command = *program.add_subcommand("ablate", kHelp);
+  CLI::App& command = *program.add_subcommand("ablate", kAblateHelp);
   const auto arguments = std::make_shared<AblateArguments>();
-  command.footer(kExamples);
+  command.footer(kAblateExamples);
   command.add_option("INPUT", arguments->input,
                      "sequence folder or scenario .toml; for pairs a glTF scene");
   command.add_option("--study", arguments->study, "what to measure, one of those above")

@@ -1,4 +1,4 @@
-#include "tools/lab/basin.h"
+#include "tools/studies/basin.h"
 
 #include <memory>
 #include <string>
@@ -10,19 +10,19 @@
 #include "tools/commands/commands.h"
 #include "tools/commands/laboratory.h"
 #include "tools/commands/study_output.h"
-#include "tools/lab/sequence_cache.h"
-#include "tools/pipeline/result_files.h"
 #include "tools/scenario/run_scenario.h"
+#include "tools/sequence_cache/sequence_cache.h"
+#include "vo/files/result_files.h"
 
 namespace tools {
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kBasinHelp =
     "Maps from how far off the truth an alignment finds it: pairs of a scenario's frames are\n"
     "aligned from the true pose moved and turned by growing offsets. Writes DIR/basin.csv, .svg\n"
     "(two heat maps: converged, median error) and .md.";
 
-constexpr const char* kExamples =
+constexpr const char* kBasinExamples =
     "Example:\n"
     "  edvo basin scenarios/room_tour.toml --set odometry.tracker.pyramid.levels=2 --out basin";
 
@@ -69,7 +69,7 @@ void basin(BasinArguments& arguments) {
   arguments.settings.tracker = scenario.odometry.tracker;
   arguments.settings.jobs = arguments.lab.run.jobs;
   check_usage([&] { arguments.settings.validate(); });
-  make_folder(arguments.lab.out);
+  vo::make_folder(arguments.lab.out);
   const Clip clip = load(arguments, scenario);
   ProgressBar bar("aligning", arguments.lab.common.verbosity());
   deliver_study(study_basin(clip, arguments.settings, bar.callback()), command_line(arguments),
@@ -79,9 +79,9 @@ void basin(BasinArguments& arguments) {
 }  // namespace
 
 void add_basin_command(CLI::App& program, int& /*exit_code*/) {
-  CLI::App& command = *program.add_subcommand("basin", kHelp);
+  CLI::App& command = *program.add_subcommand("basin", kBasinHelp);
   const auto arguments = std::make_shared<BasinArguments>();
-  command.footer(kExamples);
+  command.footer(kBasinExamples);
   command.add_option("SCENARIO", arguments->scenario, "scenario file, .toml")->required();
   command.add_option("--set", arguments->lab.assignments, "key=value of the scenario, repeatable")
       ->allow_extra_args(false);

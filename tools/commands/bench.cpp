@@ -9,32 +9,32 @@
 #include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 
+#include "synth/sequence/render_sequence.h"
+#include "tools/bench/baseline.h"
 #include "tools/bench/bench_report.h"
-#include "tools/bench/contestant.h"
 #include "tools/bench/frames.h"
 #include "tools/bench/growth.h"
 #include "tools/bench/race.h"
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
-#include "tools/pipeline/render_sequence.h"
 #include "tools/scenario/run_scenario.h"
 #include "tools/scenario/scenario.h"
-#include "vo/io/camera_file.h"
-#include "vo/io/output.h"
-#include "vo/io/sequence.h"
+#include "vo/dataset/camera_file.h"
+#include "vo/dataset/sequence.h"
+#include "vo/files/output.h"
 
 namespace tools {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHelp =
+constexpr const char* kBenchHelp =
     "Times the tracker, one thread, on frames that are in memory: ms per frame, by stage, of our\n"
     "presets and of others that do the same, each beside the errors it makes. All run in turn in\n"
     "one process, so the ratios hold on a busy machine where the times do not.";
 
-constexpr const char* kExamples =
+constexpr const char* kBenchExamples =
     "Columns: median and 90th percentile of a frame; its CPU time, which is the same on an idle\n"
     "machine and which the ratios are of; medians of its stages (`map`: keeping frames for later\n"
     "ones, for mono the depth map); points of the finest level; MiB of all keyframes after the "
@@ -71,14 +71,14 @@ Frames load_sequence(const BenchArguments& arguments, const fs::path& folder) {
 Frames render_scenario(const BenchArguments& arguments) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   arguments.common.max_threads());
-  RenderJob job = render_job(load_scenario(arguments.input));
+  synth::RenderJob job = render_job(load_scenario(arguments.input));
   vo::Trajectory& truth = job.recipe.truth;
   truth.resize(std::min(truth.size(), static_cast<std::size_t>(arguments.frames)));
   const vo::OutputFolder scratch(fs::temp_directory_path() / "edvo-bench", "sequence.toml",
                                  vo::ExistingOutput::keep);
   ProgressBar bar("rendering", arguments.common.verbosity());
   const fs::path folder = scratch.partial() / "sequence";
-  render_sequence(job, folder, vo::ExistingOutput::keep, bar.callback());
+  synth::render_sequence(job, folder, vo::ExistingOutput::keep, bar.callback());
   return load_sequence(arguments, folder);
 }
 
@@ -127,9 +127,9 @@ void bench(const BenchArguments& arguments) {
 }  // namespace
 
 void add_bench_command(CLI::App& program, int& /*exit_code*/) {
-  CLI::App& command = *program.add_subcommand("bench", kHelp);
+  CLI::App& command = *program.add_subcommand("bench", kBenchHelp);
   const auto arguments = std::make_shared<BenchArguments>();
-  command.footer(kExamples);
+  command.footer(kBenchExamples);
   command.add_option("INPUT", arguments->input, "sequence folder, or scenario .toml")->required();
   command.add_option("--camera", arguments->camera,
                      "preset or FILE.toml; otherwise the sequence's camera.toml");

@@ -2,22 +2,22 @@
 #include <memory>
 #include <string>
 
-#include "synth/gltf.h"
+#include "synth/gltf/gltf.h"
 #include "tools/bench/render_bench.h"
 #include "tools/cli/options.h"
 #include "tools/commands/commands.h"
-#include "vo/io/trajectory_file.h"
+#include "vo/dataset/trajectory_file.h"
 
 namespace tools {
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kBenchRenderHelp =
     "CPU seconds that a frame of a scene costs: depth alone, base colour with 16 samples, direct\n"
     "light with shadows and 16 samples (one thread), the rasterizer with one (all its threads);\n"
     "frames per second by the clock on the wall; and how the cost grows with samples, resolution\n"
     "and triangles.";
 
-constexpr const char* kExamples =
+constexpr const char* kBenchRenderExamples =
     "Examples:\n"
     "  edvo bench-render room.gltf\n"
     "  edvo bench-render house.gltf --trajectory poses.txt --size 640x480 --json";
@@ -46,9 +46,9 @@ void bench_render(const BenchRenderArguments& arguments) {
 }  // namespace
 
 void add_bench_render_command(CLI::App& program, int& /*exit_code*/) {
-  CLI::App& command = *program.add_subcommand("bench-render", kHelp);
+  CLI::App& command = *program.add_subcommand("bench-render", kBenchRenderHelp);
   const auto arguments = std::make_shared<BenchRenderArguments>();
-  command.footer(kExamples);
+  command.footer(kBenchRenderExamples);
   command.add_option("SCENE", arguments->scene, "glTF 2.0 file, .gltf or .glb")->required();
   command.add_option("--size", arguments->size, "WIDTHxHEIGHT, px [640x480]");
   command.add_option("--fov", arguments->fov_deg, "horizontal, deg [60]");

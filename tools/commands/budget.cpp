@@ -1,4 +1,4 @@
-#include "tools/lab/budget.h"
+#include "tools/studies/budget.h"
 
 #include <memory>
 #include <string>
@@ -10,19 +10,19 @@
 #include "tools/commands/commands.h"
 #include "tools/commands/laboratory.h"
 #include "tools/commands/study_output.h"
-#include "tools/pipeline/result_files.h"
+#include "vo/files/result_files.h"
 
 namespace tools {
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kBudgetHelp =
     "Says what share of a scenario's errors each imperfection of its camera causes: the options "
     "of\n"
     "`sensor` and `camera.distortion` that are not at their defaults, one table of options at a\n"
     "time, are switched on one by one and off one by one, and the Shapley values of the strongest\n"
     "are taken from all their combinations. Writes DIR/budget.csv, .svg and .md.";
 
-constexpr const char* kExamples =
+constexpr const char* kBudgetExamples =
     "Example:\n"
     "  edvo budget scenarios/kinect_orbit.toml --seeds 5 --out budget";
 
@@ -48,7 +48,7 @@ void budget(BudgetArguments& arguments) {
   arguments.settings.run = arguments.lab.run;
   check_usage([&] { arguments.settings.validate(); });
   const Scenario scenario = load_scenario(arguments.scenario, arguments.lab.changes());
-  make_folder(arguments.lab.out);
+  vo::make_folder(arguments.lab.out);
   ProgressBar bar("measuring", arguments.lab.common.verbosity());
   deliver_study(error_budget(scenario, arguments.settings, bar.callback(), throw_if_interrupted),
                 command_line(arguments), arguments.lab.out, arguments.lab.common);
@@ -57,10 +57,10 @@ void budget(BudgetArguments& arguments) {
 }  // namespace
 
 void add_budget_command(CLI::App& program, int& /*exit_code*/) {
-  CLI::App& command = *program.add_subcommand("budget", kHelp);
+  CLI::App& command = *program.add_subcommand("budget", kBudgetHelp);
   const auto arguments = std::make_shared<BudgetArguments>();
   arguments->lab.run.seeds = 3;
-  command.footer(kExamples);
+  command.footer(kBudgetExamples);
   command.add_option("SCENARIO", arguments->scenario, "scenario file, .toml")->required();
   command.add_option("--seeds", arguments->lab.run.seeds, "with so many random numbers each [3]");
   command.add_option("--top", arguments->settings.top,

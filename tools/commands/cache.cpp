@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/ablate/table.h"
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
-#include "tools/lab/sequence_cache.h"
+#include "tools/plot/table.h"
+#include "tools/sequence_cache/sequence_cache.h"
 #include "vo/core/error.h"
 
 namespace tools {
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr double kMegabyte = 1e6;
 
-constexpr const char* kHelp =
+constexpr const char* kCacheHelp =
     "The sequences that `edvo test` has rendered and keeps. Any number of programs may use one\n"
     "cache at once; nothing in use is removed, and what is removed is rendered again when needed.";
 
@@ -91,7 +91,7 @@ void add_action(CLI::App& command, const std::shared_ptr<CacheArguments>& argume
 }  // namespace
 
 void add_cache_command(CLI::App& program, int& /*exit_code*/) {
-  CLI::App& command = *program.add_subcommand("cache", kHelp);
+  CLI::App& command = *program.add_subcommand("cache", kCacheHelp);
   const auto arguments = std::make_shared<CacheArguments>();
   command.require_subcommand(1);
   add_action(command, arguments, {"list", "what is in it, the longest unused first"}, list);

@@ -10,11 +10,11 @@
 #include "tools/cli/interrupt.h"
 #include "tools/cli/options.h"
 #include "tools/commands/commands.h"
-#include "tools/lab/child_process.h"
-#include "tools/lab/comparison.h"
-#include "tools/lab/results_json.h"
-#include "tools/lab/self_comparison.h"
-#include "tools/lab/verdict_table.h"
+#include "tools/laboratory/comparison.h"
+#include "tools/laboratory/results_json.h"
+#include "tools/laboratory/self_comparison.h"
+#include "tools/laboratory/verdict_table.h"
+#include "tools/processes/child_process.h"
 #include "vo/core/error.h"
 
 namespace tools {
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHelp =
+constexpr const char* kCompareHelp =
     "Two results of `edvo test --json`, or two builds of edvo, side by side: every metric of "
     "every\n"
     "scenario with the probability that its change is chance. Exit code 4 when a change is\n"
@@ -31,7 +31,7 @@ constexpr const char* kHelp =
     "seeds\n"
     "with the other: how often that is an alarm is the rate of false alarms.";
 
-constexpr const char* kExamples =
+constexpr const char* kCompareExamples =
     "Examples:\n"
     "  edvo compare before.json after.json\n"
     "  edvo compare --build-a old/edvo --build-b build/release/edvo --seeds 5 scenarios\n"
@@ -115,9 +115,9 @@ int compare(const CompareArguments& arguments) {
 }  // namespace
 
 void add_compare_command(CLI::App& program, int& exit_code) {
-  CLI::App& command = *program.add_subcommand("compare", kHelp);
+  CLI::App& command = *program.add_subcommand("compare", kCompareHelp);
   const auto arguments = std::make_shared<CompareArguments>();
-  command.footer(kExamples);
+  command.footer(kCompareExamples);
   command.add_option("RESULTS", arguments->inputs,
                      "two results, or with builds: scenarios, folders");
   command.add_option("--build-a", arguments->build_a, "an edvo program");

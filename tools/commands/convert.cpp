@@ -7,15 +7,15 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
-#include "tools/pipeline/convert_sequence.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/io/camera_file.h"
+#include "vo/dataset/camera_file.h"
+#include "vo/dataset/convert_sequence.h"
 
 namespace tools {
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kConvertHelp =
     "Writes a sequence in another format, its poses, camera and IMU included:\n"
     "  tum       rgb/, depth/ (16 bit), rgb.txt, depth.txt, groundtruth.txt, camera.toml,\n"
     "            imu.csv, imu.toml\n"
@@ -29,7 +29,7 @@ constexpr const char* kHelp =
     "Both forms of ICL-NUIM have a camera with y up (fy < 0) in a left-handed world and no stamps\n"
     "(30 Hz): converting turns them round. Depth beyond 16 bit becomes 0 and is counted.";
 
-constexpr const char* kExamples =
+constexpr const char* kConvertExamples =
     "Examples:\n"
     "  edvo convert sequence sequence_euroc --format euroc\n"
     "  edvo convert living_room_traj0 sequence --format tum";
@@ -43,8 +43,8 @@ struct ConvertArguments {
   std::string camera;
 };
 
-ConvertJob chosen_job(const ConvertArguments& arguments) {
-  ConvertJob job{.in = arguments.in, .out = arguments.out};
+vo::ConvertJob chosen_job(const ConvertArguments& arguments) {
+  vo::ConvertJob job{.in = arguments.in, .out = arguments.out};
   check_usage([&] {
     job.to = vo::parse_enum<vo::SequenceFormat>(arguments.format);
     if (!arguments.from.empty()) {
@@ -57,7 +57,7 @@ ConvertJob chosen_job(const ConvertArguments& arguments) {
   return job;
 }
 
-void print(const ConvertArguments& arguments, const ConvertOutcome& outcome) {
+void print(const ConvertArguments& arguments, const vo::ConvertOutcome& outcome) {
   if (arguments.common.json) {
     const nlohmann::ordered_json result = {{"out", arguments.out},
                                            {"from", vo::to_string(outcome.from)},
@@ -79,9 +79,9 @@ void print(const ConvertArguments& arguments, const ConvertOutcome& outcome) {
 }  // namespace
 
 void add_convert_command(CLI::App& program, int& /*exit_code*/) {
-  CLI::App& command = *program.add_subcommand("convert", kHelp);
+  CLI::App& command = *program.add_subcommand("convert", kConvertHelp);
   const auto arguments = std::make_shared<ConvertArguments>();
-  command.footer(kExamples);
+  command.footer(kConvertExamples);
   command.add_option("IN", arguments->in, "folder of a sequence")->required();
   command.add_option("OUT", arguments->out, "folder to make")->required();
   command.add_option("--format", arguments->format, "tum | euroc | icl-nuim | icl-tum")->required();
@@ -89,9 +89,9 @@ void add_convert_command(CLI::App& program, int& /*exit_code*/) {
   command.add_option("--camera", arguments->camera, "preset or FILE.toml, instead of IN's own");
   add_common_options(command, arguments->common);
   command.callback([arguments] {
-    const ConvertJob job = chosen_job(*arguments);
+    const vo::ConvertJob job = chosen_job(*arguments);
     ProgressBar bar("converting", arguments->common.verbosity());
-    print(*arguments, convert_sequence(job, arguments->common.existing(), bar.callback()));
+    print(*arguments, vo::convert_sequence(job, arguments->common.existing(), bar.callback()));
   });
 }
 

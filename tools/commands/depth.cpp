@@ -6,7 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/ablate/table.h"
 #include "tools/cli/exit_code.h"
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
@@ -15,16 +14,17 @@
 #include "tools/depth/depth_table.h"
 #include "tools/depth/mapping_run.h"
 #include "tools/depth/mono_run.h"
-#include "tools/pipeline/track_sequence.h"
+#include "tools/plot/table.h"
 #include "tools/report/report.h"
-#include "tools/version.h"
 #include "vo/core/error.h"
-#include "vo/io/camera_file.h"
+#include "vo/core/version.h"
+#include "vo/dataset/camera_file.h"
+#include "vo/odometry/track_sequence.h"
 
 namespace tools {
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kDepthHelp =
     "Monocular mapping alone: keeps an inverse-depth map over edge pixels with the sequence's\n"
     "ground-truth poses, or with those and noise, and compares it with the true depth. Depth\n"
     "images are read to judge, and to start from where start=rgbd.\n"
@@ -85,14 +85,14 @@ double median_ms(const std::vector<MappedFrame>& frames) {
   for (const MappedFrame& frame : frames) {
     times.push_back(frame.mapping_ms);
   }
-  return percentile(times, 0.5);
+  return vo::percentile(times, 0.5);
 }
 
 void print(const DepthArguments& arguments, const nlohmann::ordered_json& options,
            const std::vector<MappedFrame>& frames) {
   const MapErrors& last = frames.back().errors;
   if (arguments.common.json) {
-    std::cout << nlohmann::ordered_json{{"edvo", version()},
+    std::cout << nlohmann::ordered_json{{"edvo", vo::version()},
                                         {"sequence", arguments.sequence},
                                         {"frames", frames.size()},
                                         {"density_percent", last.density_percent},
@@ -156,7 +156,7 @@ int depth(const DepthArguments& arguments) {
 }  // namespace
 
 void add_depth_command(CLI::App& program, int& exit_code) {
-  CLI::App& command = *program.add_subcommand("depth", kHelp);
+  CLI::App& command = *program.add_subcommand("depth", kDepthHelp);
   const auto arguments = std::make_shared<DepthArguments>();
   command.footer(examples());
   command

@@ -11,18 +11,18 @@
 
 #include "tools/cli/options.h"
 #include "tools/commands/commands.h"
-#include "vo/core/associate.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/io/sequence.h"
-#include "vo/io/trajectory_file.h"
+#include "vo/dataset/sequence.h"
+#include "vo/dataset/trajectory_file.h"
+#include "vo/geometry/associate.h"
 
 namespace tools {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kHelp =
+constexpr const char* kEvaluateHelp =
     "Compares an estimated trajectory with the truth, both in TUM format.\n"
     "  ate      absolute error of positions after alignment (evaluate_ate.py, evo_ape), m\n"
     "  rpe      relative error per interval as the TUM benchmark's evaluate_rpe.py --fixed_delta\n"
@@ -30,7 +30,7 @@ constexpr const char* kHelp =
     "           translation's frame and in which poses it pairs\n"
     "Poses are matched by nearest stamp; nothing is interpolated but for --estimate-offset.";
 
-constexpr const char* kExamples =
+constexpr const char* kEvaluateExamples =
     "Examples:\n"
     "  edvo evaluate groundtruth.txt estimate.txt\n"
     "  edvo evaluate groundtruth.txt estimate.txt --align sim3 --interval 30f --json\n"
@@ -192,9 +192,9 @@ void evaluate(EvaluateArguments& arguments) {
 }  // namespace
 
 void add_evaluate_command(CLI::App& program, int& /*exit_code*/) {
-  CLI::App& command = *program.add_subcommand("evaluate", kHelp);
+  CLI::App& command = *program.add_subcommand("evaluate", kEvaluateHelp);
   const auto arguments = std::make_shared<EvaluateArguments>();
-  command.footer(kExamples);
+  command.footer(kEvaluateExamples);
   command.add_option("TRUTH", arguments->truth, "TUM trajectory")->required();
   command.add_option("ESTIMATE", arguments->estimate, "TUM trajectory")->required();
   command.add_option("--align", arguments->align, "none | se3 | sim3 [se3]")

@@ -6,9 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "synth/gltf_summary.h"
-#include "synth/scene_motion.h"
-#include "synth/shared_mesh.h"
+#include "synth/gltf/gltf_summary.h"
+#include "synth/scene/scene_motion.h"
+#include "synth/scene/shared_mesh.h"
 #include "tools/cli/options.h"
 #include "tools/commands/commands.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kHelp =
+constexpr const char* kInspectHelp =
     "Reads a glTF 2.0 scene and says what is in it. triangles, draw_calls and vertices are those\n"
     "of the file, each primitive once, as the Khronos validator counts; bounds are those of the\n"
     "scene's meshes where their nodes put them, before skins, morph targets and\n"
@@ -25,7 +25,7 @@ constexpr const char* kHelp =
     "sharing_instances have a mesh that is kept once for all of them. Lengths in m, world:\n"
     "right-handed, y up. Exit code 3 and a sentence if it cannot be read.";
 
-constexpr const char* kExamples =
+constexpr const char* kInspectExamples =
     "Examples:\n"
     "  edvo inspect room.gltf\n"
     "  edvo inspect fox.glb --animation Walk --json";
@@ -193,9 +193,9 @@ void inspect(const InspectArguments& arguments) {
 }  // namespace
 
 void add_inspect_command(CLI::App& program, int& /*exit_code*/) {
-  CLI::App& command = *program.add_subcommand("inspect", kHelp);
+  CLI::App& command = *program.add_subcommand("inspect", kInspectHelp);
   const auto arguments = std::make_shared<InspectArguments>();
-  command.footer(kExamples);
+  command.footer(kInspectExamples);
   command.add_option("SCENE", arguments->scene, "glTF 2.0 file, .gltf or .glb")->required();
   add_field_options(command, vo::fields_of(arguments->options), "File");
   add_common_options(command, arguments->common);

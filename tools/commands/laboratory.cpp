@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "tools/lab/sequence_cache.h"
+#include "tools/sequence_cache/sequence_cache.h"
 
 namespace tools {
 

@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "tools/cli/options.h"
-#include "tools/lab/test_run.h"
+#include "tools/laboratory/test_run.h"
 
 namespace tools {
 

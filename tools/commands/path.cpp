@@ -6,11 +6,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "synth/path_planning/path_check.h"
 #include "tools/cli/exit_code.h"
 #include "tools/cli/options.h"
 #include "tools/cli/scene_arguments.h"
 #include "tools/commands/commands.h"
-#include "tools/pipeline/path_check.h"
 
 namespace tools {
 namespace {
@@ -22,7 +22,7 @@ constexpr const char* kCheckHelp =
     "as it is then: a collision is also where a moving thing runs into the camera. Flow is the\n"
     "camera's own. Exit code 4 where a limit that is given is not kept.";
 
-constexpr const char* kExamples =
+constexpr const char* kPathExamples =
     "Examples:\n"
     "  edvo path check room.gltf --path explore --explore.seed 3 --json\n"
     "  edvo path check room.gltf --trajectory poses.txt --limit.min-clearance 0.2 \\\n"
@@ -34,38 +34,38 @@ struct CheckArguments {
   synth::GltfOptions file;
   CameraArguments camera;
   PathArguments path;
-  PathLimits limits;
+  synth::PathLimits limits;
 };
 
 /// A value of the report, by name.
 struct Quantity {
   const char* name;
   const char* unit;
-  double FrameCheck::*value;
+  double synth::FrameCheck::*value;
 };
 
 constexpr std::array kQuantities = {
-    Quantity{"clearance", "m", &FrameCheck::clearance},
-    Quantity{"speed", "m/s", &FrameCheck::speed},
-    Quantity{"turn_deg", "deg/s", &FrameCheck::turn_deg},
-    Quantity{"acceleration", "m/s^2", &FrameCheck::acceleration},
-    Quantity{"flow_px", "px", &FrameCheck::flow_px},
-    Quantity{"depth_share", "of pixels", &FrameCheck::depth_share},
-    Quantity{"textured_share", "of tiles", &FrameCheck::textured_share}};
+    Quantity{"clearance", "m", &synth::FrameCheck::clearance},
+    Quantity{"speed", "m/s", &synth::FrameCheck::speed},
+    Quantity{"turn_deg", "deg/s", &synth::FrameCheck::turn_deg},
+    Quantity{"acceleration", "m/s^2", &synth::FrameCheck::acceleration},
+    Quantity{"flow_px", "px", &synth::FrameCheck::flow_px},
+    Quantity{"depth_share", "of pixels", &synth::FrameCheck::depth_share},
+    Quantity{"textured_share", "of tiles", &synth::FrameCheck::textured_share}};
 
-nlohmann::ordered_json to_json(const PathReport& report) {
+nlohmann::ordered_json to_json(const synth::PathReport& report) {
   nlohmann::ordered_json json = {{"frames", report.frames.size()},
                                  {"duration", report.duration},
                                  {"length", report.length},
                                  {"collisions", report.collisions},
                                  {"blank_views", report.blank_views}};
   for (const Quantity& quantity : kQuantities) {
-    const Range range = range_of(report.frames, quantity.value);
+    const synth::Range range = synth::range_of(report.frames, quantity.value);
     json[quantity.name] = {{"min", range.min}, {"median", range.median}, {"max", range.max}};
   }
   json["violations"] = report.violations;
   nlohmann::ordered_json& frames = json["per_frame"];
-  for (const FrameCheck& frame : report.frames) {
+  for (const synth::FrameCheck& frame : report.frames) {
     nlohmann::ordered_json values = {{"time", frame.time}};
     for (const Quantity& quantity : kQuantities) {
       values[quantity.name] = frame.*quantity.value;
@@ -75,7 +75,7 @@ nlohmann::ordered_json to_json(const PathReport& report) {
   return json;
 }
 
-void print(const PathReport& report) {
+void print(const synth::PathReport& report) {
   std::cout << std::fixed << std::setprecision(3) << report.frames.size() << " frames, "
             << report.duration << " s, " << report.length << " m; " << report.collisions
             << " collisions, " << report.blank_views << " blank views\n"
@@ -83,7 +83,7 @@ void print(const PathReport& report) {
             << std::setw(10) << "median" << std::setw(10) << "max"
             << "\n";
   for (const Quantity& quantity : kQuantities) {
-    const Range range = range_of(report.frames, quantity.value);
+    const synth::Range range = synth::range_of(report.frames, quantity.value);
     std::cout << std::left << std::setw(16) << quantity.name << std::right << std::setw(10)
               << range.min << std::setw(10) << range.median << std::setw(10) << range.max << "  "
               << quantity.unit << "\n";
@@ -100,9 +100,10 @@ void check(const CheckArguments& arguments, int& exit_code) {
     camera.validate();
     arguments.limits.validate();
   });
-  const SceneFile file(arguments.scene, arguments.file);
-  const TimedPath timed = make_path(chosen_path(arguments.path), file);
-  const PathReport report = check_path(file.scene(), camera.pinhole, timed, arguments.limits);
+  const synth::SceneFile file(arguments.scene, arguments.file);
+  const synth::TimedPath timed = synth::make_path(chosen_path(arguments.path), file);
+  const synth::PathReport report =
+      synth::check_path(file.scene(), camera.pinhole, timed, arguments.limits);
   if (arguments.common.json) {
     std::cout << to_json(report).dump(2) << "\n";
   } else {
@@ -120,7 +121,7 @@ void add_path_command(CLI::App& program, int& exit_code) {
   path.require_subcommand(1);
   CLI::App& command = *path.add_subcommand("check", kCheckHelp);
   const auto arguments = std::make_shared<CheckArguments>();
-  command.footer(kExamples);
+  command.footer(kPathExamples);
   command.add_option("SCENE", arguments->scene, "glTF 2.0 file, .gltf or .glb")->required();
   add_camera_options(command, arguments->camera);
   add_path_options(command, arguments->path);

@@ -9,19 +9,19 @@
 #include <tbb/global_control.h>
 
 #include "synth/sensor/preset.h"
+#include "synth/sequence/render_plan.h"
+#include "synth/sequence/render_sequence.h"
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/scene_arguments.h"
 #include "tools/commands/commands.h"
-#include "tools/pipeline/render_plan.h"
-#include "tools/pipeline/render_sequence.h"
 #include "vo/core/error.h"
-#include "vo/io/depth_units.h"
+#include "vo/dataset/depth_units.h"
 
 namespace tools {
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kRenderHelp =
     "Renders a glTF 2.0 scene as an RGB-D sequence in the layout of the TUM RGB-D benchmark:\n"
     "rgb/ and depth/ with their lists, groundtruth.txt (T_world_camera; camera x right, y down,\n"
     "z forward), camera.toml and sequence.toml. Depth is planar, at pixel centres, 0 = none;\n"
@@ -32,7 +32,7 @@ constexpr const char* kHelp =
     "finished frame is not rendered again. To join parts from several machines, copy what their\n"
     "DIR.part hold into one and give the command without --shard.";
 
-constexpr const char* kExamples =
+constexpr const char* kRenderExamples =
     "Examples:\n"
     "  edvo render room.gltf --trajectory poses.txt --size 640x480 \\\n"
     "       --intrinsics 525,525,319.5,239.5 --out sequence\n"
@@ -60,7 +60,7 @@ struct RenderArguments {
   bool float_depth = false;
   std::string channels;
   std::string float_format = "npy";
-  RenderJob job;
+  synth::RenderJob job;
   std::string out;
 };
 
@@ -72,7 +72,7 @@ void print_notes(const RenderArguments& arguments, const std::vector<std::string
   }
 }
 
-std::string summary(const RenderArguments& arguments, const RenderOutcome& outcome) {
+std::string summary(const RenderArguments& arguments, const synth::RenderOutcome& outcome) {
   const std::size_t frames = arguments.job.recipe.truth.size();
   if (outcome.missing == 0) {
     return vo::concat(arguments.out, ": ", frames, " frames",
@@ -82,7 +82,7 @@ std::string summary(const RenderArguments& arguments, const RenderOutcome& outco
                     " frames; ", arguments.out, " appears when all are there");
 }
 
-void print(const RenderArguments& arguments, const RenderOutcome& outcome) {
+void print(const RenderArguments& arguments, const synth::RenderOutcome& outcome) {
   std::vector<std::string> notes = outcome.notes;
   if (outcome.depth_beyond_16_bit > 0) {
     const double units = arguments.job.recipe.camera.depth_units_per_m;
@@ -110,7 +110,7 @@ void print(const RenderArguments& arguments, const RenderOutcome& outcome) {
   std::cout << result.dump(2) << "\n";
 }
 
-void print(const RenderArguments& arguments, const RenderPlan& plan) {
+void print(const RenderArguments& arguments, const synth::RenderPlan& plan) {
   if (arguments.common.json) {
     const nlohmann::ordered_json result = {
         {"frames", plan.frames},     {"there", plan.there},
@@ -128,9 +128,9 @@ void print(const RenderArguments& arguments, const RenderPlan& plan) {
             << " of the frames take\n";
 }
 
-RenderJob chosen_job(const RenderArguments& arguments) {
-  RenderJob job = arguments.job;
-  job.scene = SceneFile(arguments.scene, arguments.file);
+synth::RenderJob chosen_job(const RenderArguments& arguments) {
+  synth::RenderJob job = arguments.job;
+  job.scene = synth::SceneFile(arguments.scene, arguments.file);
   check_usage([&] {
     job.recipe.camera = chosen_camera(arguments.camera);
     job.recipe.camera.validate();
@@ -144,12 +144,12 @@ RenderJob chosen_job(const RenderArguments& arguments) {
     vo::require(!arguments.out.empty() || arguments.plan, "--out: expected a folder to make");
   });
   if (!arguments.frames.empty()) {
-    parse_frames(arguments.frames, job.share);
+    synth::parse_frames(arguments.frames, job.share);
   }
   if (!arguments.shard.empty()) {
-    parse_shard(arguments.shard, job.share);
+    synth::parse_shard(arguments.shard, job.share);
   }
-  TimedPath path = make_path(chosen_path(arguments.path), job.scene);
+  synth::TimedPath path = synth::make_path(chosen_path(arguments.path), job.scene);
   job.recipe.truth = synth::sample(path.path, path.times);
   job.recipe.path = std::move(path.path);
   job.recipe.float_depth = arguments.float_depth ? vo::FloatDepth::npy : vo::FloatDepth::none;
@@ -161,15 +161,15 @@ void render(RenderArguments& arguments) {
                                   arguments.common.max_threads());
   arguments.job = chosen_job(arguments);
   if (arguments.plan) {
-    print(arguments, plan_sequence(arguments.job, arguments.out));
+    print(arguments, synth::plan_sequence(arguments.job, arguments.out));
     return;
   }
   ProgressBar bar("rendering", arguments.common.verbosity());
-  print(arguments,
-        render_sequence(arguments.job, arguments.out, arguments.common.existing(), bar.callback()));
+  print(arguments, synth::render_sequence(arguments.job, arguments.out, arguments.common.existing(),
+                                          bar.callback()));
 }
 
-std::vector<vo::Field> render_fields(RenderJob& job) {
+std::vector<vo::Field> render_fields(synth::RenderJob& job) {
   std::vector<vo::Field> fields = vo::fields_of(job.recipe.render);
   for (vo::Field& field : fields) {
     field.key = field.key == "kind" ? "renderer" : field.key;
@@ -190,9 +190,9 @@ std::vector<vo::Field> sensor_fields(synth::SensorOptions& sensor) {
 }  // namespace
 
 void add_render_command(CLI::App& program, int& /*exit_code*/) {
-  CLI::App& command = *program.add_subcommand("render", kHelp);
+  CLI::App& command = *program.add_subcommand("render", kRenderHelp);
   const auto arguments = std::make_shared<RenderArguments>();
-  command.footer(kExamples);
+  command.footer(kRenderExamples);
   command.add_option("SCENE", arguments->scene, "glTF 2.0 file, .gltf or .glb")->required();
   command.add_option("--out", arguments->out, "folder to make; required without --plan");
   add_camera_options(command, arguments->camera);

@@ -15,25 +15,26 @@
 #include "tools/commands/commands.h"
 #include "tools/depth/depth_output.h"
 #include "tools/depth/depth_pictures.h"
-#include "tools/pipeline/result_files.h"
-#include "tools/report/frame_gallery.h"
+#include "tools/pictures/frame_gallery.h"
+#include "tools/pictures/panel_writer.h"
+#include "tools/plot/trajectory_svg.h"
 #include "tools/report/html_report.h"
-#include "tools/report/panel_writer.h"
 #include "tools/report/report.h"
 #include "tools/report/scenario_report.h"
-#include "tools/report/trajectory_svg.h"
+#include "tools/scenario/mono_scenario.h"
 #include "tools/scenario/run_scenario.h"
 #include "tools/scenario/scenario.h"
 #include "vo/core/error.h"
-#include "vo/io/output.h"
-#include "vo/io/trajectory_file.h"
+#include "vo/dataset/trajectory_file.h"
+#include "vo/files/output.h"
+#include "vo/files/result_files.h"
 
 namespace tools {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHelp =
+constexpr const char* kRunHelp =
     "Runs a scenario: renders its sequence, tracks it, evaluates it against the exact truth and\n"
     "checks its bounds (exit code 4 when one is violated). DIR then holds\n"
     "  report.html              for a browser: trajectory in its scene, errors over time, "
@@ -48,7 +49,7 @@ constexpr const char* kHelp =
     "  trajectory.txt           the estimate; frames.csv: status and covariance of every frame\n"
     "  sequence/                the rendered sequence, used again when its inputs are the same";
 
-constexpr const char* kExamples =
+constexpr const char* kRunExamples =
     "Example:\n"
     "  edvo run scenarios/room_tour.toml --out build/room_tour";
 
@@ -76,7 +77,7 @@ std::vector<vo::NamedBytes> result_files(const Scenario& scenario, const Outcome
   const vo::Trajectory& estimate = outcome.tracking.trajectory;
   std::vector<vo::NamedBytes> files = {
       {"trajectory.txt", vo::format_trajectory(estimate)},
-      {"frames.csv", format_frame_log(outcome.tracking.frames)},
+      {"frames.csv", vo::format_frame_log(outcome.tracking.frames)},
       {"report.json", report_json(scenario, outcome).dump(2) + "\n"},
       {"report.md", report_markdown(scenario, outcome)}};
   if (!estimate.empty()) {
@@ -108,7 +109,7 @@ void require_own_folder(const fs::path& folder) {
 void print(const RunArguments& arguments, const Scenario& scenario, const Outcome& outcome) {
   if (arguments.common.json) {
     nlohmann::ordered_json report = report_json(scenario, outcome);
-    report["ms_per_frame"] = time_json(summarize(outcome.tracking.times));
+    report["ms_per_frame"] = time_json(vo::summarize(outcome.tracking.times));
     report["out"] = arguments.out;
     std::cout << report.dump(2) << "\n";
     return;
@@ -122,10 +123,10 @@ void print(const RunArguments& arguments, const Scenario& scenario, const Outcom
 }
 
 /// Both are told of every frame; an empty one is left out.
-FrameObserver in_turn(const FrameObserver& first, const FrameObserver& second) {
+vo::FrameObserver in_turn(const vo::FrameObserver& first, const vo::FrameObserver& second) {
   return [first, second](const vo::RgbdFrame& frame, const vo::FramePyramid& pyramid,
                          const vo::Tracker& tracker, const vo::TrackingResult& result) {
-    for (const FrameObserver& observe : {first, second}) {
+    for (const vo::FrameObserver& observe : {first, second}) {
       if (observe) {
         observe(frame, pyramid, tracker, result);
       }
@@ -149,9 +150,10 @@ class RunPictures {
   }
 
   ScenarioObservers observers() {
-    const FrameObserver remember = [this](const vo::RgbdFrame& frame, const vo::FramePyramid&,
-                                          const vo::Tracker&,
-                                          const vo::TrackingResult&) { time_ = frame.timestamp; };
+    const vo::FrameObserver remember = [this](const vo::RgbdFrame& frame, const vo::FramePyramid&,
+                                              const vo::Tracker&, const vo::TrackingResult&) {
+      time_ = frame.timestamp;
+    };
     return {.frame = in_turn(panels_ ? panels_->observer() : remember, gallery_.observer()),
             .map = maps_ ? map_observer() : MapObserver()};
   }
@@ -194,7 +196,7 @@ int run(const RunArguments& arguments) {
   require_own_folder(folder);
   vo::require(fs::exists(scenario.scene_file()), scenario.file.string(),
               ": scene.gltf: ", scenario.scene_file().string(), ": there is no such file");
-  make_folder(folder);
+  vo::make_folder(folder);
   RunPictures pictures(arguments, scenario);
   ProgressBar render_bar("rendering", arguments.common.verbosity());
   ProgressBar track_bar("tracking", arguments.common.verbosity());
@@ -203,7 +205,7 @@ int run(const RunArguments& arguments) {
   std::vector<vo::NamedBytes> files = result_files(scenario, outcome);
   files.push_back(
       {"report.html", browser_report(arguments, scenario, outcome, pictures.gallery())});
-  write_results(folder, files, existing);
+  vo::write_results(folder, files, existing);
   pictures.commit(outcome);
   print(arguments, scenario, outcome);
   return outcome.passed() ? exit_code::kOk : exit_code::kBoundViolated;
@@ -212,9 +214,9 @@ int run(const RunArguments& arguments) {
 }  // namespace
 
 void add_run_command(CLI::App& program, int& exit_code) {
-  CLI::App& command = *program.add_subcommand("run", kHelp);
+  CLI::App& command = *program.add_subcommand("run", kRunHelp);
   const auto arguments = std::make_shared<RunArguments>();
-  command.footer(kExamples);
+  command.footer(kRunExamples);
   command.add_option("SCENARIO", arguments->scenario, "scenario file, .toml")->required();
   command.add_option("--out", arguments->out, "folder for all results")->required();
   command

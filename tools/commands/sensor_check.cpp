@@ -8,27 +8,27 @@
 #include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 
-#include "synth/gltf.h"
-#include "synth/sensor/rgbd_sensor.h"
+#include "synth/camera/rgbd_camera.h"
+#include "synth/gltf/gltf.h"
+#include "synth/path_planning/path_options.h"
 #include "tools/cli/options.h"
 #include "tools/commands/commands.h"
-#include "tools/pipeline/path_options.h"
-#include "tools/pipeline/result_files.h"
-#include "tools/report/webp.h"
+#include "tools/pictures/webp.h"
 #include "tools/sensor_check/contact_sheet.h"
 #include "tools/sensor_check/noise_table.h"
 #include "vo/core/error.h"
+#include "vo/files/result_files.h"
 
 namespace tools {
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kSensorCheckHelp =
     "Measures the noise of the sensor presets on planes and greys and compares it with their\n"
     "formulas: depth_noise.csv, image_noise.csv and noise.svg. With --scene also "
     "contact_sheet.webp:\n"
     "one frame of a path as each preset takes it.";
 
-constexpr const char* kExamples =
+constexpr const char* kSensorCheckExamples =
     "Examples:\n"
     "  edvo sensor-check --out check\n"
     "  edvo sensor-check --scene assets/room/room.gltf --path.orbit.centre -0.95,0.5,0.3 \\\n"
@@ -41,7 +41,7 @@ struct SensorCheckArguments {
   double fov_deg = 62;
   int samples = 16;
   int frames = 20;
-  PathOptions path;
+  synth::PathOptions path;
   std::string out;
 };
 
@@ -63,11 +63,11 @@ double worst_share(const std::vector<GreyNoise>& samples) {
 }
 
 std::string contact_sheet(const SensorCheckArguments& arguments) {
-  const SceneFile file(arguments.scene);
+  const synth::SceneFile file(arguments.scene);
   const synth::Scene& scene = file.scene();
   const synth::RenderersOverTime renderers(scene, {.samples = arguments.samples});
   const auto [width, height] = parse_size(arguments.size);
-  const TimedPath timed = make_path(arguments.path, file);
+  const synth::TimedPath timed = synth::make_path(arguments.path, file);
   const synth::SensorMotion motion{synth::sample(timed.path, timed.times), timed.path};
   const auto camera = vo::PinholeCamera::from_horizontal_fov(width, height, arguments.fov_deg);
   constexpr double kQuality = 88;  // of 100; noise makes a lossless file five times as large
@@ -101,18 +101,18 @@ void sensor_check(const SensorCheckArguments& arguments) {
   if (!arguments.scene.empty()) {
     files.push_back({"contact_sheet.webp", contact_sheet(arguments)});
   }
-  make_folder(arguments.out);
-  write_results(arguments.out, files, arguments.common.existing());
+  vo::make_folder(arguments.out);
+  vo::write_results(arguments.out, files, arguments.common.existing());
   print(arguments, worst_share(depth), worst_share(image));
 }
 
 }  // namespace
 
 void add_sensor_check_command(CLI::App& program, int& /*exit_code*/) {
-  CLI::App& command = *program.add_subcommand("sensor-check", kHelp);
+  CLI::App& command = *program.add_subcommand("sensor-check", kSensorCheckHelp);
   const auto arguments = std::make_shared<SensorCheckArguments>();
   arguments->path.duration = 1;
-  command.footer(kExamples);
+  command.footer(kSensorCheckExamples);
   command.add_option("--out", arguments->out, "folder for the results")->required();
   command.add_option("--frames", arguments->frames, "noise images per depth and angle [20]")
       ->check(CLI::PositiveNumber);

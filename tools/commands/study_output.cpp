@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/pipeline/result_files.h"
+#include "vo/files/result_files.h"
 
 namespace tools {
 
@@ -15,7 +15,7 @@ void deliver_study(const StudyReport& report, const std::string& command, const 
                                        {report.name + ".svg", report.plot},
                                        {report.name + ".md", as_markdown(report, command)}};
   files.insert(files.end(), report.more.begin(), report.more.end());
-  write_results(folder, files, common.existing());
+  vo::write_results(folder, files, common.existing());
   if (common.json) {
     std::cout << as_json(report).dump(2) << "\n";
     return;

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "tools/ablate/study.h"
 #include "tools/cli/options.h"
+#include "tools/studies/study.h"
 
 namespace tools {
 

@@ -1,4 +1,4 @@
-#include "tools/lab/sweep.h"
+#include "tools/studies/sweep.h"
 
 #include <filesystem>
 #include <memory>
@@ -12,19 +12,19 @@
 #include "tools/commands/commands.h"
 #include "tools/commands/laboratory.h"
 #include "tools/commands/study_output.h"
-#include "tools/pipeline/result_files.h"
 #include "vo/core/error.h"
+#include "vo/files/result_files.h"
 
 namespace tools {
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kSweepHelp =
     "Measures scenarios with every combination of the values of any of their options. Writes\n"
     "DIR/sweep.csv, .svg (against the values of the first option) and .md. Keys are those of\n"
     "scenario files; commas in brackets belong to a value. More than one trial of a combination:\n"
     "sweep.md also has the medians over all scenarios and seeds.";
 
-constexpr const char* kExamples =
+constexpr const char* kSweepExamples =
     "Examples:\n"
     "  edvo sweep scenarios/room_tour.toml --set odometry.tracker.pyramid.levels=2,3,4 --out "
     "sweep\n"
@@ -84,7 +84,7 @@ void run(SweepArguments& arguments) {
   const SweepSettings settings{arguments.lab.run, swept_options(arguments.lab.assignments)};
   const std::vector<std::filesystem::path> files = find_scenarios(
       {arguments.scenarios.begin(), arguments.scenarios.end()}, SlowScenarios::leave_out);
-  make_folder(arguments.lab.out);
+  vo::make_folder(arguments.lab.out);
   ProgressBar bar("measuring", arguments.lab.common.verbosity());
   deliver_study(sweep(files, settings, bar.callback(), throw_if_interrupted),
                 command_line(arguments), arguments.lab.out, arguments.lab.common);
@@ -93,9 +93,9 @@ void run(SweepArguments& arguments) {
 }  // namespace
 
 void add_sweep_command(CLI::App& program, int& /*exit_code*/) {
-  CLI::App& command = *program.add_subcommand("sweep", kHelp);
+  CLI::App& command = *program.add_subcommand("sweep", kSweepHelp);
   const auto arguments = std::make_shared<SweepArguments>();
-  command.footer(kExamples);
+  command.footer(kSweepExamples);
   command.add_option("SCENARIOS", arguments->scenarios, "scenario files or folders")->required();
   command.add_option("--set", arguments->lab.assignments, "key=a,b,c of the scenario, repeatable")
       ->allow_extra_args(false)

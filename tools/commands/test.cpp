@@ -13,23 +13,23 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
-#include "tools/lab/comparison.h"
-#include "tools/lab/junit.h"
-#include "tools/lab/results_json.h"
-#include "tools/lab/sequence_cache.h"
-#include "tools/lab/test_report.h"
-#include "tools/lab/test_run.h"
-#include "tools/lab/verdict_table.h"
+#include "tools/laboratory/comparison.h"
+#include "tools/laboratory/junit.h"
+#include "tools/laboratory/results_json.h"
+#include "tools/laboratory/test_report.h"
+#include "tools/laboratory/test_run.h"
+#include "tools/laboratory/verdict_table.h"
 #include "tools/report/html_report.h"
+#include "tools/sequence_cache/sequence_cache.h"
 #include "vo/core/error.h"
-#include "vo/io/output.h"
+#include "vo/files/output.h"
 
 namespace tools {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHelp =
+constexpr const char* kTestHelp =
     "Says whether a tracker got worse: runs scenarios and checks their bounds (exit code 4 when "
     "one\n"
     "does not hold). Sequences are rendered once and kept in a cache; what this very program has\n"
@@ -207,7 +207,7 @@ void add_run_options(CLI::App& command, TestArguments& arguments) {
 }  // namespace
 
 void add_test_command(CLI::App& program, int& exit_code) {
-  CLI::App& command = *program.add_subcommand("test", kHelp);
+  CLI::App& command = *program.add_subcommand("test", kTestHelp);
   const auto arguments = std::make_shared<TestArguments>();
   command.footer(kFooter);
   add_run_options(command, *arguments);

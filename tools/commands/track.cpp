@@ -12,29 +12,29 @@
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/track_arguments.h"
-#include "tools/pipeline/track_sequence.h"
-#include "tools/report/panel_writer.h"
+#include "tools/pictures/panel_writer.h"
+#include "tools/plot/trajectory_svg.h"
 #include "tools/report/report.h"
-#include "tools/report/trajectory_svg.h"
-#include "tools/version.h"
+#include "vo/core/version.h"
+#include "vo/dataset/camera_file.h"
+#include "vo/dataset/trajectory_file.h"
 #include "vo/evaluation/evaluate.h"
-#include "vo/io/camera_file.h"
-#include "vo/io/output.h"
-#include "vo/io/trajectory_file.h"
+#include "vo/files/output.h"
+#include "vo/odometry/track_sequence.h"
 
 namespace tools {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHelp =
+constexpr const char* kTrackHelp =
     "Tracks the camera of an RGB-D sequence in the layout of the TUM RGB-D benchmark and writes\n"
     "T_world_camera of every tracked frame in TUM format; the world is the first camera's frame.\n"
     "With --mode mono only the images are read, and the depth of the first for --bootstrap rgbd;\n"
     "--preset and --debug-images are for --mode rgbd.\n"
     "Frames that are lost have no pose in the file, and the exit code is then 5.";
 
-std::string examples() {
+std::string track_examples() {
   std::string text =
       "Examples:\n"
       "  edvo track rgbd_dataset_freiburg1_xyz --camera tum-fr1 --preset paper --out estimate.txt\n"
@@ -63,26 +63,26 @@ vo::TrackerOptions chosen_options(const TrackArguments& arguments) {
 }
 
 nlohmann::ordered_json summary(const TrackArguments& arguments, vo::TrackerOptions options,
-                               const SequenceResult& result) {
-  return {{"edvo", version()},
+                               const vo::SequenceResult& result) {
+  return {{"edvo", vo::version()},
           {"sequence", arguments.sequence},
           {"estimate", arguments.out},
           {"frames", result.frames.size()},
           {"tracked_fraction", result.tracked_fraction()},
           {"keyframes", result.keyframes()},
-          {"ms_per_frame", time_json(summarize(result.times))},
+          {"ms_per_frame", time_json(vo::summarize(result.times))},
           {"preset", arguments.preset_name},
           {"options", fields_json(vo::fields_of(options))}};
 }
 
 void print(const TrackArguments& arguments, const vo::TrackerOptions& options,
-           const SequenceResult& result) {
+           const vo::SequenceResult& result) {
   std::ostream& out = vo::is_stream(arguments.out) ? std::cerr : std::cout;
   if (arguments.common.json) {
     out << summary(arguments, options, result).dump(2) << "\n";
     return;
   }
-  const TimeSummary times = summarize(result.times);
+  const vo::TimeSummary times = vo::summarize(result.times);
   out << arguments.out << ": " << result.trajectory.size() << " of " << result.frames.size()
       << " frames tracked, " << result.keyframes() << " keyframes, " << times.median_ms
       << " ms per frame (median; pyramid " << times.pyramid_ms << ", edges " << times.edges_ms
@@ -97,7 +97,7 @@ fs::path beside(const fs::path& file, const std::string& suffix) {
 }
 
 void write_pictures(const TrackArguments& arguments, const vo::SequenceReader& sequence,
-                    const SequenceResult& result) {
+                    const vo::SequenceResult& result) {
   const vo::Trajectory& truth = sequence.ground_truth();
   const vo::Trajectory shown =
       truth.empty() ? result.trajectory : vo::align_trajectory(truth, result.trajectory);
@@ -111,12 +111,12 @@ int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCame
   PanelWriter panels(beside(arguments.out, "_panels"), arguments.debug_images,
                      arguments.common.existing());
   ProgressBar bar("tracking", arguments.common.verbosity());
-  const SequenceResult result =
-      track_sequence(sequence, options, {}, panels.observer(), bar.callback());
+  const vo::SequenceResult result =
+      vo::track_sequence(sequence, options, {}, panels.observer(), bar.callback());
   vo::write_file(arguments.out, vo::format_trajectory(result.trajectory),
                  arguments.common.existing());
   if (!arguments.frame_log.empty()) {
-    vo::write_file(arguments.frame_log, format_frame_log(result.frames),
+    vo::write_file(arguments.frame_log, vo::format_frame_log(result.frames),
                    arguments.common.existing());
   }
   if (arguments.debug_images > 0) {
@@ -141,9 +141,9 @@ int track(const TrackArguments& arguments) {
 }  // namespace
 
 void add_track_command(CLI::App& program, int& exit_code) {
-  CLI::App& command = *program.add_subcommand("track", kHelp);
+  CLI::App& command = *program.add_subcommand("track", kTrackHelp);
   const auto arguments = std::make_shared<TrackArguments>();
-  command.footer(examples());
+  command.footer(track_examples());
   command.add_option("SEQUENCE", arguments->sequence, "folder with rgb.txt and depth.txt")
       ->required();
   command.add_option("--out", arguments->out, "trajectory to write")->required();

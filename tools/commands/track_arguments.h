@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tools/cli/options.h"
-#include "vo/core/camera.h"
+#include "vo/geometry/camera.h"
 
 namespace tools {
 

@@ -1,4 +1,4 @@
-#include "tools/pipeline/track_mono.h"
+#include "vo/odometry/track_mono.h"
 
 #include <iostream>
 
@@ -8,15 +8,15 @@
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/track_arguments.h"
 #include "tools/report/report.h"
-#include "tools/version.h"
 #include "vo/core/error.h"
-#include "vo/io/output.h"
-#include "vo/io/trajectory_file.h"
+#include "vo/core/version.h"
+#include "vo/dataset/trajectory_file.h"
+#include "vo/files/output.h"
 
 namespace tools {
 namespace {
 
-vo::MonoOptions chosen_options(const TrackArguments& arguments) {
+vo::MonoOptions chosen_mono_options(const TrackArguments& arguments) {
   vo::MonoOptions options = vo::mono_options();
   std::vector<vo::Field> fields = vo::fields_of(options);
   for (const std::string& assignment : arguments.assignments) {
@@ -32,22 +32,22 @@ vo::MonoOptions chosen_options(const TrackArguments& arguments) {
 }
 
 /// Median over the frames on which the map was observed, ms.
-double mapping_ms(const MonoSequenceResult& result) {
+double mapping_ms(const vo::MonoSequenceResult& result) {
   std::vector<double> times;
   for (const vo::StageTimes& time : result.times) {
     if (time.mapping_ms > 0) {
       times.push_back(time.mapping_ms);
     }
   }
-  return percentile(times, 0.5);
+  return vo::percentile(times, 0.5);
 }
 
 void print(const TrackArguments& arguments, vo::MonoOptions options,
-           const MonoSequenceResult& result) {
+           const vo::MonoSequenceResult& result) {
   std::ostream& out = vo::is_stream(arguments.out) ? std::cerr : std::cout;
-  const TimeSummary times = summarize(result.times);
+  const vo::TimeSummary times = vo::summarize(result.times);
   if (arguments.common.json) {
-    out << nlohmann::ordered_json{{"edvo", version()},
+    out << nlohmann::ordered_json{{"edvo", vo::version()},
                                   {"sequence", arguments.sequence},
                                   {"estimate", arguments.out},
                                   {"mode", "mono"},
@@ -82,15 +82,15 @@ int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCame
   vo::require(arguments.debug_images == 0,
               "track: --debug-images is for --mode rgbd; "
               "`edvo depth --track` draws monocular maps");
-  const vo::MonoOptions options = chosen_options(arguments);
-  const MonoInput input{arguments.sequence, camera, arguments.max_time_difference,
-                        arguments.depth_file};
+  const vo::MonoOptions options = chosen_mono_options(arguments);
+  const vo::MonoInput input{arguments.sequence, camera, arguments.max_time_difference,
+                            arguments.depth_file};
   ProgressBar bar("tracking", arguments.common.verbosity());
-  const MonoSequenceResult result = track_mono_sequence(input, options, {}, bar.callback());
+  const vo::MonoSequenceResult result = vo::track_mono_sequence(input, options, {}, bar.callback());
   vo::write_file(arguments.out, vo::format_trajectory(result.trajectory),
                  arguments.common.existing());
   if (!arguments.frame_log.empty()) {
-    vo::write_file(arguments.frame_log, format_mono_log(result.frames),
+    vo::write_file(arguments.frame_log, vo::format_mono_log(result.frames),
                    arguments.common.existing());
   }
   print(arguments, options, result);

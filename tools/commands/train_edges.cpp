@@ -15,16 +15,16 @@
 #include "tools/train_edges/detector_sweep.h"
 #include "tools/train_edges/forest_trainer.h"
 #include "vo/core/error.h"
-#include "vo/image/structured_forest_file.h"
-#include "vo/io/gzip.h"
-#include "vo/io/png.h"
+#include "vo/files/gzip.h"
+#include "vo/files/png.h"
+#include "vo/structured_forest/structured_forest_file.h"
 
 namespace tools {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kHelp =
+constexpr const char* kTrainEdgesHelp =
     "Learns a structured forest (Dollar & Zitnick, ICCV 2013) from rendered views, whose edges "
     "are\n"
     "known exactly: steps of depth, creases, changes of colour, borders of shadows. Writes the\n"
@@ -34,7 +34,7 @@ constexpr const char* kHelp =
     "against\n"
     "the exact edges, within 2 px, each detector at the threshold with the best F over all views.";
 
-constexpr const char* kExamples =
+constexpr const char* kTrainEdgesExamples =
     "Examples:\n"
     "  edvo train-edges assets/room/room.gltf --out forest.yml.gz\n"
     "  edvo train-edges a.gltf b.gltf --views 300 --seed 7 --tree.max-leaves 2000 \\\n"
@@ -195,9 +195,9 @@ void run(const TrainArguments& arguments) {
 }  // namespace
 
 void add_train_edges_command(CLI::App& program, int& /*exit_code*/) {
-  CLI::App& command = *program.add_subcommand("train-edges", kHelp);
+  CLI::App& command = *program.add_subcommand("train-edges", kTrainEdgesHelp);
   const auto arguments = std::make_shared<TrainArguments>();
-  command.footer(kExamples);
+  command.footer(kTrainEdgesExamples);
   command.add_option("SCENE", arguments->scenes, "glTF 2.0 files, .gltf or .glb")->required();
   command.add_option("--out", arguments->out, "model to write, .yml or .yml.gz");
   command.add_option("--evaluate", arguments->evaluated_model, "model to judge on the scenes");

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "tools/ablate/plot.h"
+#include "tools/plot/plot.h"
 
 namespace tools {
 namespace {

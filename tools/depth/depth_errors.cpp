@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "tools/depth/true_depth.h"
-#include "tools/pipeline/track_sequence.h"
+#include "vo/odometry/track_sequence.h"
 
 namespace tools {
 namespace {
@@ -62,7 +62,7 @@ DepthErrors summarize_if(const std::vector<DepthSample>& samples, Predicate chos
   if (errors.empty()) {
     return {0, NAN, NAN, NAN, NAN};
   }
-  return {errors.size(), 100 * percentile(errors, 0.5), 100 * percentile(errors, 0.9),
+  return {errors.size(), 100 * vo::percentile(errors, 0.5), 100 * vo::percentile(errors, 0.9),
           100 * (count - inliers) / count, squares / inliers};
 }
 
@@ -73,7 +73,7 @@ double median_ratio(const std::vector<DepthSample>& samples) {
       ratios.push_back(sample.ratio);
     }
   }
-  return ratios.empty() ? 1 : percentile(ratios, 0.5);
+  return ratios.empty() ? 1 : vo::percentile(ratios, 0.5);
 }
 
 }  // namespace

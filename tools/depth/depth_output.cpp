@@ -3,12 +3,12 @@
 #include <array>
 #include <cstdio>
 
-#include "tools/ablate/table.h"
 #include "tools/depth/depth_course.h"
 #include "tools/depth/depth_pictures.h"
 #include "tools/depth/depth_table.h"
 #include "tools/depth/mono_run.h"
-#include "vo/io/png.h"
+#include "tools/plot/table.h"
+#include "vo/files/png.h"
 
 namespace tools {
 namespace {
@@ -20,12 +20,6 @@ std::string frame_name(std::size_t frame) {
 }
 
 }  // namespace
-
-MapScale map_scale(const OdometryOptions& odometry) {
-  return odometry.mode == OdometryMode::mono && !is_metric(odometry.mono.bootstrap)
-             ? MapScale::arbitrary
-             : MapScale::metric;
-}
 
 double divisor(const vo::DepthMap& map, const vo::DepthImage& true_depth, MapScale scale) {
   return scale == MapScale::metric ? 1 : map_errors(map, {true_depth, {}}, {}).scale;

@@ -6,15 +6,12 @@
 #include <vector>
 
 #include "tools/depth/mapping_run.h"
-#include "tools/scenario/scenario.h"
-#include "vo/io/output.h"
+#include "vo/files/output.h"
 
 namespace tools {
 
 /// Whether a map's scale is that of the truth, or is taken out before it is drawn.
 enum class MapScale { metric, arbitrary };
-
-MapScale map_scale(const OdometryOptions& odometry);
 
 /// By what a map is divided before it is compared with the truth.
 double divisor(const vo::DepthMap& map, const vo::DepthImage& true_depth, MapScale scale);

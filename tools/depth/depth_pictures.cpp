@@ -9,7 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "tools/depth/true_depth.h"
-#include "tools/report/panels.h"
+#include "tools/pictures/panels.h"
 #include "vo/core/error.h"
 
 namespace tools {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "tools/ablate/table.h"
 #include "tools/depth/mapping_run.h"
+#include "tools/plot/table.h"
 
 namespace tools {
 

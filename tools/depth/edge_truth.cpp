@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "vo/core/error.h"
-#include "vo/io/png.h"
+#include "vo/files/png.h"
 
 namespace tools {
 

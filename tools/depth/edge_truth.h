@@ -2,9 +2,9 @@
 
 #include <cstddef>
 
-#include "synth/edge_labels.h"
+#include "synth/truth/edge_labels.h"
 #include "vo/core/image.h"
-#include "vo/io/sequence.h"
+#include "vo/dataset/sequence.h"
 
 namespace tools {
 

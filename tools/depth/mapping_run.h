@@ -8,8 +8,8 @@
 
 #include "tools/depth/depth_errors.h"
 #include "vo/core/progress.h"
-#include "vo/image/edges.h"
-#include "vo/io/sequence.h"
+#include "vo/dataset/sequence.h"
+#include "vo/edges/edges.h"
 #include "vo/mapping/depth_map.h"
 
 namespace tools {

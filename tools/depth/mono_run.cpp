@@ -44,13 +44,13 @@ std::optional<MappedFrame> MapJudge::judge(const vo::MonoOdometry& odometry,
   return mapped;
 }
 
-std::vector<MappedFrame> track_and_judge(const MonoInput& input, const vo::MonoOptions& options,
+std::vector<MappedFrame> track_and_judge(const vo::MonoInput& input, const vo::MonoOptions& options,
                                          const MapObserver& observe, const vo::Progress& progress) {
   const vo::SequenceReader truth(input.folder, input.camera, input.max_time_difference);
   MapJudge judge(truth, options.bootstrap);
   std::vector<MappedFrame> frames;
   std::size_t index = 0;
-  track_mono_sequence(
+  vo::track_mono_sequence(
       input, options,
       [&](const vo::RgbdFrame&, const vo::MonoOdometry& odometry, const vo::MonoResult& result) {
         const std::size_t frame = index++;

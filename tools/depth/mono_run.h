@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tools/depth/mapping_run.h"
-#include "tools/pipeline/track_mono.h"
+#include "vo/odometry/track_mono.h"
 
 namespace tools {
 
@@ -36,7 +36,7 @@ class MapJudge {
 };
 
 /// Tracks and maps a sequence as `edvo track --mode mono` does and judges every map.
-std::vector<MappedFrame> track_and_judge(const MonoInput& input, const vo::MonoOptions& options,
+std::vector<MappedFrame> track_and_judge(const vo::MonoInput& input, const vo::MonoOptions& options,
                                          const MapObserver& observe, const vo::Progress& progress);
 
 }  // namespace tools

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "vo/core/trajectory.h"
+#include "vo/geometry/trajectory.h"
 
 namespace tools {
 

@@ -6,7 +6,7 @@
 
 #include "tools/report/report_bundle.h"
 #include "tools/report/scenario_report.h"
-#include "vo/io/output.h"
+#include "vo/files/output.h"
 
 namespace tools {
 

@@ -7,9 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/version.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
+#include "vo/core/version.h"
 
 namespace tools {
 namespace {
@@ -79,7 +79,7 @@ std::string bound_text(const Bound& bound) {
 
 Json report_json(const Scenario& scenario, const Outcome& outcome) {
   Json report;
-  report["edvo"] = version();
+  report["edvo"] = vo::version();
   report["scenario"] = scenario.name;
   report["why"] = scenario.why;
   report["passed"] = outcome.passed();
@@ -118,7 +118,7 @@ std::string report_markdown(const Scenario& scenario, const Outcome& outcome) {
       "Pictures of single frames are in `panels/`, the estimate in `trajectory.txt`, every "
       "frame's status in `frames.csv`, the sequence in `sequence/`.\n\n";
   return text + vo::concat("Repeat with `edvo run ", scenario.file.filename().string(),
-                           " --out DIR` (edvo ", version(), ").\n");
+                           " --out DIR` (edvo ", vo::version(), ").\n");
 }
 
 std::string report_table(const Scenario& scenario, const Outcome& outcome) {
@@ -148,7 +148,7 @@ Json fields_json(const std::vector<vo::Field>& fields) {
   return json;
 }
 
-Json time_json(const TimeSummary& times) {
+Json time_json(const vo::TimeSummary& times) {
   return {{"median", times.median_ms},
           {"p90", times.p90_ms},
           {"pyramid", times.pyramid_ms},

@@ -27,6 +27,6 @@ std::string bound_text(const Bound& bound);  ///< ">= 0.9, <= 1"
 /// An options struct's fields as a JSON object by dotted key.
 nlohmann::ordered_json fields_json(const std::vector<vo::Field>& fields);
 
-nlohmann::ordered_json time_json(const TimeSummary& times);
+nlohmann::ordered_json time_json(const vo::TimeSummary& times);
 
 }  // namespace tools

@@ -7,11 +7,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/report/base64.h"
+#include "tools/pictures/base64.h"
 #include "tools/report/frame_errors.h"
-#include "tools/version.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
+#include "vo/core/version.h"
 
 namespace tools {
 namespace {
@@ -239,7 +239,7 @@ Json scenario_json(const ScenarioReport& report) {
 Json report_data(const std::vector<ScenarioReport>& scenarios) {
   return {{"schema", "edvo-report"},
           {"version", kReportDataVersion},
-          {"generator", vo::concat("edvo ", version())},
+          {"generator", vo::concat("edvo ", vo::version())},
           {"scenarios", column(scenarios, scenario_json)}};
 }
 

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "tools/report/frame_gallery.h"
+#include "tools/pictures/frame_gallery.h"
 #include "tools/scenario/run_scenario.h"
 #include "tools/scenario/scenario.h"
-#include "vo/core/camera.h"
-#include "vo/core/trajectory.h"
 #include "vo/evaluation/evaluate.h"
-#include "vo/odometry.h"
+#include "vo/geometry/camera.h"
+#include "vo/geometry/trajectory.h"
+#include "vo/odometry/rgbd_odometry.h"
 
 namespace tools {
 

@@ -1,8 +1,8 @@
 #include "tools/report/static_page.h"
 
-#include "tools/report/escaped_markup.h"
+#include "tools/plot/escaped_markup.h"
+#include "tools/plot/trajectory_svg.h"
 #include "tools/report/report.h"
-#include "tools/report/trajectory_svg.h"
 #include "vo/core/error.h"
 
 namespace tools {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "vo/core/trajectory.h"
+#include "vo/geometry/trajectory.h"
 #include "vo/tracking/tracking_result.h"
 
 namespace tools {

@@ -71,8 +71,8 @@ TrackingRun track_mono_scenario(const Scenario& scenario, const vo::SequenceRead
   };
   TrackingRun run;
   std::size_t index = 0;
-  const MonoObserver observe = [&](const vo::RgbdFrame& frame, const vo::MonoOdometry& odometry,
-                                   const vo::MonoResult& result) {
+  const vo::MonoObserver observe = [&](const vo::RgbdFrame& frame, const vo::MonoOdometry& odometry,
+                                       const vo::MonoResult& result) {
     const std::size_t number = index++;
     if (observers.frame) {
       observers.frame(frame, odometry.current(), odometry.tracker(), result.tracking);
@@ -84,12 +84,12 @@ TrackingRun track_mono_scenario(const Scenario& scenario, const vo::SequenceRead
       }
     }
   };
-  MonoSequenceResult tracked =
-      track_mono_images({.camera = sequence.camera().pinhole,
-                         .T_world_first = sequence.ground_truth().front().T_world_camera,
-                         .size = sequence.size(),
-                         .next = next},
-                        options, observe, progress);
+  vo::MonoSequenceResult tracked =
+      vo::track_mono_images({.camera = sequence.camera().pinhole,
+                             .T_world_first = sequence.ground_truth().front().T_world_camera,
+                             .size = sequence.size(),
+                             .next = next},
+                            options, observe, progress);
   for (const vo::MonoResult& frame : tracked.frames) {
     run.tracking.frames.push_back(frame.tracking);
   }
@@ -120,6 +120,12 @@ void measure_map(const Scenario& scenario, const vo::Trajectory& truth, const Tr
   metrics.depth_outliers_percent = last.confident.outliers_percent;
   metrics.depth_nees = last.confident.nees;
   metrics.depth_density_fraction = last.density_percent / 100;
+}
+
+MapScale map_scale(const OdometryOptions& odometry) {
+  return odometry.mode == OdometryMode::mono && !is_metric(odometry.mono.bootstrap)
+             ? MapScale::arbitrary
+             : MapScale::metric;
 }
 
 }  // namespace tools

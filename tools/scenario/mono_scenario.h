@@ -2,13 +2,14 @@
 
 #include <vector>
 
+#include "tools/depth/depth_output.h"
 #include "tools/scenario/run_scenario.h"
 
 namespace tools {
 
 /// What tracking or mapping a scenario gave.
 struct TrackingRun {
-  SequenceResult tracking;
+  vo::SequenceResult tracking;
   std::vector<MappedFrame> maps;
 };
 
@@ -19,6 +20,9 @@ TrackingRun track_mono_scenario(const Scenario& scenario, const vo::SequenceRead
 /// Mode mapping: the poses are true, nothing is tracked.
 TrackingRun map_scenario(const Scenario& scenario, const vo::SequenceReader& sequence,
                          const ScenarioObservers& observers, const vo::Progress& progress);
+
+/// Whether the maps of a scenario's mode are in metres or of unknown scale.
+MapScale map_scale(const OdometryOptions& odometry);
 
 /// Fills in what the last map and the trajectory's scale say.
 void measure_map(const Scenario& scenario, const vo::Trajectory& truth, const TrackingRun& run,

@@ -6,7 +6,7 @@
 
 #include "tools/scenario/consistency.h"
 #include "tools/scenario/mono_scenario.h"
-#include "vo/io/sequence.h"
+#include "vo/dataset/sequence.h"
 
 namespace tools {
 namespace {
@@ -24,7 +24,7 @@ double drift_percent(const vo::Trajectory& truth, const vo::Trajectory& estimate
 }
 
 /// Of the poses of two runs over the same frames, m; infinite where only one of them has a pose.
-double greatest_difference(const SequenceResult& a, const SequenceResult& b) {
+double greatest_difference(const vo::SequenceResult& a, const vo::SequenceResult& b) {
   if (a.trajectory.size() != b.trajectory.size()) {
     return std::numeric_limits<double>::infinity();
   }
@@ -48,8 +48,8 @@ TrackingRun track_once(const Scenario& scenario, const vo::SequenceReader& seque
       break;
   }
   const vo::SE3 T_world_first = sequence.ground_truth().front().T_world_camera;
-  return {.tracking = track_sequence(sequence, scenario.odometry.tracker, T_world_first,
-                                     observers.frame, progress),
+  return {.tracking = vo::track_sequence(sequence, scenario.odometry.tracker, T_world_first,
+                                         observers.frame, progress),
           .maps = {}};
 }
 
@@ -59,7 +59,7 @@ bool Outcome::passed() const {
   return std::all_of(checks.begin(), checks.end(), [](const BoundCheck& c) { return c.holds; });
 }
 
-Metrics measure(const vo::Trajectory& truth, const SequenceResult& tracking,
+Metrics measure(const vo::Trajectory& truth, const vo::SequenceResult& tracking,
                 const ScoreOptions& score) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   constexpr std::size_t kMinPoses = 3;
@@ -92,9 +92,9 @@ std::vector<BoundCheck> check_bounds(const Metrics& metrics,
   return checks;
 }
 
-RenderJob render_job(const Scenario& scenario) {
-  const SceneFile scene(scenario.scene_file());
-  const TimedPath timed = make_path(scenario.resolved_path(), scene);
+synth::RenderJob render_job(const Scenario& scenario) {
+  const synth::SceneFile scene(scenario.scene_file());
+  const synth::TimedPath timed = synth::make_path(scenario.resolved_path(), scene);
   return {.scene = scene,
           .recipe = {.truth = synth::sample(timed.path, timed.times),
                      .path = timed.path,
@@ -127,8 +127,8 @@ Outcome track_scenario(const Scenario& scenario, const vo::SequenceReader& seque
 Outcome run_scenario(const Scenario& scenario, const std::filesystem::path& folder,
                      vo::ExistingOutput existing, const ScenarioObservers& observers,
                      const RunProgress& progress) {
-  RenderOutcome rendered =
-      render_sequence(render_job(scenario), folder / "sequence", existing, progress.render);
+  synth::RenderOutcome rendered =
+      synth::render_sequence(render_job(scenario), folder / "sequence", existing, progress.render);
   const vo::SequenceReader sequence(folder / "sequence");
   Outcome outcome = track_scenario(scenario, sequence, observers, progress.track);
   outcome.notes = std::move(rendered.notes);

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "synth/sequence/render_sequence.h"
 #include "tools/depth/mapping_run.h"
-#include "tools/pipeline/render_sequence.h"
-#include "tools/pipeline/track_sequence.h"
 #include "tools/scenario/scenario.h"
 #include "vo/core/progress.h"
-#include "vo/io/output.h"
-#include "vo/io/sequence.h"
+#include "vo/dataset/sequence.h"
+#include "vo/files/output.h"
+#include "vo/odometry/track_sequence.h"
 
 namespace tools {
 
@@ -23,7 +23,7 @@ struct BoundCheck {
 };
 
 struct Outcome {
-  SequenceResult tracking;        ///< empty in mode mapping
+  vo::SequenceResult tracking;    ///< empty in mode mapping
   std::vector<MappedFrame> maps;  ///< of modes mono and mapping
   vo::Trajectory truth;
   Metrics metrics;  ///< NaN where too little was tracked to measure
@@ -34,10 +34,10 @@ struct Outcome {
 };
 
 /// What the scenario renders.
-RenderJob render_job(const Scenario& scenario);
+synth::RenderJob render_job(const Scenario& scenario);
 
 /// NaN where too little was tracked to measure.
-Metrics measure(const vo::Trajectory& truth, const SequenceResult& tracking,
+Metrics measure(const vo::Trajectory& truth, const vo::SequenceResult& tracking,
                 const ScoreOptions& score);
 
 /// The bounds of metrics that were measured, in the order of the metrics.
@@ -46,8 +46,8 @@ std::vector<BoundCheck> check_bounds(const Metrics& metrics,
 
 /// Told after each frame; empty ones are not called.
 struct ScenarioObservers {
-  FrameObserver frame;  ///< of modes rgbd and mono
-  MapObserver map;      ///< of modes mono and mapping
+  vo::FrameObserver frame;  ///< of modes rgbd and mono
+  MapObserver map;          ///< of modes mono and mapping
 };
 
 /// Tracks a sequence as the scenario says, from the true first pose, and evaluates.

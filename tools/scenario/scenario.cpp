@@ -6,7 +6,7 @@
 #include "synth/sensor/preset.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/io/toml_file.h"
+#include "vo/files/toml_file.h"
 
 namespace tools {
 namespace {
@@ -172,8 +172,8 @@ fs::path Scenario::scene_file() const {
   return resolved(scene.gltf, fs::absolute(file).parent_path() / ".." / "assets");
 }
 
-PathOptions Scenario::resolved_path() const {
-  PathOptions result = path;
+synth::PathOptions Scenario::resolved_path() const {
+  synth::PathOptions result = path;
   result.file = resolved(path.file, fs::absolute(file).parent_path());
   return result;
 }

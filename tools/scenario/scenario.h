@@ -8,14 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include "synth/renderer.h"
-#include "synth/sensor.h"
+#include "synth/path_planning/path_options.h"
+#include "synth/rendering/renderer.h"
+#include "synth/sensor/sensor.h"
 #include "tools/depth/mapping_run.h"
-#include "tools/pipeline/path_options.h"
-#include "vo/core/camera.h"
 #include "vo/evaluation/evaluate.h"
-#include "vo/mono_options.h"
-#include "vo/odometry.h"
+#include "vo/geometry/camera.h"
+#include "vo/odometry/mono_options.h"
+#include "vo/odometry/rgbd_odometry.h"
 
 namespace tools {
 
@@ -165,7 +165,7 @@ struct Scenario {
   bool slow = false;  ///< labelled so in CTest
   SceneOptions scene;
   CameraOptions camera;
-  PathOptions path;
+  synth::PathOptions path;
   synth::RenderOptions render;
   synth::SensorOptions sensor;
   OdometryOptions odometry;
@@ -173,7 +173,7 @@ struct Scenario {
   std::map<std::string, Bound> expect;  ///< by metric
 
   std::filesystem::path scene_file() const;  ///< relative scenes are in `assets` beside the folder
-  PathOptions resolved_path() const;         ///< relative files are in the scenario's folder
+  synth::PathOptions resolved_path() const;  ///< relative files are in the scenario's folder
 };
 
 /// All but the bounds.

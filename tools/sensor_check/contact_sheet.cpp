@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "synth/sensor/preset.h"
-#include "tools/report/panels.h"
+#include "tools/pictures/panels.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 

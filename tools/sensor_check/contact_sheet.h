@@ -4,10 +4,10 @@
 
 #include <opencv2/core.hpp>
 
-#include "synth/renderers_over_time.h"
-#include "synth/scene.h"
-#include "synth/sensor/rgbd_sensor.h"
-#include "vo/core/camera.h"
+#include "synth/camera/renderers_over_time.h"
+#include "synth/camera/rgbd_camera.h"
+#include "synth/scene/scene.h"
+#include "vo/geometry/camera.h"
 
 namespace tools {
 

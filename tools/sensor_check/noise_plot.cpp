@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "tools/ablate/plot.h"
+#include "tools/plot/plot.h"
 #include "tools/sensor_check/noise_table.h"
 #include "vo/core/fields.h"
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "synth/sensor.h"
-#include "vo/core/camera.h"
+#include "synth/sensor/sensor.h"
+#include "vo/geometry/camera.h"
 
 namespace tools {
 

@@ -5,8 +5,8 @@
 #include <opencv2/core.hpp>
 
 #include "tools/train_edges/labelled_views.h"
-#include "vo/image/edges.h"
-#include "vo/image/structured_forest.h"
+#include "vo/edges/edges.h"
+#include "vo/structured_forest/structured_forest.h"
 
 namespace tools {
 

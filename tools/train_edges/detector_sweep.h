@@ -6,8 +6,8 @@
 #include "tools/train_edges/edge_score.h"
 #include "tools/train_edges/labelled_views.h"
 #include "vo/core/progress.h"
-#include "vo/image/edges.h"
-#include "vo/image/structured_forest.h"
+#include "vo/edges/edges.h"
+#include "vo/structured_forest/structured_forest.h"
 
 namespace tools {
 

@@ -11,7 +11,7 @@ std::size_t bit(const cv::Point& pixel) {
   return static_cast<std::size_t>(index);
 }
 
-cv::Point random_pixel(Random& random) {
+cv::Point random_pixel(vo::Random& random) {
   const int u = random.below(kPatchSide);
   return {u, random.below(kPatchSide)};
 }
@@ -49,7 +49,7 @@ EdgePatch line_between(const cv::Point& from, const cv::Point& to) {
   return line;
 }
 
-std::vector<EdgePatch> random_lines(int count, Random& random) {
+std::vector<EdgePatch> random_lines(int count, vo::Random& random) {
   std::vector<EdgePatch> lines;
   while (lines.size() < static_cast<std::size_t>(count)) {
     const cv::Point from = random_pixel(random);

@@ -5,8 +5,8 @@
 
 #include <opencv2/core.hpp>
 
-#include "synth/edge_labels.h"
-#include "tools/pipeline/random.h"
+#include "synth/truth/edge_labels.h"
+#include "vo/core/random.h"
 
 namespace tools {
 
@@ -25,6 +25,6 @@ EdgePatch line_between(const cv::Point& from, const cv::Point& to);
 /// separate these two pixels" for all of them is its place in the space in which the forest tells
 /// like from unlike edges: the paper's mapping of structured labels, with lines that cross edges in
 /// the place of segments, because exact edges need not close.
-std::vector<EdgePatch> random_lines(int count, Random& random);
+std::vector<EdgePatch> random_lines(int count, vo::Random& random);
 
 }  // namespace tools

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "synth/edge_labels.h"
+#include "synth/truth/edge_labels.h"
 #include "vo/core/image.h"
 
 namespace tools {

@@ -15,7 +15,7 @@ namespace {
 
 using Tree = std::vector<TreeNode>;
 
-void shuffle(std::vector<PatchPlace>& places, Random& random) {
+void shuffle(std::vector<PatchPlace>& places, vo::Random& random) {
   for (std::size_t i = places.size(); i > 1; --i) {
     std::swap(places[i - 1], places[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
   }
@@ -32,7 +32,7 @@ std::vector<LabelledView> enlarged(const std::vector<LabelledView>& views, int s
   return result;
 }
 
-Tree train_tree(const TrainingSet& set, const ForestTrainingOptions& options, Random random) {
+Tree train_tree(const TrainingSet& set, const ForestTrainingOptions& options, vo::Random random) {
   std::vector<PatchPlace> places = set.draw(options.patches_per_view, random);
   shuffle(places, random);
   return grow_tree(set, std::move(places), options.tree, random);
@@ -92,7 +92,7 @@ vo::StructuredForest train_forest(const std::vector<LabelledView>& views,
   std::size_t done = 0;
   std::mutex mutex;
   tbb::parallel_for(std::size_t{0}, trees.size(), [&](std::size_t i) {
-    trees[i] = train_tree(set, options, Random(seed, i));
+    trees[i] = train_tree(set, options, vo::Random(seed, i));
     const std::lock_guard lock(mutex);
     ++done;
     if (progress) {

@@ -5,7 +5,7 @@
 
 #include "tools/train_edges/tree_trainer.h"
 #include "vo/core/progress.h"
-#include "vo/image/structured_forest.h"
+#include "vo/structured_forest/structured_forest.h"
 
 namespace tools {
 

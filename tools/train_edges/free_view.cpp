@@ -36,7 +36,7 @@ bool is_free(const synth::SurfaceTracer& tracer, const Eigen::Vector3d& eye) {
   return sees_surfaces(tracer, probe, vo::look_at(eye, below, Eigen::Vector3d::UnitX()), 1);
 }
 
-vo::SE3 random_gaze(const Eigen::Vector3d& eye, Random& random) {
+vo::SE3 random_gaze(const Eigen::Vector3d& eye, vo::Random& random) {
   const double yaw = random.uniform(0, 2 * std::numbers::pi);
   const double pitch = random.uniform(-35, 15) * kDegree;
   const double roll = random.uniform(-10, 10) * kDegree;
@@ -48,7 +48,7 @@ vo::SE3 random_gaze(const Eigen::Vector3d& eye, Random& random) {
 }  // namespace
 
 std::optional<vo::SE3> free_view(const synth::SurfaceTracer& tracer,
-                                 const vo::PinholeCamera& camera, Random& random) {
+                                 const vo::PinholeCamera& camera, vo::Random& random) {
   constexpr int kMaxTries = 20000;
   const Eigen::AlignedBox3d box = tracer.bounds();
   vo::PinholeCamera small = vo::PinholeCamera::from_horizontal_fov(32, 24, 60);

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "synth/surface_tracer.h"
-#include "tools/pipeline/random.h"
+#include "synth/ray_tracing/surface_tracer.h"
+#include "vo/core/random.h"
 
 namespace tools {
 
@@ -11,6 +11,6 @@ namespace tools {
 /// furniture: to all sides and below there is a surface, none nearer than 0.3 m. Nothing when
 /// thousands of tries have found none.
 std::optional<vo::SE3> free_view(const synth::SurfaceTracer& tracer,
-                                 const vo::PinholeCamera& camera, Random& random);
+                                 const vo::PinholeCamera& camera, vo::Random& random);
 
 }  // namespace tools

@@ -9,21 +9,24 @@
 #include <opencv2/imgproc.hpp>
 #include <tbb/parallel_for.h>
 
-#include "synth/gltf.h"
-#include "synth/renderer.h"
-#include "synth/sensor.h"
+#include "synth/camera/make_renderer.h"
+#include "synth/camera/metering.h"
+#include "synth/camera/renderers_over_time.h"
+#include "synth/gltf/gltf.h"
+#include "synth/rendering/renderer.h"
+#include "synth/sensor/sensor.h"
 #include "tools/train_edges/free_view.h"
 #include "vo/core/error.h"
 
 namespace tools {
 namespace {
 
-vo::PinholeCamera random_camera(const ViewOptions& options, Random& random) {
+vo::PinholeCamera random_camera(const ViewOptions& options, vo::Random& random) {
   const double fov = random.uniform(options.min_fov_deg, options.max_fov_deg);
   return vo::PinholeCamera::from_horizontal_fov(options.width, options.height, fov);
 }
 
-vo::ColorImage noisy(const vo::ColorImage& image, double deviation, Random& random) {
+vo::ColorImage noisy(const vo::ColorImage& image, double deviation, vo::Random& random) {
   vo::ColorImage result(image.size());
   for (int v = 0; v < image.rows; ++v) {
     for (int u = 0; u < image.cols; ++u) {
@@ -63,7 +66,7 @@ class Studio {
         tracer_(scene_, render_.ambient) {}
 
   LabelledView photograph(std::size_t index) const {
-    Random random(options_.seed, index);
+    vo::Random random(options_.seed, index);
     const vo::PinholeCamera camera = random_camera(options_, random);
     const std::optional<vo::SE3> T_world_camera = free_view(tracer_, camera, random);
     vo::require(T_world_camera.has_value(), path_,
@@ -77,7 +80,7 @@ class Studio {
 
  private:
   vo::ColorImage clear_photo(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera,
-                             Random& random) const {
+                             vo::Random& random) const {
     synth::RenderedFrame ideal = renderer_->render(camera, T_world_camera);
     const double blur = random.uniform(0, options_.blur_px);
     if (blur > 0.2) {

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <vector>
 
-#include "synth/edge_labels.h"
-#include "tools/pipeline/random.h"
+#include "synth/truth/edge_labels.h"
 #include "vo/core/image.h"
 #include "vo/core/progress.h"
+#include "vo/core/random.h"
 
 namespace tools {
 

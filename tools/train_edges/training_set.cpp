@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "vo/core/error.h"
-#include "vo/image/structured_forest.h"
+#include "vo/structured_forest/structured_forest.h"
 
 namespace tools {
 namespace {
@@ -37,7 +37,7 @@ TrainingSet::TrainingSet(const std::vector<LabelledView>& views,
       features_(features_of(views, parameters)),
       index_(parameters, features_.front().regular.step1()) {}
 
-std::vector<PatchPlace> TrainingSet::draw(int per_view, Random& random) const {
+std::vector<PatchPlace> TrainingSet::draw(int per_view, vo::Random& random) const {
   const cv::Size size = views_.front().image.size();
   const cv::Size grid = vo::patch_grid(size, parameters_);
   const int tries = 4 * per_view;

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "tools/pipeline/random.h"
 #include "tools/train_edges/edge_patch.h"
 #include "tools/train_edges/labelled_views.h"
-#include "vo/image/forest_features.h"
+#include "vo/core/random.h"
+#include "vo/structured_forest/forest_features.h"
 
 namespace tools {
 
@@ -24,7 +24,7 @@ class TrainingSet {
   TrainingSet(const std::vector<LabelledView>& views, const vo::ForestParameters& parameters);
 
   /// `per_view` of each view, half of them (where there are as many) with an edge in the middle.
-  std::vector<PatchPlace> draw(int per_view, Random& random) const;
+  std::vector<PatchPlace> draw(int per_view, vo::Random& random) const;
 
   float feature(const PatchPlace& place, int id) const;
   EdgePatch edges(const PatchPlace& place) const;

@@ -71,7 +71,7 @@ struct Leaf {
 class TreeGrower {
  public:
   TreeGrower(const TrainingSet& set, std::vector<PatchPlace> places, const TreeOptions& options,
-             Random& random)
+             vo::Random& random)
       : set_(set), places_(std::move(places)), options_(options), random_(random) {}
 
   std::vector<TreeNode> grow() {
@@ -162,7 +162,7 @@ class TreeGrower {
   const TrainingSet& set_;
   std::vector<PatchPlace> places_;
   const TreeOptions& options_;
-  Random& random_;
+  vo::Random& random_;
   std::vector<TreeNode> nodes_;
   std::vector<Leaf> leaves_;
 };
@@ -179,7 +179,7 @@ void TreeOptions::validate() const {
 }
 
 std::vector<TreeNode> grow_tree(const TrainingSet& set, std::vector<PatchPlace> places,
-                                const TreeOptions& options, Random& random) {
+                                const TreeOptions& options, vo::Random& random) {
   vo::require(!places.empty(), "training: no patches, expected at least one");
   return TreeGrower(set, std::move(places), options, random).grow();
 }

@@ -34,6 +34,6 @@ struct TreeNode {
 /// Grows one tree of a structured forest, always at the leaf where a split gains most.
 /// `places` in random order.
 std::vector<TreeNode> grow_tree(const TrainingSet& set, std::vector<PatchPlace> places,
-                                const TreeOptions& options, Random& random);
+                                const TreeOptions& options, vo::Random& random);
 
 }  // namespace tools

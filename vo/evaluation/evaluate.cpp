@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "vo/core/associate.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/evaluation/relative_error.h"
 #include "vo/evaluation/umeyama.h"
+#include "vo/geometry/associate.h"
 
 namespace vo {
 namespace {

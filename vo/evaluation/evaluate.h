@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "vo/core/trajectory.h"
+#include "vo/geometry/trajectory.h"
 
 namespace vo {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "vo/core/trajectory.h"
 #include "vo/evaluation/evaluate.h"
+#include "vo/geometry/trajectory.h"
 
 namespace vo {
 

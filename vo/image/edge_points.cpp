@@ -7,7 +7,7 @@
 #include "vo/core/error.h"
 #include "vo/core/hash.h"
 #include "vo/core/instruction_set.h"
-#include "vo/image/pixel_bits.h"
+#include "vo/core/pixel_bits.h"
 #include "vo/image/usable_pixels.h"
 
 namespace vo {

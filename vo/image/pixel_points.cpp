@@ -3,15 +3,15 @@
 #include <cstring>
 
 #include "vo/core/instruction_set.h"
-#include "vo/core/lens_visit.h"
+#include "vo/geometry/lens_dispatch.h"
 #include "vo/image/edge_points.h"
 
 namespace vo {
 namespace {
 
-constexpr std::size_t kBlock = 64;  // points
+constexpr std::size_t kPointsPerBlock = 64;  // points
 
-using BlockRow = std::array<float, kBlock>;
+using BlockRow = std::array<float, kPointsPerBlock>;
 
 /// What is read at the pixels of some points, and the points themselves.
 struct alignas(64) Block {
@@ -42,7 +42,7 @@ void gather(const PyramidLevel& level, std::span<const PixelDepth> pixels, Block
 
 template <typename Distort>
 EDVO_INLINE void distort_block(const Distortion& lens, const Distort& distort, Block& block) {
-  for (std::size_t i = 0; i < kBlock; ++i) {
+  for (std::size_t i = 0; i < kPointsPerBlock; ++i) {
     const DistortedPoint<float> imaged = distort(lens, block.ray_x[i], block.ray_y[i]);
     block.dx_dx[i] = imaged.dx_dx;
     block.dx_dy[i] = imaged.dx_dy;
@@ -59,7 +59,7 @@ EDVO_INLINE void apply_lens(const Distortion& lens, Block& block) {
 EDVO_INLINE void place(const PinholeCamera& camera, Block& block) {
   const auto fx = static_cast<float>(camera.fx);
   const auto fy = static_cast<float>(camera.fy);
-  for (std::size_t i = 0; i < kBlock; ++i) {
+  for (std::size_t i = 0; i < kPointsPerBlock; ++i) {
     const float by_u = 0.5F * block.twice_du[i] * fx;
     const float by_v = 0.5F * block.twice_dv[i] * fy;
     const float inverse_z = 1 / block.z[i];
@@ -109,8 +109,8 @@ void show_points(const PyramidLevel& level, std::span<const PixelDepth> pixels, 
   points.resize(pixels.size());
   Block block{};
   block.z.fill(1);
-  for (std::size_t first = 0; first < pixels.size(); first += kBlock) {
-    const auto some = pixels.subspan(first, std::min(kBlock, pixels.size() - first));
+  for (std::size_t first = 0; first < pixels.size(); first += kPointsPerBlock) {
+    const auto some = pixels.subspan(first, std::min(kPointsPerBlock, pixels.size() - first));
     gather(level, some, block);
     if (set == InstructionSet::baseline) {
       compute_baseline(level.camera, block);

@@ -25,7 +25,7 @@ EDVO_INLINE float greater(float a, float b) {
   return a > b ? a : b;
 }
 
-constexpr std::size_t kBlock = 64;  // pixels of the halved image
+constexpr std::size_t kPixelsPerBlock = 64;  // pixels of the halved image
 
 EDVO_INLINE void put_holes_far(const float* depth, std::size_t count, float* __restrict far) {
   for (std::size_t u = 0; u < count; ++u) {
@@ -36,10 +36,10 @@ EDVO_INLINE void put_holes_far(const float* depth, std::size_t count, float* __r
 /// At most 64 pixels of `halve_depth`, in steps that are vectorized each.
 EDVO_INLINE void merge_block(const float* upper, const float* lower, std::size_t count,
                              float* __restrict merged) {
-  std::array<float, 2 * kBlock> upper_far;
-  std::array<float, 2 * kBlock> lower_far;
-  std::array<float, kBlock> nearest;
-  std::array<float, kBlock> farthest;
+  std::array<float, 2 * kPixelsPerBlock> upper_far;
+  std::array<float, 2 * kPixelsPerBlock> lower_far;
+  std::array<float, kPixelsPerBlock> nearest;
+  std::array<float, kPixelsPerBlock> farthest;
   put_holes_far(upper, 2 * count, upper_far.data());
   put_holes_far(lower, 2 * count, lower_far.data());
   for (std::size_t u = 0; u < count; ++u) {
@@ -65,8 +65,8 @@ EDVO_INLINE void merge_depth(const DepthImage& depth, DepthImage& half) {
     const float* upper = depth[2 * v];
     const float* lower = depth[2 * v + 1];
     std::size_t u = 0;
-    for (; u + kBlock <= cols; u += kBlock) {
-      merge_block(upper + 2 * u, lower + 2 * u, kBlock, half[v] + u);
+    for (; u + kPixelsPerBlock <= cols; u += kPixelsPerBlock) {
+      merge_block(upper + 2 * u, lower + 2 * u, kPixelsPerBlock, half[v] + u);
     }
     merge_block(upper + 2 * u, lower + 2 * u, cols - u, half[v] + u);
   }

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "vo/core/camera.h"
 #include "vo/core/image.h"
-#include "vo/image/edges.h"
+#include "vo/edges/edges.h"
+#include "vo/geometry/camera.h"
 #include "vo/image/vignette.h"
 
 namespace vo {

@@ -1,7 +1,7 @@
 #include "vo/image/usable_pixels.h"
 
+#include "vo/core/pixel_bits.h"
 #include "vo/image/depth_span.h"
-#include "vo/image/pixel_bits.h"
 
 namespace vo {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "vo/mapping/epipolar_block.h"
 #include "vo/mapping/epipolar_match.h"
-#include "vo/mapping/epipolar_worth.h"
+#include "vo/mapping/inverse_depth_variance.h"
 
 namespace vo {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "vo/core/hash.h"
 #include "vo/core/median.h"
-#include "vo/image/pixel_bits.h"
+#include "vo/core/pixel_bits.h"
 #include "vo/mapping/stereo_pair.h"
 
 namespace vo {

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "vo/core/instruction_set.h"
-#include "vo/core/lens_visit.h"
+#include "vo/geometry/lens_dispatch.h"
 #include "vo/mapping/stereo_pair.h"
 
 /// Camera and image for many places at once: the loops of `image_ray` and `sample_bilinear` over

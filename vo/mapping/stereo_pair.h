@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "vo/core/se3.h"
+#include "vo/geometry/se3.h"
 #include "vo/image/pyramid.h"
 
 namespace vo {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "vo/core/error.h"
-#include "vo/tracking/warp.h"
+#include "vo/residuals/warp.h"
 
 namespace vo {
 namespace {

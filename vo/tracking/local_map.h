@@ -6,12 +6,12 @@
 #include <optional>
 #include <vector>
 
-#include "vo/core/se3.h"
+#include "vo/geometry/se3.h"
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
-#include "vo/tracking/frame_velocity.h"
+#include "vo/residuals/frame_velocity.h"
+#include "vo/residuals/surface_points.h"
 #include "vo/tracking/map_options.h"
-#include "vo/tracking/surface_points.h"
 
 namespace vo {
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-#include "vo/tracking/linearize.h"
+#include "vo/residuals/linearize.h"
 
 namespace vo {
 namespace {

@@ -8,12 +8,12 @@ namespace {
 constexpr double kMaxReadout = 0.033;  // s, a frame's time at 30 Hz
 
 /// As much as a hundred times the least squares of one residual per 20 ms.
-constexpr double kPriorInformation = 100 / (0.02 * 0.02);
+constexpr double kReadoutPriorInformation = 100 / (0.02 * 0.02);
 
 }  // namespace
 
 ReadoutEstimate::ReadoutEstimate(double first_s)
-    : information_(kPriorInformation), weighted_(kPriorInformation * first_s) {}
+    : information_(kReadoutPriorInformation), weighted_(kReadoutPriorInformation * first_s) {}
 
 double ReadoutEstimate::seconds() const {
   return std::clamp(weighted_ / information_, 0.0, kMaxReadout);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vo/tracking/align_result.h"
+#include "vo/alignment/align_result.h"
 
 namespace vo {
 

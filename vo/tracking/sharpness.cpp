@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "vo/tracking/warp.h"
+#include "vo/residuals/warp.h"
 
 namespace vo {
 namespace {

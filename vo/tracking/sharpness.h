@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vo/core/se3.h"
+#include "vo/geometry/se3.h"
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "vo/alignment/align.h"
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
-#include "vo/tracking/align.h"
 #include "vo/tracking/local_map.h"
 #include "vo/tracking/readout_estimate.h"
 #include "vo/tracking/tracker_options.h"

@@ -3,10 +3,10 @@
 #include <array>
 #include <utility>
 
+#include "vo/edges/edges.h"
 #include "vo/image/edge_points.h"
-#include "vo/image/edges.h"
 #include "vo/image/pyramid.h"
-#include "vo/tracking/align_options.h"
+#include "vo/residuals/align_options.h"
 #include "vo/tracking/map_options.h"
 #include "vo/tracking/window_options.h"
 

@@ -3,9 +3,9 @@
 #include <array>
 #include <utility>
 
-#include "vo/core/se3.h"
+#include "vo/alignment/align_result.h"
+#include "vo/geometry/se3.h"
 #include "vo/image/vignette.h"
-#include "vo/tracking/align_result.h"
 
 namespace vo {
 

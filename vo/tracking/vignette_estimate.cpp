@@ -11,7 +11,7 @@ namespace {
 /// they say together is worth a hundredth of as many that are independent.
 constexpr double kDependence = 100;
 
-constexpr double kPriorInformation = kDependence / (0.2 * 0.2);  ///< of a fall-off by 0.2
+constexpr double kVignettePriorInformation = kDependence / (0.2 * 0.2);  ///< of a fall-off by 0.2
 
 constexpr double kDamping = 1e-6;  ///< where nothing determines what is eliminated
 
@@ -94,7 +94,7 @@ VignetteSystem vignette_system(const VignettePair& pair) {
 }  // namespace
 
 VignetteEstimate::VignetteEstimate()
-    : information_(kPriorInformation * Eigen::Matrix2d::Identity()) {}
+    : information_(kVignettePriorInformation * Eigen::Matrix2d::Identity()) {}
 
 void VignetteEstimate::update(std::span<const AlignReference> references,
                               const AlignCurrent& current, const SE3& T_cur_first,

@@ -2,8 +2,8 @@
 
 #include <span>
 
+#include "vo/alignment/joint_problem.h"
 #include "vo/image/vignette.h"
-#include "vo/tracking/joint_problem.h"
 
 namespace vo {
 

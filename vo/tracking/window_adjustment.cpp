@@ -6,10 +6,10 @@
 
 #include <Eigen/Cholesky>
 
+#include "vo/alignment/host_system.h"
 #include "vo/core/damped_descent.h"
 #include "vo/core/error.h"
-#include "vo/tracking/host_system.h"
-#include "vo/tracking/linearize.h"
+#include "vo/residuals/linearize.h"
 
 namespace vo {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <vector>
 
-#include "vo/core/se3.h"
+#include "vo/geometry/se3.h"
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
-#include "vo/tracking/align_options.h"
-#include "vo/tracking/frame_velocity.h"
+#include "vo/residuals/align_options.h"
+#include "vo/residuals/frame_velocity.h"
 #include "vo/tracking/window_options.h"
 
 namespace vo {

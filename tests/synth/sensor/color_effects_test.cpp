@@ -4,15 +4,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "synth/random.h"
+#include "synth/scene/srgb.h"
 #include "synth/sensor/exposure_control.h"
 #include "synth/sensor/gaussian.h"
 #include "synth/sensor/image_noise.h"
 #include "synth/sensor/jpeg.h"
 #include "synth/sensor/lens.h"
 #include "synth/sensor/response.h"
-#include "synth/srgb.h"
 #include "tests/support/error_text.h"
+#include "vo/core/random_field.h"
 
 namespace synth {
 namespace {
@@ -90,7 +90,7 @@ TEST(ImageNoise, HasTheVarianceOfShotAndReadNoiseAtEveryMean) {
 }
 
 TEST(ImageNoise, CountsFewPhotonsAsPoissonDoes) {
-  const RandomField random(3, 0, 0);
+  const vo::RandomField random(3, 0, 0);
   int none = 0;
   int one = 0;
   for (int i = 0; i < 100000; ++i) {
@@ -154,7 +154,7 @@ TEST(Response, ExpectsARisingTable) {
 }
 
 vo::ColorImage noisy_image() {
-  const RandomField random(1, 2, 3);
+  const vo::RandomField random(1, 2, 3);
   vo::ColorImage image(37, 53);
   for (int v = 0; v < image.rows; ++v) {
     for (int u = 0; u < image.cols; ++u) {

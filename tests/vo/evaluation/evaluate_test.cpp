@@ -33,16 +33,16 @@ Trajectory scaled(Trajectory trajectory, double scale) {
 }
 
 TEST(Summarize, AgreesWithTheClosedForms) {
-  const Statistics odd = summarize(std::vector<double>{7, 1, 4});
+  const Statistics odd = vo::summarize(std::vector<double>{7, 1, 4});
   EXPECT_DOUBLE_EQ(odd.rmse, std::sqrt(22.0));
   EXPECT_DOUBLE_EQ(odd.mean, 4);
   EXPECT_DOUBLE_EQ(odd.median, 4);
   EXPECT_DOUBLE_EQ(odd.max, 7);
-  EXPECT_DOUBLE_EQ(summarize(std::vector<double>{7, 1, 4, 2}).median, 3);
+  EXPECT_DOUBLE_EQ(vo::summarize(std::vector<double>{7, 1, 4, 2}).median, 3);
 }
 
 TEST(Summarize, KnowsNothingOfNothing) {
-  const Statistics nothing = summarize({});
+  const Statistics nothing = vo::summarize({});
   EXPECT_TRUE(std::isnan(nothing.rmse)) << "no error is not an error of zero";
   EXPECT_TRUE(std::isnan(nothing.median));
 }

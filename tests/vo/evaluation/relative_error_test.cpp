@@ -9,7 +9,7 @@
 namespace vo {
 namespace {
 
-constexpr double kRounding = 1e-10;  // m and deg
+constexpr double kRelativeRounding = 1e-10;  // m and deg
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 Vector6d drift(const Eigen::Vector3d& velocity, const Eigen::Vector3d& angular_velocity) {
@@ -32,10 +32,10 @@ EvaluationOptions over(double length, IntervalUnit unit) {
 
 /// All statistics are the same when all errors are.
 void expect_constant(const Statistics& statistics, double value) {
-  EXPECT_NEAR(statistics.rmse, value, kRounding);
-  EXPECT_NEAR(statistics.mean, value, kRounding);
-  EXPECT_NEAR(statistics.median, value, kRounding);
-  EXPECT_NEAR(statistics.max, value, kRounding);
+  EXPECT_NEAR(statistics.rmse, value, kRelativeRounding);
+  EXPECT_NEAR(statistics.mean, value, kRelativeRounding);
+  EXPECT_NEAR(statistics.median, value, kRelativeRounding);
+  EXPECT_NEAR(statistics.max, value, kRelativeRounding);
 }
 
 TEST(RelativeError, OfADriftOverSecondsIsVelocityTimesSeconds) {
@@ -70,8 +70,8 @@ TEST(RelativeError, HasTheSameRotationInBothDefinitions) {
   const RelativeErrors tum = relative_errors_tum(truth, estimate, {});
   const RelativeErrors evo = relative_errors_evo(truth, estimate, {});
   EXPECT_EQ(tum.pairs, evo.pairs);
-  EXPECT_NEAR(tum.rotation_deg.rmse, evo.rotation_deg.rmse, kRounding);
-  EXPECT_NEAR(tum.rotation_deg.median, evo.rotation_deg.median, kRounding);
+  EXPECT_NEAR(tum.rotation_deg.rmse, evo.rotation_deg.rmse, kRelativeRounding);
+  EXPECT_NEAR(tum.rotation_deg.median, evo.rotation_deg.median, kRelativeRounding);
   EXPECT_GT(std::abs(tum.translation.rmse - evo.translation.rmse), 1e-3);
 }
 
@@ -86,9 +86,9 @@ TEST(RelativeError, OfTheBenchmarkIsTheTranslationBetweenTheEndsInTheStartFrame)
       P.translation() - P.rotation_matrix() * Q.rotation_matrix().transpose() * Q.translation();
   const EvaluationOptions options = over(1, IntervalUnit::seconds);
   EXPECT_NEAR(relative_errors_tum(truth, estimate, options).translation.rmse, tum.norm(),
-              kRounding);
+              kRelativeRounding);
   EXPECT_NEAR(relative_errors_evo(truth, estimate, options).translation.rmse,
-              (P.translation() - Q.translation()).norm(), kRounding);
+              (P.translation() - Q.translation()).norm(), kRelativeRounding);
 }
 
 TEST(RelativeError, LeavesOutTheLastPoseAsTheBenchmarkDoes) {
@@ -114,7 +114,7 @@ TEST(RelativeError, LeavesOutIntervalsThatStartOrEndInAGapOfTheTruth) {
   EXPECT_EQ(relative_errors_tum(truth, estimate, options).pairs, 87U);
   const RelativeErrors evo = relative_errors_evo(truth, estimate, options);
   EXPECT_EQ(evo.pairs, 89U);
-  EXPECT_LT(evo.translation.max, kRounding);
+  EXPECT_LT(evo.translation.max, kRelativeRounding);
 }
 
 TEST(RelativeError, AssociatesAnEstimateThatIsDenserThanTheTruth) {
@@ -122,7 +122,7 @@ TEST(RelativeError, AssociatesAnEstimateThatIsDenserThanTheTruth) {
   const Trajectory estimate = support::example_trajectory(500, 100);
   const RelativeErrors evo = relative_errors_evo(truth, estimate, over(1, IntervalUnit::frames));
   EXPECT_EQ(evo.pairs, 49U);
-  EXPECT_LT(evo.translation.max, kRounding);
+  EXPECT_LT(evo.translation.max, kRelativeRounding);
 }
 
 }  // namespace

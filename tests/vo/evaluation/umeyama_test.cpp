@@ -12,7 +12,7 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-constexpr double kTolerance = 1e-12;  // m, and of matrix entries and scales
+constexpr double kUmeyamaTolerance = 1e-12;  // m, and of matrix entries and scales
 
 Points random_points(std::size_t count, unsigned seed) {
   std::mt19937 random(seed);
@@ -46,24 +46,25 @@ double squared_error(const Similarity& similarity, const Points& source, const P
 }
 
 bool is_proper_rotation(const Eigen::Matrix3d& R) {
-  return (R * R.transpose()).isIdentity(kTolerance) && std::abs(R.determinant() - 1) < kTolerance;
+  return (R * R.transpose()).isIdentity(kUmeyamaTolerance) &&
+         std::abs(R.determinant() - 1) < kUmeyamaTolerance;
 }
 
 TEST(Umeyama, RecoversAKnownSimilarity) {
   const Similarity truth = example_similarity(1.7);
   const Points source = random_points(20, 1);
   const Similarity found = fit_similarity(source, mapped(truth, source));
-  EXPECT_TRUE(found.rotation.isApprox(truth.rotation, kTolerance));
-  EXPECT_TRUE(found.translation.isApprox(truth.translation, kTolerance));
-  EXPECT_NEAR(found.scale, truth.scale, kTolerance);
+  EXPECT_TRUE(found.rotation.isApprox(truth.rotation, kUmeyamaTolerance));
+  EXPECT_TRUE(found.translation.isApprox(truth.translation, kUmeyamaTolerance));
+  EXPECT_NEAR(found.scale, truth.scale, kUmeyamaTolerance);
 }
 
 TEST(Umeyama, RecoversAKnownRigidMotion) {
   const Similarity truth = example_similarity(1);
   const Points source = random_points(20, 2);
   const Similarity found = fit_rigid(source, mapped(truth, source));
-  EXPECT_TRUE(found.rotation.isApprox(truth.rotation, kTolerance));
-  EXPECT_TRUE(found.translation.isApprox(truth.translation, kTolerance));
+  EXPECT_TRUE(found.rotation.isApprox(truth.rotation, kUmeyamaTolerance));
+  EXPECT_TRUE(found.translation.isApprox(truth.translation, kUmeyamaTolerance));
   EXPECT_EQ(found.scale, 1);
 }
 
@@ -74,8 +75,8 @@ TEST(Umeyama, RecoversAMotionInAPlane) {
     point.z() = 1;
   }
   const Similarity found = fit_similarity(source, mapped(truth, source));
-  EXPECT_TRUE(found.rotation.isApprox(truth.rotation, kTolerance));
-  EXPECT_NEAR(found.scale, truth.scale, kTolerance);
+  EXPECT_TRUE(found.rotation.isApprox(truth.rotation, kUmeyamaTolerance));
+  EXPECT_NEAR(found.scale, truth.scale, kUmeyamaTolerance);
 }
 
 TEST(Umeyama, HasTheLeastSquaredErrorOfAllNearbySimilarities) {
@@ -116,8 +117,8 @@ TEST(Umeyama, FitsPointsOnALine) {
   const Points target = mapped(truth, source);
   const Similarity found = fit_similarity(source, target);
   EXPECT_TRUE(is_proper_rotation(found.rotation));
-  EXPECT_NEAR(found.scale, truth.scale, kTolerance);
-  EXPECT_LT(squared_error(found, source, target), kTolerance * kTolerance);
+  EXPECT_NEAR(found.scale, truth.scale, kUmeyamaTolerance);
+  EXPECT_LT(squared_error(found, source, target), kUmeyamaTolerance * kUmeyamaTolerance);
 }
 
 TEST(Umeyama, FitsPointsThatCoincide) {
@@ -126,7 +127,7 @@ TEST(Umeyama, FitsPointsThatCoincide) {
   const Similarity found = fit_similarity(source, target);
   EXPECT_TRUE(is_proper_rotation(found.rotation));
   EXPECT_EQ(found.scale, 1);
-  EXPECT_LT(squared_error(found, source, target), kTolerance * kTolerance);
+  EXPECT_LT(squared_error(found, source, target), kUmeyamaTolerance * kUmeyamaTolerance);
 }
 
 TEST(Umeyama, KeepsTheScaleOfAStandingSourceWithAMovingTarget) {

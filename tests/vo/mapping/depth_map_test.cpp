@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/error_text.h"
-#include "tests/vo/mapping/plane_map.h"
+#include "tests/support/plane_map.h"
 
 namespace {
 

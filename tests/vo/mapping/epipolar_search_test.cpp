@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/instruction_sets.h"
-#include "tests/vo/mapping/plane_map.h"
+#include "tests/support/plane_map.h"
 
 namespace {
 

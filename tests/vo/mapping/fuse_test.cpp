@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "tests/vo/mapping/plane_map.h"
+#include "tests/support/plane_map.h"
 
 namespace {
 

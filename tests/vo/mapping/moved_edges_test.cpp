@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/instruction_sets.h"
-#include "tests/vo/mapping/plane_map.h"
+#include "tests/support/plane_map.h"
 #include "vo/mapping/propagate.h"
 
 namespace {
@@ -36,7 +36,7 @@ struct TwoViews {
   vo::StereoPair pair() const { return {anchor.levels[0], current.levels[0], {T_cur_anchor}}; }
 };
 
-std::vector<vo::PinholeCamera> lenses() {
+std::vector<vo::PinholeCamera> camera_lenses() {
   std::vector<vo::PinholeCamera> cameras(3, support::small_camera());
   cameras[1].distortion = {.k1 = 0.2, .k2 = -0.5, .p1 = -0.003, .p2 = 0.002, .k3 = 0.6};
   cameras[2].distortion = {.k1 = 0.02, .k2 = -0.01, .model = vo::DistortionModel::kannala_brandt};
@@ -45,7 +45,7 @@ std::vector<vo::PinholeCamera> lenses() {
 
 /// In double precision: the place by the camera, depth and variance by the formula for one edge.
 TEST(MovedEdges, AreWhereTheCameraImagesThem) {
-  for (const vo::PinholeCamera& camera : lenses()) {
+  for (const vo::PinholeCamera& camera : camera_lenses()) {
     const TwoViews views(camera);
     const vo::StereoPair pair = views.pair();
     const std::vector<vo::MovedEdge> edges =
@@ -103,7 +103,7 @@ TEST(MovedEdges, TellWhereTheImageShowsSomethingElse) {
 }
 
 TEST(MovedEdges, EveryInstructionSetGivesTheSameBits) {
-  for (const vo::PinholeCamera& camera : lenses()) {
+  for (const vo::PinholeCamera& camera : camera_lenses()) {
     const TwoViews views(camera);
     const std::vector<vo::MovedEdge> expected =
         vo::move_edges(views.pair(), views.hypotheses, kNoise, InstructionSet::baseline);

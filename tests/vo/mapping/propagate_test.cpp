@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/vo/mapping/plane_map.h"
+#include "tests/support/plane_map.h"
 
 namespace {
 

@@ -15,7 +15,7 @@ using vo::SE3;
 
 constexpr support::PoseTolerance kSame{1e-12, 1e-9};
 
-SE3 moved_by(double x) {
+SE3 moved_sideways_by(double x) {
   return {Eigen::Quaterniond::Identity(), {x, 0, 0}};
 }
 
@@ -40,39 +40,44 @@ vo::Keyframe keyframe_at(const SE3& T_world_camera) {
 }
 
 TEST(PoseSearch, AFrameAgreesWithItself) {
-  const vo::Keyframe keyframe = keyframe_at(moved_by(0.3));
-  EXPECT_NEAR(vo::coarse_agreement(keyframe, keyframe.pyramid, moved_by(0.3)), 1, 1e-6);
-  EXPECT_LT(vo::coarse_agreement(keyframe, keyframe.pyramid, moved_by(0.4)), 0.9);
-  EXPECT_EQ(vo::coarse_agreement(keyframe, keyframe.pyramid, moved_by(5)), -1) << "out of view";
+  const vo::Keyframe keyframe = keyframe_at(moved_sideways_by(0.3));
+  EXPECT_NEAR(vo::coarse_agreement(keyframe, keyframe.pyramid, moved_sideways_by(0.3)), 1, 1e-6);
+  EXPECT_LT(vo::coarse_agreement(keyframe, keyframe.pyramid, moved_sideways_by(0.4)), 0.9);
+  EXPECT_EQ(vo::coarse_agreement(keyframe, keyframe.pyramid, moved_sideways_by(5)), -1)
+      << "out of view";
 }
 
 TEST(PoseSearch, TheTruthIsTheBestGuess) {
   const vo::Keyframe keyframe = keyframe_at(SE3());
   const SE3 truth = turned_by({3, -5, 2});
-  const SE3 best =
-      vo::best_guess(keyframe, frame_at(truth), {SE3(), moved_by(0.05), truth, moved_by(9)});
+  const SE3 best = vo::best_guess(keyframe, frame_at(truth),
+                                  {SE3(), moved_sideways_by(0.05), truth, moved_sideways_by(9)});
   EXPECT_THAT(best, PoseNear(truth, kSame));
 }
 
 TEST(PoseSearch, BetterGuessesComeFirst) {
   const vo::Keyframe keyframe = keyframe_at(SE3());
-  const std::vector<SE3> best = vo::best_guesses(
-      keyframe, keyframe.pyramid, {moved_by(9), moved_by(0.02), moved_by(0), moved_by(0.01)}, 3);
+  const std::vector<SE3> best = vo::best_guesses(keyframe, keyframe.pyramid,
+                                                 {moved_sideways_by(9), moved_sideways_by(0.02),
+                                                  moved_sideways_by(0), moved_sideways_by(0.01)},
+                                                 3);
   ASSERT_EQ(best.size(), 3U);
   for (const int rank : {0, 1, 2}) {
-    EXPECT_THAT(best[static_cast<std::size_t>(rank)], PoseNear(moved_by(0.01 * rank), kSame));
+    EXPECT_THAT(best[static_cast<std::size_t>(rank)],
+                PoseNear(moved_sideways_by(0.01 * rank), kSame));
   }
 }
 
 TEST(PoseSearch, OfGuessesThatAreAllOutOfViewTheFirstIsTaken) {
   const vo::Keyframe keyframe = keyframe_at(SE3());
-  const SE3 best = vo::best_guess(keyframe, keyframe.pyramid, {moved_by(9), moved_by(8)});
-  EXPECT_THAT(best, PoseNear(moved_by(9), kSame));
+  const SE3 best =
+      vo::best_guess(keyframe, keyframe.pyramid, {moved_sideways_by(9), moved_sideways_by(8)});
+  EXPECT_THAT(best, PoseNear(moved_sideways_by(9), kSame));
 }
 
 /// Guesses lie on a grid of 4 deg: at most half the diagonal of its cells away, 3.5 deg.
 TEST(PoseSearch, EveryTurnOfUpTo12DegreesHasAGuessNearby) {
-  const SE3 from = moved_by(0.7) * turned_by({10, 20, 30});
+  const SE3 from = moved_sideways_by(0.7) * turned_by({10, 20, 30});
   const std::vector<SE3> guesses = vo::turned_guesses(from);
   EXPECT_THAT(guesses.front(), PoseNear(from, kSame));
   for (int i = 0; i < 500; ++i) {
@@ -93,11 +98,11 @@ TEST(PoseSearch, EveryTurnOfUpTo12DegreesHasAGuessNearby) {
 TEST(PoseSearch, TheMostSimilarKeyframeComesFirst) {
   vo::LocalMap map({.references = 1});
   for (const double x : {0.0, 0.5, 1.0}) {
-    map.add(keyframe_at(moved_by(x)));
+    map.add(keyframe_at(moved_sideways_by(x)));
   }
-  const std::vector<SE3> poses = vo::similar_keyframes(map, frame_at(moved_by(0.51)), 2);
+  const std::vector<SE3> poses = vo::similar_keyframes(map, frame_at(moved_sideways_by(0.51)), 2);
   ASSERT_EQ(poses.size(), 2U);
-  EXPECT_THAT(poses.front(), PoseNear(moved_by(0.5), kSame));
+  EXPECT_THAT(poses.front(), PoseNear(moved_sideways_by(0.5), kSame));
   EXPECT_EQ(vo::similar_keyframes(map, frame_at(SE3()), 9).size(), 3U);
 }
 

@@ -6,7 +6,7 @@
 
 #include "tests/support/pose_near.h"
 #include "tests/support/textured_plane.h"
-#include "vo/odometry.h"
+#include "vo/odometry/rgbd_odometry.h"
 
 namespace {
 

@@ -9,7 +9,7 @@ namespace {
 
 using vo::SE3;
 
-constexpr double kDepth = 2;  // m
+constexpr double kPlaneDepth = 2;  // m
 
 /// A wall across the optical axis, patterned on the left and nearly plain on the right.
 vo::FramePyramid wall(int shift_px, double blur_px = 0, double gain = 1) {
@@ -26,7 +26,7 @@ vo::FramePyramid wall(int shift_px, double blur_px = 0, double gain = 1) {
   if (blur_px > 0) {
     cv::GaussianBlur(image, image, {}, blur_px);
   }
-  const vo::DepthImage depth(image.size(), static_cast<float>(kDepth));
+  const vo::DepthImage depth(image.size(), static_cast<float>(kPlaneDepth));
   vo::FramePyramid pyramid = vo::build_pyramid({0, image, depth}, camera, {.levels = 1});
   vo::add_edges(pyramid, vo::EdgeOptions{});
   return pyramid;
@@ -36,7 +36,7 @@ double relative(const vo::FramePyramid& reference, const vo::FramePyramid& curre
   const vo::EdgePoints points = vo::edge_points(reference, reference, {});
   const vo::EdgePoints current_points = vo::edge_points(current, current, {});
   const SE3 T_cur_ref(Eigen::Quaterniond::Identity(),
-                      {-shift_px * kDepth / reference.levels.front().camera.fx, 0, 0});
+                      {-shift_px * kPlaneDepth / reference.levels.front().camera.fx, 0, 0});
   return vo::relative_sharpness({points.levels.front(), reference.levels.front()},
                                 {current_points.levels.front(), current.levels.front()}, T_cur_ref);
 }

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/textured_plane.h"
-#include "vo/odometry.h"
+#include "vo/odometry/rgbd_odometry.h"
 
 namespace {
 
 using vo::SE3;
 
-constexpr int kFrames = 30;
+constexpr int kDriveFrames = 30;
 
 SE3 swaying(double time) {
   vo::Vector6d xi;
@@ -18,19 +18,19 @@ SE3 swaying(double time) {
   return SE3::exp(xi);
 }
 
-struct Drive {
+struct VignettedDrive {
   vo::Vignette vignette;
   double worst_m = 0;  ///< distance from the true position, of any of the last ten frames
 };
 
 /// Through a lens whose images are those of the scene over 1 + c_0 rho^2 + c_1 rho^4.
-Drive drive(const vo::Vignette& lens, vo::VignetteModel model) {
+VignettedDrive drive(const vo::Vignette& lens, vo::VignetteModel model) {
   const vo::PinholeCamera camera = vo::PinholeCamera::from_horizontal_fov(240, 180, 60);
   vo::TrackerOptions options = vo::preset_options(vo::TrackerPreset::best_measured);
   options.vignette = model;
   vo::RgbdOdometry odometry(camera, options);
-  Drive found;
-  for (int i = 0; i < kFrames; ++i) {
+  VignettedDrive found;
+  for (int i = 0; i < kDriveFrames; ++i) {
     const double time = i / 30.0;
     vo::RgbdFrame frame = support::TexturedPlane().render(camera, swaying(time), time);
     vo::GrayImage seen = vo::to_gray(frame.image);
@@ -40,7 +40,7 @@ Drive drive(const vo::Vignette& lens, vo::VignetteModel model) {
     EXPECT_NE(result.status, vo::TrackingStatus::lost) << "frame " << i;
     const double distance =
         (swaying(time).translation() - result.T_world_camera.translation()).norm();
-    found.worst_m = i < kFrames - 10 ? 0 : std::max(found.worst_m, distance);
+    found.worst_m = i < kDriveFrames - 10 ? 0 : std::max(found.worst_m, distance);
     found.vignette = result.vignette;
   }
   return found;
@@ -48,7 +48,7 @@ Drive drive(const vo::Vignette& lens, vo::VignetteModel model) {
 
 TEST(VignetteEstimate, FindsTheLightThatALensTakes) {
   const vo::Vignette lens{{0.5, 0.2}};
-  const Drive estimated = drive(lens, vo::VignetteModel::estimated);
+  const VignettedDrive estimated = drive(lens, vo::VignetteModel::estimated);
   for (const double rho2 : {0.25, 0.5, 0.75}) {
     const Eigen::Vector2d terms(rho2, rho2 * rho2);
     EXPECT_NEAR(estimated.vignette.gain(terms), lens.gain(terms), 0.04) << "rho^2 " << rho2;
@@ -57,7 +57,7 @@ TEST(VignetteEstimate, FindsTheLightThatALensTakes) {
 }
 
 TEST(VignetteEstimate, TakesNothingOutOfImagesWithoutOne) {
-  const Drive found = drive({}, vo::VignetteModel::estimated);
+  const VignettedDrive found = drive({}, vo::VignetteModel::estimated);
   EXPECT_NEAR(found.vignette.gain(Eigen::Vector2d::Ones()), 1, 0.02) << "at the corners";
 }
 

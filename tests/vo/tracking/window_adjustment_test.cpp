@@ -9,7 +9,7 @@
 #include "tests/support/pose_near.h"
 #include "vo/core/error.h"
 #include "vo/core/instruction_set.h"
-#include "vo/mono_options.h"
+#include "vo/odometry/mono_options.h"
 
 namespace {
 

@@ -1,0 +1,89 @@
+#include "synth/camera/metering.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "synth/scene/scene_motion.h"
+#include "vo/core/median.h"
+
+namespace synth {
+namespace {
+
+constexpr double kMiddleGrey = 0.18;
+constexpr int kMeteringWidth = 80;  // px
+constexpr std::size_t kMeteringPoses = 8;
+
+/// Same view, fewer pixels.
+vo::PinholeCamera metering_camera(const vo::PinholeCamera& camera) {
+  vo::PinholeCamera small = camera;
+  small.width = std::min(kMeteringWidth, camera.width);
+  small.height = std::max(1, camera.height * small.width / camera.width);
+  const double x_scale = static_cast<double>(small.width) / camera.width;
+  const double y_scale = static_cast<double>(small.height) / camera.height;
+  small.fx = camera.fx * x_scale;
+  small.fy = camera.fy * y_scale;
+  small.cx = (camera.cx + 0.5) * x_scale - 0.5;
+  small.cy = (camera.cy + 0.5) * y_scale - 0.5;
+  return small;
+}
+
+/// Of ITU-R BT.709.
+float luminance(const cv::Vec3f& rgb) {
+  return 0.2126F * rgb[0] + 0.7152F * rgb[1] + 0.0722F * rgb[2];
+}
+
+void append_luminances(const RenderedFrame& frame, std::vector<float>& luminances) {
+  for (int v = 0; v < frame.depth.rows; ++v) {
+    for (int u = 0; u < frame.depth.cols; ++u) {
+      if (vo::has_depth(frame.depth(v, u))) {
+        luminances.push_back(luminance(frame.radiance(v, u)));
+      }
+    }
+  }
+}
+
+bool has_lit_surface(const Scene& scene) {
+  return std::any_of(scene.meshes.begin(), scene.meshes.end(), [&](const Mesh& mesh) {
+    return mesh.material == kNone || !scene.materials[mesh.material].unlit;
+  });
+}
+
+double exposure_of(const std::vector<float>& luminances) {
+  const float median = vo::upper_median(luminances);
+  return median > 0 ? kMiddleGrey / median : 1;
+}
+
+}  // namespace
+
+Metering meter(const Renderer& renderer, const vo::PinholeCamera& camera,
+               const vo::SE3& T_world_camera) {
+  const RenderedFrame view = renderer.render(metering_camera(camera), T_world_camera);
+  std::vector<float> luminances;
+  append_luminances(view, luminances);
+  Metering metering{.exposure = exposure_of(luminances)};
+  const cv::Scalar mean = cv::mean(view.radiance);
+  if (mean[0] > 0 && mean[1] > 0 && mean[2] > 0) {
+    metering.mean = {mean[0], mean[1], mean[2]};
+  }
+  return metering;
+}
+
+double meter_exposure(const Scene& scene, const RenderersOverTime& renderers,
+                      const vo::PinholeCamera& camera, const vo::Trajectory& trajectory) {
+  if (scene.lights.empty() || !has_lit_surface(scene) || trajectory.empty()) {
+    return 1;
+  }
+  const vo::PinholeCamera small = metering_camera(camera);
+  const std::size_t poses = std::min(kMeteringPoses, trajectory.size());
+  std::vector<float> luminances;
+  for (std::size_t i = 0; i < poses; ++i) {
+    const std::size_t index = i * (trajectory.size() - 1) / std::max<std::size_t>(1, poses - 1);
+    const auto& [stamp, T_world_camera] = trajectory[index];
+    const auto renderer = renderers.at(scene_time(trajectory, stamp));
+    append_luminances(renderer->render(small, T_world_camera), luminances);
+  }
+  return exposure_of(luminances);
+}
+
+}  // namespace synth

@@ -1,0 +1,185 @@
+#include "synth/camera/rgbd_camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tbb/parallel_for.h>
+
+#include "synth/scene/scene_motion.h"
+#include "synth/sensor/depth_registration.h"
+#include "vo/core/hash.h"
+
+namespace synth {
+namespace {
+
+DepthView seen_by_depth_camera(const RenderedFrame& frame) {
+  return {frame.depth, frame.normal};
+}
+
+/// When the shot's rows are exposed, in the scene's time.
+TimeSpan span_of(const Shot& shot) {
+  const int height = shot.camera.height;
+  return {shot.scene_time + shot.shutter.time_in_row(0, 0, height),
+          shot.scene_time + shot.shutter.time_in_row(height - 1, 1, height)};
+}
+
+}  // namespace
+
+CameraPath path_through(const vo::Trajectory& poses) {
+  if (poses.size() < 2) {
+    const vo::SE3 only = poses.empty() ? vo::SE3() : poses[0].T_world_camera;
+    return [only](double) { return only; };
+  }
+  return spline(poses);
+}
+
+RgbdSensor::RgbdSensor(const Scene& scene, const RenderersOverTime& renderers,
+                       const vo::PinholeCamera& camera, const SensorMotion& motion,
+                       const SensorOptions& options)
+    : renderers_(renderers),
+      camera_(camera),
+      motion_(motion),
+      options_(seeded(options)),
+      settings_(motion.truth.size()) {
+  const double exposure = options.exposure > 0
+                              ? options.exposure
+                              : meter_exposure(scene, renderers, camera, motion.truth);
+  for (std::size_t i = 0; i < settings_.size(); ++i) {
+    settings_[i] = {.index = i,
+                    .exposure = exposure,
+                    .exposure_time = options.shutter.exposure_time,
+                    .balance = {options.white_balance.red, 1, options.white_balance.blue}};
+  }
+  if (options.auto_exposure.enabled || options.white_balance.enabled) {
+    const std::vector<Metering> metered = meter_frames();
+    follow_exposure(metered);
+    follow_balance(metered);
+  }
+}
+
+std::vector<Metering> RgbdSensor::meter_frames() const {
+  std::vector<Metering> metered(motion_.truth.size());
+  tbb::parallel_for(std::size_t{0}, metered.size(), [&](std::size_t i) {
+    metered[i] = meter(*renderer_at(i), camera_, motion_.truth[i].T_world_camera);
+  });
+  return metered;
+}
+
+std::shared_ptr<const Renderer> RgbdSensor::renderer_at(std::size_t index) const {
+  return renderers_.at(scene_time(motion_.truth, motion_.truth[index].timestamp));
+}
+
+std::vector<double> RgbdSensor::stamps() const {
+  std::vector<double> times;
+  for (const vo::StampedPose& pose : motion_.truth) {
+    times.push_back(pose.timestamp);
+  }
+  return times;
+}
+
+/// The exposure of the whole sequence is reached with the shutter's exposure time alone.
+void RgbdSensor::follow_exposure(const std::vector<Metering>& metered) {
+  const AutoExposureOptions& control = options_.auto_exposure;
+  if (!control.enabled) {
+    return;
+  }
+  std::vector<double> wanted;
+  for (const Metering& frame : metered) {
+    wanted.push_back(std::log(frame.exposure));
+  }
+  const std::vector<double> followed_log =
+      followed(stamps(), wanted, control.time_constant, control.delay);
+  for (std::size_t i = 0; i < settings_.size(); ++i) {
+    FrameSetting& setting = settings_[i];
+    const double change = std::exp(followed_log[i]) / setting.exposure;
+    setting.exposure *= change;
+    setting.amplification = change;
+    if (control.by == ExposureBy::time && setting.exposure_time > 0) {
+      const double longest = std::max(control.max_exposure_time, setting.exposure_time);
+      const double stretch = std::min(change, longest / setting.exposure_time);
+      setting.exposure_time *= stretch;
+      setting.amplification = change / stretch;
+    }
+  }
+}
+
+void RgbdSensor::follow_balance(const std::vector<Metering>& metered) {
+  const WhiteBalanceOptions& control = options_.white_balance;
+  if (!control.enabled) {
+    return;
+  }
+  for (const int channel : {0, 2}) {
+    std::vector<double> wanted;
+    for (const Metering& frame : metered) {
+      wanted.push_back(std::log(frame.mean[1] / frame.mean[channel]));
+    }
+    const std::vector<double> followed_log =
+        followed(stamps(), wanted, control.time_constant, control.delay);
+    for (std::size_t i = 0; i < settings_.size(); ++i) {
+      settings_[i].balance[channel] *= std::exp(followed_log[i]);
+    }
+  }
+  for (FrameSetting& setting : settings_) {
+    setting.balance /= setting.balance.minCoeff();  // what is saturated stays white
+  }
+}
+
+Shot RgbdSensor::color_shot(std::size_t index) const {
+  const auto& [stamp, T_world_camera] = motion_.truth[index];
+  Shot shot = still(camera_, T_world_camera);
+  shot.shutter = options_.shutter;
+  shot.shutter.exposure_time = settings_[index].exposure_time;
+  shot.seed = vo::mixed(options_.noise.seed) + index;
+  shot.scene_time = scene_time(motion_.truth, stamp);
+  if (shot.shutter.exposure_time > 0 || shot.shutter.readout_time > 0) {
+    shot.motion = [this, t = stamp](double time) { return motion_.path(t + time); };
+  }
+  return shot;
+}
+
+Shot RgbdSensor::depth_shot(std::size_t index) const {
+  const DepthSensorOptions& depth = options_.depth;
+  Shot shot = color_shot(index);
+  shot.channels = {.color = false, .depth = true, .normal = true};
+  if (!depth.offset.isZero(0)) {
+    shot.camera = camera_.without_distortion();
+  }
+  const double stamp = motion_.truth[index].timestamp + depth.delay;
+  shot.scene_time += depth.delay;
+  const vo::SE3 T_color_depth(Eigen::Quaterniond::Identity(), depth.offset);
+  shot.motion = [this, stamp, T_color_depth](double time) {
+    return motion_.path(stamp + time) * T_color_depth;
+  };
+  shot.shutter.exposure_time = 0;
+  if (depth.shutter == DepthShutter::global) {
+    shot.shutter.readout_time = 0;
+  }
+  return shot;
+}
+
+TimeSpan RgbdSensor::span(std::size_t index) const {
+  const TimeSpan color = span_of(color_shot(index));
+  const TimeSpan depth = span_of(depth_shot(index));
+  return {std::min(color.begin, depth.begin), std::max(color.end, depth.end)};
+}
+
+vo::RgbdFrame RgbdSensor::take(std::size_t index, const Renderer& now) const {
+  const bool apart = options_.depth.is_apart();
+  Shot shot = color_shot(index);
+  shot.channels = {.color = true, .depth = !apart, .normal = !apart};
+  const RenderedFrame color = now.render(shot);
+  vo::RgbdFrame frame{.timestamp = motion_.truth[index].timestamp,
+                      .image = develop(color.radiance, camera_, options_, settings_[index])};
+  if (apart) {
+    shot = depth_shot(index);
+  }
+  const DepthView view = seen_by_depth_camera(apart ? now.render(shot) : color);
+  frame.depth = measure_depth(view, shot.camera, options_, index);
+  if (!options_.depth.offset.isZero(0)) {
+    frame.depth = registered(frame.depth, camera_, options_.depth.offset);
+  }
+  frame.depth = without_dark(frame.depth, frame.image, options_.depth.holes.dark_level);
+  return frame;
+}
+
+}  // namespace synth

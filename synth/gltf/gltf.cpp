@@ -1,0 +1,53 @@
+#include "synth/gltf/gltf.h"
+
+#include <string>
+#include <vector>
+
+#include "synth/gltf/gltf_scene.h"
+#include "synth/gltf_document/check_document.h"
+#include "synth/gltf_document/gltf_file.h"
+#include "synth/gltf_model/gltf_model.h"
+#include "synth/gltf_model/notes.h"
+
+namespace synth {
+namespace {
+
+void note_what_is_newer(const nlohmann::json& document, Notes& notes) {
+  const nlohmann::json& asset = document.at("asset");
+  for (const char* key : {"version", "minVersion"}) {
+    const std::string version = asset.value(key, "2.0");
+    if (version != "2.0") {
+      add_note(notes, "the file is of glTF " + version + " and read as 2.0");
+    }
+  }
+  for (const std::string& name : document.value("extensionsUsed", std::vector<std::string>())) {
+    if (!is_supported_extension(name)) {
+      add_note(notes, "the extension " + name + " is ignored");
+    }
+  }
+}
+
+Scene load(const GltfFile& file, const GltfOptions& options, Notes* notes) {
+  Notes ignored;
+  Notes& left_out = notes != nullptr ? *notes : ignored;
+  const GltfModel model = read_gltf_model(file);
+  note_what_is_newer(file.json, left_out);
+  return read_scene(model, options, left_out);
+}
+
+}  // namespace
+
+Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options, Notes* notes) {
+  return load(read_gltf_file(path), options, notes);
+}
+
+Scene load_gltf(const std::filesystem::path& path, Notes* notes) {
+  return load_gltf(path, {}, notes);
+}
+
+Scene parse_gltf(std::span<const std::uint8_t> content, const std::filesystem::path& path,
+                 const GltfOptions& options, Notes* notes) {
+  return load(parse_gltf_file(content, path), options, notes);
+}
+
+}  // namespace synth

@@ -1,0 +1,337 @@
+#include "synth/gltf/gltf_scene.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "synth/gltf/animation.h"
+#include "synth/gltf/instancing.h"
+#include "synth/gltf/material.h"
+#include "synth/gltf/mesh.h"
+#include "synth/gltf/placed_lights.h"
+#include "synth/gltf/skin.h"
+#include "synth/gltf_model/accessor.h"
+#include "synth/gltf_model/gltf_reading.h"
+#include "synth/gltf_model/nodes.h"
+#include "synth/gltf_model/notes.h"
+#include "synth/gltf_model/select.h"
+#include "synth/scene/scene_motion.h"
+#include "synth/scene/shared_mesh.h"
+#include "vo/core/error.h"
+
+namespace synth {
+namespace {
+
+using vo::require;
+
+/// Bounds what nodes that share a mesh of many primitives may multiply to.
+constexpr std::size_t kMostInstances = 1'000'000;
+
+/// A position and a normal, which renderers keep for each vertex of each instance that does not
+/// share them.
+constexpr std::size_t kPlacedVertexBytes = 2 * sizeof(Eigen::Vector3f);
+
+/// Bounds the time that looking at each vertex of each instance takes.
+constexpr std::size_t kMostPlacedVertices = std::size_t{1} << 29U;
+
+class SceneReader {
+ public:
+  SceneReader(const GltfModel& model, Notes& notes)
+      : model_(model),
+        reading_{model, notes, budget_},
+        materials_(reading_, scene_),
+        forest_(read_nodes(model.content)),
+        skins_(model.content.skins.size(), kNone),
+        is_read_(model.content.meshes.size(), false) {}
+
+  Scene read(const GltfOptions& options) {
+    place_nodes();
+    for (const int index : scene_nodes(model_, options.scene)) {
+      read_node(index);
+    }
+    check_the_rest();
+    SceneMotion& motion = scene_.motion;
+    motion.nodes = forest_.nodes;
+    motion.loop = options.loop;
+    motion.animations = read_animations(reading_, forest_, options.animation);
+    Scene scene = at_rest();
+    require_room(scene);
+    if (moves(scene_) || moves_cameras(scene_)) {
+      scene.motion = std::move(motion);
+    }
+    return scene;
+  }
+
+ private:
+  void place_nodes() {
+    for (const MotionNode& node : forest_.nodes) {
+      T_world_node_.push_back(node.parent == kNone
+                                  ? node.T_parent_node
+                                  : T_world_node_[at(node.parent)] * node.T_parent_node);
+    }
+  }
+
+  /// What no node of the scene uses must be sound too.
+  void check_the_rest() {
+    Notes unused;
+    MemoryBudget budget;
+    GltfReading reading{model_, unused, budget};
+    for (std::size_t m = 0; m < model_.content.meshes.size(); ++m) {
+      const auto& primitives = model_.content.meshes[m].primitives;
+      for (std::size_t i = 0; i < primitives.size() && !is_read_[m]; ++i) {
+        read_primitive(reading, primitives[i], place_of(static_cast<int>(m), i));
+      }
+    }
+    for (std::size_t i = 0; i < skins_.size(); ++i) {
+      if (skins_[i] == kNone) {
+        read_skin(model_, static_cast<int>(i), forest_);
+      }
+    }
+    for (std::size_t i = 0; i < model_.content.accessors.size(); ++i) {
+      const int accessor = static_cast<int>(i);
+      check_data(model_.content, accessor, model_.place("accessors", accessor));
+    }
+  }
+
+  void read_node(int index) {
+    const tinygltf::Node& node = model_.content.nodes[at(index)];
+    const int moved_by = forest_.of_gltf[at(index)];
+    const Eigen::Affine3d T_world_node = T_world_node_[at(moved_by)];
+    require(T_world_node.matrix().allFinite(), model_.place("nodes", index),
+            ": its transform overflows, expected finite numbers");
+    if (node.mesh != kNone) {
+      is_read_[at(node.mesh)] = true;
+    }
+    if (node.mesh != kNone && is_instancing(node) && node.skin == kNone) {
+      for (const int instance : instance_nodes(index)) {
+        add_mesh_of(node, moved_by, instance);
+      }
+    } else if (node.mesh != kNone) {
+      add_mesh_of(node, moved_by, moved_by);
+    }
+    const auto light = node.extensions.find("KHR_lights_punctual");
+    if (light != node.extensions.end()) {
+      add_light(light->second.Get("light").GetNumberAsInt(), moved_by, T_world_node);
+    }
+    if (node.camera != kNone) {
+      add_camera(node, moved_by, T_world_node);
+    }
+  }
+
+  /// A node below the one that is instancing for each instance of its mesh.
+  std::vector<int> instance_nodes(int index) {
+    const tinygltf::Node& node = model_.content.nodes[at(index)];
+    const int parent = forest_.of_gltf[at(index)];
+    std::vector<int> nodes;
+    for (const Eigen::Affine3d& T_node_instance :
+         read_instancing(reading_, node, model_.place("nodes", index))) {
+      T_world_node_.push_back(T_world_node_[at(parent)] * T_node_instance);
+      require(T_world_node_.back().matrix().allFinite(), model_.place("nodes", index),
+              ": the transform of instance ", nodes.size(), " overflows, expected finite numbers");
+      nodes.push_back(static_cast<int>(forest_.nodes.size()));
+      forest_.nodes.push_back({.parent = parent, .T_parent_node = T_node_instance});
+    }
+    return nodes;
+  }
+
+  /// The node's mesh where another one stands.
+  void add_mesh_of(const tinygltf::Node& node, int moved_by, int stands_at) {
+    if (node.skin != kNone && is_instancing(node)) {
+      add_note(reading_.notes, "instances of skinned meshes are left out");
+    }
+    if (node.skin != kNone || has_targets(node.mesh)) {
+      add_bending(node, moved_by, stands_at);
+      return;
+    }
+    for (const int mesh : meshes_of(node.mesh)) {
+      add_instance({mesh, T_world_node_[at(stands_at)]}, stands_at);
+    }
+  }
+
+  void add_instance(const Instance& instance, int moved_by) {
+    require(scene_.instances.size() < kMostInstances, model_.path.string(),
+            ": has more instances of primitives than ", kMostInstances,
+            ", expected at most as many");
+    scene_.instances.push_back(instance);
+    scene_.motion.instance_nodes.push_back(moved_by);
+  }
+
+  void require_room(const Scene& scene) const {
+    const std::vector<bool> sharing = sharing_instances(scene);
+    MemoryBudget budget;
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < sharing.size(); ++i) {
+      const std::size_t vertices = scene.meshes[at(scene.instances[i].mesh)].positions.size();
+      sum += vertices;
+      require(sum <= kMostPlacedVertices, model_.path.string(), ": its instances have more than ",
+              kMostPlacedVertices, " vertices in all, expected at most as many");
+      if (!sharing[i]) {
+        budget.take(vertices * kPlacedVertexBytes, model_.path.string());
+      }
+    }
+  }
+
+  bool has_targets(int gltf_mesh) const {
+    const auto& primitives = model_.content.meshes[at(gltf_mesh)].primitives;
+    return std::any_of(primitives.begin(), primitives.end(),
+                       [](const tinygltf::Primitive& p) { return !p.targets.empty(); });
+  }
+
+  std::string place_of(int gltf_mesh, std::size_t primitive) const {
+    return model_.place("meshes", gltf_mesh) + ".primitives[" + std::to_string(primitive) + ']';
+  }
+
+  int add_mesh(Mesh mesh) {
+    scene_.meshes.push_back(std::move(mesh));
+    return static_cast<int>(scene_.meshes.size()) - 1;
+  }
+
+  /// The scene's meshes for the primitives of a glTF mesh, read when first asked for.
+  const std::vector<int>& meshes_of(int gltf_mesh) {
+    const auto [entry, is_new] = meshes_.try_emplace(gltf_mesh);
+    if (is_new) {
+      const auto& primitives = model_.content.meshes[at(gltf_mesh)].primitives;
+      for (std::size_t i = 0; i < primitives.size(); ++i) {
+        auto geometry = read_primitive(reading_, primitives[i], place_of(gltf_mesh, i));
+        if (geometry && !geometry->mesh.triangles.empty()) {
+          geometry->mesh.material = materials_.material(primitives[i].material);
+          entry->second.push_back(add_mesh(std::move(geometry->mesh)));
+        }
+      }
+    }
+    return entry->second;
+  }
+
+  /// Each node has meshes of its own, as each may bend in its own way.
+  void add_bending(const tinygltf::Node& node, int moved_by, int stands_at) {
+    const auto& primitives = model_.content.meshes[at(node.mesh)].primitives;
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+      auto geometry = read_primitive(reading_, primitives[i], place_of(node.mesh, i));
+      if (!geometry || geometry->mesh.triangles.empty()) {
+        continue;
+      }
+      geometry->mesh.material = materials_.material(primitives[i].material);
+      BendingMesh bending;
+      bending.instance = static_cast<int>(scene_.instances.size());
+      bending.node = moved_by;
+      bending.skin = node.skin == kNone ? kNone : skin(node.skin);
+      VertexJoints joints = joints_of(primitives[i], bending.skin, place_of(node.mesh, i));
+      if (joints.sets == 0) {
+        bending.skin = kNone;
+      }
+      const Mesh& mesh = geometry->mesh;
+      bending.shape = static_cast<int>(scene_.motion.shapes.size());
+      scene_.motion.shapes.push_back({.positions = mesh.positions,
+                                      .normals = mesh.normals,
+                                      .tangents = mesh.tangents,
+                                      .targets = std::move(geometry->targets),
+                                      .followed = std::move(joints)});
+      add_instance({add_mesh(std::move(geometry->mesh)), T_world_node_[at(stands_at)]}, stands_at);
+      scene_.motion.bending.push_back(bending);
+    }
+  }
+
+  VertexJoints joints_of(const tinygltf::Primitive& primitive, int skin_index,
+                         const std::string& place) {
+    if (skin_index == kNone) {
+      return {};
+    }
+    VertexJoints joints =
+        read_joints(model_, primitive, scene_.motion.skins[at(skin_index)].joints.size(), place);
+    if (joints.sets == 0) {
+      add_note(reading_.notes, "meshes without joints and weights do not follow their skin");
+    }
+    return joints;
+  }
+
+  int skin(int gltf_index) {
+    int& index = skins_[at(gltf_index)];
+    if (index == kNone) {
+      index = static_cast<int>(scene_.motion.skins.size());
+      scene_.motion.skins.push_back(read_skin(model_, gltf_index, forest_));
+    }
+    return index;
+  }
+
+  void add_light(int index, int moved_by, const Eigen::Affine3d& T_world_light) {
+    const tinygltf::Light& source = model_.content.lights[at(index)];
+    if (source.type != "point" && source.type != "directional" && source.type != "spot") {
+      add_note(reading_.notes, "lights of type " + source.type + " are left out");
+      return;
+    }
+    const Light light = place_light(source, T_world_light);
+    require(light.direction.squaredNorm() > 0, model_.path.string(),
+            ": a light that has a direction is on a node of scale zero, expected a direction");
+    scene_.lights.push_back(light);
+    scene_.motion.light_nodes.push_back(moved_by);
+  }
+
+  void add_camera(const tinygltf::Node& node, int moved_by, const Eigen::Affine3d& T_world_node) {
+    SceneCamera camera = place_camera(model_.content.cameras[at(node.camera)], T_world_node);
+    if (camera.name.empty()) {
+      camera.name = node.name;
+    }
+    scene_.cameras.push_back(camera);
+    scene_.motion.camera_nodes.push_back(moved_by);
+  }
+
+  Scene at_rest() const {
+    if (scene_.motion.bending.empty()) {
+      Scene scene = scene_;
+      scene.motion = {};
+      return scene;
+    }
+    try {
+      return scene_at_rest(scene_);
+    } catch (const vo::Error& error) {
+      vo::fail(model_.path.string(), ": ", error.what());
+    }
+  }
+
+  const GltfModel& model_;
+  MemoryBudget budget_;
+  Scene scene_;
+  GltfReading reading_;
+  MaterialReader materials_;
+  NodeForest forest_;
+  std::vector<Eigen::Affine3d> T_world_node_;  ///< of the forest's
+  std::map<int, std::vector<int>> meshes_;
+  std::vector<int> skins_;
+  std::vector<bool> is_read_;  ///< of glTF's meshes
+};
+
+/// Of the scene that is wanted, or all if the file has none.
+std::vector<int> scene_roots(const GltfModel& model, const std::string& wanted) {
+  const std::vector<tinygltf::Scene>& scenes = model.content.scenes;
+  if (scenes.empty() && wanted.empty()) {
+    return root_nodes(model.content);
+  }
+  if (wanted.empty()) {
+    const int chosen = model.content.defaultScene;
+    return scenes[chosen == kNone ? 0 : at(chosen)].nodes;
+  }
+  std::vector<std::string> names;
+  for (const tinygltf::Scene& scene : scenes) {
+    names.push_back(scene.name);
+  }
+  return scenes[at(select_one(wanted, names, "scene", model.path.string()))].nodes;
+}
+
+}  // namespace
+
+Scene read_scene(const GltfModel& model, const GltfOptions& options, Notes& notes) {
+  Scene scene = SceneReader(model, notes).read(options);
+  if (scene.instances.empty()) {
+    add_note(notes, "the scene has no triangles");
+  }
+  return scene;
+}
+
+std::vector<int> scene_nodes(const GltfModel& model, const std::string& wanted) {
+  return nodes_below(model.content, scene_roots(model, wanted));
+}
+
+}  // namespace synth

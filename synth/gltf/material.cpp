@@ -1,0 +1,215 @@
+#include "synth/gltf/material.h"
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "synth/gltf_model/image.h"
+#include "synth/gltf_model/notes.h"
+#include "synth/scene/texture.h"
+
+namespace synth {
+namespace {
+
+Eigen::Vector2f read_pair(const tinygltf::Value& object, const std::string& key,
+                          const Eigen::Vector2f& absent) {
+  if (!object.Has(key)) {
+    return absent;
+  }
+  const tinygltf::Value& pair = object.Get(key);
+  return Eigen::Vector2d(pair.Get(0).GetNumberAsDouble(), pair.Get(1).GetNumberAsDouble())
+      .cast<float>();
+}
+
+/// KHR_texture_transform: scales, rotates against the clock of the image (whose v points down),
+/// and moves, in this order.
+Eigen::Affine2f read_texture_transform(const tinygltf::Value& extension) {
+  const double angle =
+      extension.Has("rotation") ? extension.Get("rotation").GetNumberAsDouble() : 0.0;  // rad
+  const auto sine = static_cast<float>(std::sin(angle));
+  const auto cosine = static_cast<float>(std::cos(angle));
+  Eigen::Matrix2f rotation;
+  rotation << cosine, sine, -sine, cosine;
+  const Eigen::Vector2f scale = read_pair(extension, "scale", Eigen::Vector2f::Ones());
+  Eigen::Affine2f T_image_texcoord;
+  T_image_texcoord.setIdentity();
+  T_image_texcoord.linear() = rotation * scale.asDiagonal();
+  T_image_texcoord.translation() = read_pair(extension, "offset", Eigen::Vector2f::Zero());
+  return T_image_texcoord;
+}
+
+Wrap read_wrap(int mode) {
+  switch (mode) {
+    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
+      return Wrap::clamp_to_edge;
+    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
+      return Wrap::mirrored_repeat;
+    default:
+      return Wrap::repeat;
+  }
+}
+
+void read_minification(int filter, Texture& texture) {
+  const bool is_nearest = filter == TINYGLTF_TEXTURE_FILTER_NEAREST ||
+                          filter == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST ||
+                          filter == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR;
+  texture.minification = is_nearest ? TexelFilter::nearest : TexelFilter::linear;
+  switch (filter) {
+    case TINYGLTF_TEXTURE_FILTER_NEAREST:
+    case TINYGLTF_TEXTURE_FILTER_LINEAR:
+      texture.mip = MipFilter::none;
+      break;
+    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
+    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST:
+      texture.mip = MipFilter::nearest;
+      break;
+    default:
+      texture.mip = MipFilter::linear;
+      break;
+  }
+}
+
+Texture read_sampler(const tinygltf::Sampler& sampler) {
+  Texture texture;
+  texture.wrap_u = read_wrap(sampler.wrapS);
+  texture.wrap_v = read_wrap(sampler.wrapT);
+  texture.magnification = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST
+                              ? TexelFilter::nearest
+                              : TexelFilter::linear;
+  read_minification(sampler.minFilter, texture);
+  return texture;
+}
+
+AlphaMode read_alpha_mode(const std::string& name) {
+  return name == "MASK" ? AlphaMode::mask : name == "BLEND" ? AlphaMode::blend : AlphaMode::opaque;
+}
+
+/// The factor times its strength.
+Eigen::Vector3f read_emission(const tinygltf::Material& source) {
+  Eigen::Vector3f emission =
+      Eigen::Map<const Eigen::Vector3d>(source.emissiveFactor.data()).cast<float>();
+  const auto extension = source.extensions.find("KHR_materials_emissive_strength");
+  if (extension != source.extensions.end() && extension->second.Has("emissiveStrength")) {
+    emission *= static_cast<float>(extension->second.Get("emissiveStrength").GetNumberAsDouble());
+  }
+  return emission;
+}
+
+}  // namespace
+
+MaterialReader::MaterialReader(GltfReading& reading, Scene& scene)
+    : reading_(reading),
+      model_(reading.model),
+      scene_(scene),
+      materials_(model_.content.materials.size(), kNone) {}
+
+int MaterialReader::material(int gltf_index) {
+  if (gltf_index == kNone) {
+    return kNone;
+  }
+  int& index = materials_[at(gltf_index)];
+  if (index == kNone) {
+    const Material material = read_material(model_.content.materials[at(gltf_index)]);
+    index = static_cast<int>(scene_.materials.size());
+    scene_.materials.push_back(material);
+  }
+  return index;
+}
+
+Material MaterialReader::read_material(const tinygltf::Material& source) {
+  Material material;
+  material.name = source.name;
+  read_surface(source.pbrMetallicRoughness, material);
+  if (source.alphaMode != "OPAQUE" && source.alphaMode != "MASK" && source.alphaMode != "BLEND") {
+    add_note(reading_.notes, "materials of alphaMode " + source.alphaMode + " are opaque");
+  }
+  material.alpha_mode = read_alpha_mode(source.alphaMode);
+  material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
+  material.double_sided = source.doubleSided;
+  material.unlit = source.extensions.count("KHR_materials_unlit") > 0;
+  if (!material.unlit) {
+    read_maps(source, material);
+  }
+  return material;
+}
+
+void MaterialReader::read_surface(const tinygltf::PbrMetallicRoughness& source,
+                                  Material& material) {
+  material.base_color =
+      Eigen::Map<const Eigen::Vector4d>(source.baseColorFactor.data()).cast<float>();
+  material.base_color_texture = slot(source.baseColorTexture, TexelEncoding::srgb);
+  material.metallic = static_cast<float>(source.metallicFactor);
+  material.roughness = static_cast<float>(source.roughnessFactor);
+  material.specular = 1;
+}
+
+/// What an unlit material does without.
+void MaterialReader::read_maps(const tinygltf::Material& source, Material& material) {
+  material.metallic_roughness_texture =
+      slot(source.pbrMetallicRoughness.metallicRoughnessTexture, TexelEncoding::linear);
+  material.normal_texture = slot(source.normalTexture, TexelEncoding::linear);
+  material.normal_scale = static_cast<float>(source.normalTexture.scale);
+  material.occlusion_texture = slot(source.occlusionTexture, TexelEncoding::linear);
+  material.occlusion_strength = static_cast<float>(source.occlusionTexture.strength);
+  material.emission = read_emission(source);
+  if (!material.emission.isZero(0)) {
+    material.emissive_texture = slot(source.emissiveTexture, TexelEncoding::srgb);
+  }
+}
+
+template <typename TextureInfo>
+TextureSlot MaterialReader::slot(const TextureInfo& info, TexelEncoding encoding) {
+  TextureSlot slot;
+  slot.texcoord_set = info.texCoord;
+  const auto transform = info.extensions.find("KHR_texture_transform");
+  if (transform != info.extensions.end()) {
+    slot.T_image_texcoord = read_texture_transform(transform->second);
+    if (transform->second.Has("texCoord")) {
+      slot.texcoord_set = transform->second.Get("texCoord").GetNumberAsInt();
+    }
+  }
+  if (slot.texcoord_set >= kTexcoordSets) {
+    add_note(reading_.notes,
+             "textures that use texture coordinates beyond TEXCOORD_1 are left out");
+    return {};
+  }
+  slot.texture = texture(info.index, encoding);
+  return slot;
+}
+
+int MaterialReader::texture(int gltf_index, TexelEncoding encoding) {
+  if (gltf_index == kNone) {
+    return kNone;
+  }
+  const tinygltf::Texture& source = model_.content.textures[at(gltf_index)];
+  if (source.source == kNone) {
+    add_note(reading_.notes, "textures without PNG or JPEG image are left out");
+    return kNone;
+  }
+  const auto [entry, is_new] = textures_.try_emplace({gltf_index, encoding});
+  if (is_new) {
+    Texture texture;
+    if (source.sampler != kNone) {
+      texture = read_sampler(model_.content.samplers[at(source.sampler)]);
+    }
+    texture.image = image(source.source, encoding);
+    entry->second = static_cast<int>(scene_.textures.size());
+    scene_.textures.push_back(texture);
+  }
+  return entry->second;
+}
+
+int MaterialReader::image(int gltf_index, TexelEncoding encoding) {
+  const auto [entry, is_new] = images_.try_emplace({gltf_index, encoding});
+  if (is_new) {
+    const std::string place = model_.place("images", gltf_index);
+    const Bytes encoded = read_encoded_image(model_, gltf_index);
+    image_budget_.take(texels_in(encoded, place) / 3 * 4 * sizeof(cv::Vec4b), place);
+    const cv::Mat_<cv::Vec4b> image = decode_image(encoded, place);
+    entry->second = static_cast<int>(scene_.images.size());
+    scene_.images.push_back(build_mip_levels(image, encoding));
+  }
+  return entry->second;
+}
+
+}  // namespace synth

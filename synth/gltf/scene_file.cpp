@@ -1,0 +1,29 @@
+#include "synth/gltf/scene_file.h"
+
+#include <utility>
+
+namespace synth {
+
+SceneFile::SceneFile(std::filesystem::path path, GltfOptions options)
+    : path_(std::move(path)),
+      options_(std::move(options)),
+      content_(std::make_shared<std::unique_ptr<const Content>>()) {}
+
+const SceneFile::Content& SceneFile::content() const {
+  if (*content_ == nullptr) {
+    Content read;
+    read.scene = load_gltf(path_, options_, &read.notes);
+    *content_ = std::make_unique<const Content>(std::move(read));
+  }
+  return **content_;
+}
+
+const Scene& SceneFile::scene() const {
+  return content().scene;
+}
+
+const Notes& SceneFile::notes() const {
+  return content().notes;
+}
+
+}  // namespace synth

@@ -1,0 +1,189 @@
+#include "synth/gltf_document/check_document.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "synth/gltf_document/check_buffers.h"
+#include "synth/gltf_document/check_draco.h"
+#include "synth/gltf_document/check_instancing.h"
+#include "synth/gltf_document/check_meshes.h"
+#include "synth/gltf_document/check_meshopt.h"
+#include "synth/gltf_document/check_motion.h"
+#include "synth/gltf_document/check_nodes.h"
+#include "synth/gltf_document/check_skins.h"
+#include "synth/gltf_document/json_object.h"
+#include "synth/gltf_document/uri.h"
+#include "vo/core/error.h"
+
+namespace synth {
+namespace {
+
+using vo::require;
+
+constexpr std::array kSupportedExtensions = {
+    "EXT_mesh_gpu_instancing",         "EXT_meshopt_compression",
+    "KHR_draco_mesh_compression",      "KHR_lights_punctual",
+    "KHR_materials_emissive_strength", "KHR_materials_unlit",
+    "KHR_mesh_quantization",           "KHR_texture_transform"};
+
+/// The glTF Transform commands that write a file without the extension.
+constexpr std::array<std::pair<const char*, const char*>, 5> kConversions = {
+    {{"KHR_meshopt_compression", "copy"},
+     {"KHR_texture_basisu", "ktxdecompress"},
+     {"EXT_texture_webp", "png"},
+     {"EXT_texture_avif", "png"},
+     {"KHR_materials_pbrSpecularGlossiness", "metalrough"}}};
+
+std::string expected_instead_of(const std::string& extension) {
+  for (const auto& [name, command] : kConversions) {
+    if (extension == name) {
+      return std::string("the output of `npx @gltf-transform/cli ") + command + " in.glb out.glb`";
+    }
+  }
+  return "a file exported without it";
+}
+
+void check_asset(const JsonObject& root) {
+  const JsonObject asset = root.required_object("asset");
+  const std::string version = asset.required_text("version");
+  require(version.compare(0, 2, "2.") == 0, asset.place(), ": version is ", version,
+          ", expected 2.0");
+  const std::string least = asset.text("minVersion").value_or("2.0");
+  require(least.compare(0, 2, "2.") == 0, asset.place(), ": minVersion is ", least,
+          ", expected 2.0");
+}
+
+void check_extensions(const JsonObject& root) {
+  for (const std::string& name : root.texts("extensionsRequired")) {
+    require(is_supported_extension(name), root.place(), ": requires the extension ", name,
+            ", which is not supported, expected ", expected_instead_of(name));
+  }
+  root.texts("extensionsUsed");
+}
+
+void check_uris(const JsonObject& root, const std::filesystem::path& folder) {
+  for (const char* key : {"buffers", "images"}) {
+    for (const JsonObject& object : root.objects(key)) {
+      const std::optional<std::string> uri = object.text("uri");
+      if (uri && !is_data_uri(*uri)) {
+        resolve_uri(folder, *uri, object.place());
+      }
+    }
+  }
+}
+
+void check_textures(const JsonObject& root) {
+  const std::vector<JsonObject> images = root.objects("images");
+  const std::size_t views = root.objects("bufferViews").size();
+  const std::size_t samplers = root.objects("samplers").size();
+  for (const JsonObject& image : images) {
+    require(image.has("uri") != image.has("bufferView"), image.place(),
+            ": has both or neither of uri and bufferView, expected one");
+    image.index("bufferView", views);
+  }
+  for (const JsonObject& texture : root.objects("textures")) {
+    texture.index("sampler", samplers);
+    texture.index("source", images.size());
+    const std::optional<JsonObject> extensions = texture.object("extensions");
+    for (const std::string& name : extensions ? extensions->keys() : std::vector<std::string>()) {
+      extensions->required_object(name).index("source", images.size());
+    }
+  }
+}
+
+void check_texture_info(const JsonObject& parent, const std::string& key, std::size_t textures) {
+  const std::optional<JsonObject> info = parent.object(key);
+  if (!info) {
+    return;
+  }
+  info->required_index("index", textures);
+  info->whole_number("texCoord");
+  if (const auto transform = info->extension("KHR_texture_transform")) {
+    transform->numbers("offset", 2);
+    transform->numbers("scale", 2);
+    transform->number("rotation");
+    transform->whole_number("texCoord");
+  }
+}
+
+void check_alpha(const JsonObject& material) {
+  material.text("alphaMode");
+  require(material.number("alphaCutoff").value_or(0.5) >= 0, material.place(),
+          ": alphaCutoff is negative, expected 0 or more");
+  material.flag("doubleSided");
+}
+
+/// References to textures must hold in the extensions too that are not supported.
+void check_extended_textures(const JsonObject& material, std::size_t textures) {
+  const std::optional<JsonObject> extensions = material.object("extensions");
+  for (const std::string& name : extensions ? extensions->keys() : std::vector<std::string>()) {
+    if (name.compare(0, 14, "KHR_materials_") != 0) {
+      continue;
+    }
+    const JsonObject extension = extensions->required_object(name);
+    for (const std::string& key : extension.keys()) {
+      if (key.size() > 7 && key.compare(key.size() - 7, 7, "Texture") == 0) {
+        check_texture_info(extension, key, textures);
+      }
+    }
+  }
+}
+
+void check_material(const JsonObject& material, std::size_t textures) {
+  material.numbers("emissiveFactor", 3);
+  for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture"}) {
+    check_texture_info(material, key, textures);
+  }
+  if (const auto normal = material.object("normalTexture")) {
+    normal->number("scale");
+  }
+  if (const auto occlusion = material.object("occlusionTexture")) {
+    occlusion->number("strength");
+  }
+  check_alpha(material);
+  check_extended_textures(material, textures);
+  if (const auto pbr = material.object("pbrMetallicRoughness")) {
+    pbr->numbers("baseColorFactor", 4);
+    pbr->number("metallicFactor");
+    pbr->number("roughnessFactor");
+    check_texture_info(*pbr, "baseColorTexture", textures);
+    check_texture_info(*pbr, "metallicRoughnessTexture", textures);
+  }
+  if (const auto strength = material.extension("KHR_materials_emissive_strength")) {
+    require(strength->number("emissiveStrength").value_or(1) >= 0, strength->place(),
+            ": emissiveStrength is negative, expected 0 or more");
+  }
+}
+
+}  // namespace
+
+bool is_supported_extension(const std::string& name) {
+  return std::find(kSupportedExtensions.begin(), kSupportedExtensions.end(), name) !=
+         kSupportedExtensions.end();
+}
+
+void check_document(const GltfFile& file) {
+  const JsonObject root(file.json, file.path.string());
+  check_asset(root);
+  check_extensions(root);
+  check_uris(root, file.path.parent_path());
+  check_buffers(root);
+  check_textures(root);
+  const std::size_t textures = root.objects("textures").size();
+  for (const JsonObject& material : root.objects("materials")) {
+    check_material(material, textures);
+  }
+  check_meshes(root);
+  check_node_graph(root);
+  check_instancing(root);
+  check_skins(root);
+  check_motion(root);
+  check_meshopt(root);
+  check_draco(root);
+}
+
+}  // namespace synth

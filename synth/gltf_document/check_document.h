@@ -1,0 +1,16 @@
+#pragma once
+
+#include "synth/gltf_document/gltf_file.h"
+
+namespace synth {
+
+/// The extensions that the loader understands.
+bool is_supported_extension(const std::string& name);
+
+/// Checks all that the document's JSON promises: types, indices, sizes, URIs, the node graph and
+/// the required extensions. After it every index is in range, every accessor lies in its buffer as
+/// declared, every URI stays in the file's folder, and the nodes form trees. Opens nothing. Throws
+/// vo::Error.
+void check_document(const GltfFile& file);
+
+}  // namespace synth

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "synth/gltf_document/json_object.h"
+
+namespace synth {
+
+/// The name of the glTF extension whose primitives are compressed by Draco.
+inline constexpr const char* kDracoExtension = "KHR_draco_mesh_compression";
+
+/// Checks what the document says of primitives compressed by KHR_draco_mesh_compression. Throws
+/// vo::Error.
+void check_draco(const JsonObject& root);
+
+}  // namespace synth

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "synth/gltf_document/json_object.h"
+#include "synth/gltf_model/gltf_model.h"
+
+namespace synth {
+
+/// Points each buffer view of a checked document that EXT_meshopt_compression compresses to a new
+/// buffer with what it decodes to. Throws vo::Error for damaged data.
+void decode_meshopt(const JsonObject& root, GltfModel& model);
+
+}  // namespace synth

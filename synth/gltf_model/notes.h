@@ -1,0 +1,20 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace synth {
+
+/// What a glTF file holds that the Scene leaves out, one sentence each.
+using Notes = std::vector<std::string>;
+
+/// Adds a note unless it is there already.
+inline void add_note(Notes& notes, std::string note) {
+  if (std::find(notes.begin(), notes.end(), note) == notes.end()) {
+    notes.push_back(std::move(note));
+  }
+}
+
+}  // namespace synth

@@ -1,0 +1,167 @@
+#include "synth/path_planning/path_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "synth/path_planning/free_space.h"
+#include "synth/path_planning/moving_obstacles.h"
+#include "synth/path_planning/view_content.h"
+#include "synth/ray_tracing/surface_tracer.h"
+#include "synth/rendering/renderer.h"
+#include "synth/scene/scene_motion.h"
+#include "vo/core/error.h"
+#include "vo/core/median.h"
+
+namespace synth {
+namespace {
+
+constexpr int kBetweenFrames = 8;
+constexpr double kTouch = 1e-3;        // m, from where on it is a collision
+constexpr double kBlank = 0.05;        // share of textured tiles
+constexpr double kDifference = 0.005;  // s, to either side
+
+/// The scene at an instant. What is in it refers to itself.
+struct Instant {
+  explicit Instant(Scene now)
+      : scene(std::move(now)), tracer(scene, RenderOptions{}.ambient), space(tracer) {}
+
+  Scene scene;
+  SurfaceTracer tracer;
+  FreeSpace space;
+};
+
+double clearance_between(const FreeSpace& space, const CameraPath& path, double from, double to) {
+  double least = space.bounds().diagonal().norm();
+  Eigen::Vector3d last = path(from).translation();
+  for (int i = 0; i <= kBetweenFrames; ++i) {
+    const Eigen::Vector3d here = path(from + (to - from) * i / kBetweenFrames).translation();
+    least = space.is_crossed(last, here) ? 0 : std::min(least, space.clearance(here, least));
+    last = here;
+  }
+  return least;
+}
+
+void measure_motion(const CameraPath& path, FrameCheck& frame) {
+  const vo::SE3 before = path(frame.time - kDifference);
+  const vo::SE3 here = path(frame.time);
+  const vo::SE3 after = path(frame.time + kDifference);
+  const Eigen::Vector3d step = after.translation() - before.translation();
+  frame.speed = step.norm() / (2 * kDifference);
+  frame.turn_deg = (before.inverse() * after).angle() / (2 * kDifference) * 180 / std::numbers::pi;
+  frame.acceleration =
+      (before.translation() - 2 * here.translation() + after.translation()).norm() /
+      (kDifference * kDifference);
+}
+
+/// Of the camera's motion alone.
+double median_flow(const SurfaceTracer& tracer, const vo::PinholeCamera& camera,
+                   const vo::SE3& T_world_cur, const vo::SE3& T_world_next) {
+  const vo::PinholeCamera small = thumbnail(camera, 64);
+  const vo::DepthImage depth = tracer.trace(small, T_world_cur).depth;
+  const vo::SE3 T_next_cur = T_world_next.inverse() * T_world_cur;
+  std::vector<double> flows;
+  for (int v = 0; v < depth.rows; ++v) {
+    for (int u = 0; u < depth.cols; ++u) {
+      const Eigen::Vector3d p_cur = small.unproject({u, v}, depth(v, u));
+      const Eigen::Vector3d p_next = T_next_cur * p_cur;
+      if (p_cur.z() > 0 && p_next.z() > 0) {
+        flows.push_back((camera.project(p_next) - camera.project(p_cur)).norm());
+      }
+    }
+  }
+  return vo::upper_median(std::move(flows));
+}
+
+void measure_view(const SurfaceTracer& tracer, const vo::PinholeCamera& camera,
+                  const vo::SE3& T_world_camera, FrameCheck& frame) {
+  const double everywhere = 2 * tracer.bounds().diagonal().norm();
+  const ViewContent content =
+      view_content(tracer, thumbnail(camera, 64), T_world_camera, everywhere);
+  frame.depth_share = content.depth_share;
+  frame.textured_share = content.textured_share;
+}
+
+void require_limits(const PathLimits& limits, PathReport& report) {
+  const auto compare = [&](const char* name, double found, double limit, bool is_kept) {
+    if (limit > 0 && !is_kept) {
+      report.violations.push_back(vo::concat(name, ": got ", found, ", limit ", limit));
+    }
+  };
+  const auto at_least = [&](const char* name, double FrameCheck::*value, double limit) {
+    const double found = range_of(report.frames, value).min;
+    compare(name, found, limit, found >= limit);
+  };
+  const auto at_most = [&](const char* name, double FrameCheck::*value, double limit) {
+    const double found = range_of(report.frames, value).max;
+    compare(name, found, limit, found <= limit);
+  };
+  at_least("min_clearance", &FrameCheck::clearance, limits.min_clearance);
+  at_least("min_depth_share", &FrameCheck::depth_share, limits.min_depth_share);
+  at_least("min_textured_share", &FrameCheck::textured_share, limits.min_textured_share);
+  at_most("max_speed", &FrameCheck::speed, limits.max_speed);
+  at_most("max_turn_deg", &FrameCheck::turn_deg, limits.max_turn_deg);
+  at_most("max_acceleration", &FrameCheck::acceleration, limits.max_acceleration);
+  at_most("max_flow_px", &FrameCheck::flow_px, limits.max_flow_px);
+}
+
+}  // namespace
+
+void PathLimits::validate() const {
+  for (const double limit : {min_clearance, min_depth_share, min_textured_share, max_speed,
+                             max_turn_deg, max_acceleration, max_flow_px}) {
+    vo::require(limit >= 0 && std::isfinite(limit),
+                "path check: expected limits of 0 or above, got ", limit);
+  }
+}
+
+Range range_of(const std::vector<FrameCheck>& frames, double FrameCheck::*value) {
+  std::vector<double> values;
+  for (const FrameCheck& frame : frames) {
+    values.push_back(frame.*value);
+  }
+  if (values.empty()) {
+    return {};
+  }
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  return {*least, vo::upper_median(values), *greatest};
+}
+
+PathReport check_path(const Scene& scene, const vo::PinholeCamera& camera, const TimedPath& timed,
+                      const PathLimits& limits) {
+  limits.validate();
+  const bool is_moving = moves(scene);
+  const std::vector<bool> moving = moving_instances(scene);
+  PathReport report;
+  auto now = std::make_unique<const Instant>(scene_at(scene, 0));
+  for (std::size_t i = 0; i < timed.times.size(); ++i) {
+    FrameCheck frame{.time = timed.times[i]};
+    const double next = timed.times[std::min(i + 1, timed.times.size() - 1)];
+    const vo::SE3 T_world_cur = timed.path(frame.time);
+    const vo::SE3 T_world_next = timed.path(next);
+    measure_motion(timed.path, frame);
+    measure_view(now->tracer, camera, T_world_cur, frame);
+    frame.clearance = clearance_between(now->space, timed.path, frame.time, next);
+    frame.flow_px = median_flow(now->tracer, camera, T_world_cur, T_world_next);
+    if (is_moving) {
+      auto then = std::make_unique<const Instant>(scene_at(scene, next - timed.times.front()));
+      if (is_struck(now->scene, then->scene, moving,
+                    {T_world_cur.translation(), T_world_next.translation()})) {
+        frame.clearance = 0;
+      }
+      now = std::move(then);
+    }
+    report.length += (T_world_next.translation() - T_world_cur.translation()).norm();
+    report.collisions += frame.clearance < kTouch ? 1 : 0;
+    report.blank_views += frame.textured_share < kBlank ? 1 : 0;
+    report.frames.push_back(frame);
+  }
+  report.duration = timed.times.back() - timed.times.front();
+  require_limits(limits, report);
+  return report;
+}
+
+}  // namespace synth

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "synth/rasterization/gl_functions.h"
+
+namespace synth {
+
+/// Two shaders, in the context that was current when they were made.
+class GlProgram {
+ public:
+  /// Throws vo::Error with the compiler's words.
+  GlProgram(const GlFunctions& gl, const char* vertex_shader, const std::string& fragment_shader);
+
+  void use() const { gl_.UseProgram(program_); }  ///< for what is set and drawn next
+
+  /// Uniforms by name; one that the shaders do without is left alone.
+  void set(const std::string& name, int value) const;
+  void set(const std::string& name, float value) const;
+  void set(const std::string& name, const Eigen::Vector3f& value) const;
+  void set(const std::string& name, const Eigen::Vector4f& value) const;
+  void set(const std::string& name, const std::vector<Eigen::Vector4f>& values) const;
+  void set(const std::string& name, const Eigen::Matrix3f& value) const;
+  void set(const std::string& name, const Eigen::Matrix4f& value) const;
+
+ private:
+  GLint place_of(const std::string& name) const;
+
+  const GlFunctions& gl_;
+  GLuint program_;
+};
+
+}  // namespace synth

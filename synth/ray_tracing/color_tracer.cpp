@@ -1,0 +1,261 @@
+#include "synth/ray_tracing/color_tracer.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <Eigen/Geometry>
+
+#include "synth/shading/even_samples.h"
+#include "synth/shading/scatter.h"
+#include "vo/core/random_field.h"
+
+namespace synth {
+namespace {
+
+constexpr float kUnlimited = std::numeric_limits<float>::infinity();
+constexpr int kMaxLayers = 32;  // blended surfaces behind each other; what lies behind is black
+
+/// What a ray draws random numbers for, at each surface it meets; the lights come last.
+enum Use : std::size_t { of_direction, of_lobe, of_coverage, of_lights };
+
+constexpr std::uint64_t kPaths = 0x9a74;  // the purpose of their random numbers
+
+}  // namespace
+
+struct ColorTracer::LitPoints {
+  LitLanes points;
+  std::array<const PathLeg*, kPacketSize> legs;
+  std::array<Eigen::Vector3f, kPacketSize> weights;
+};
+
+/// All legs of a packet advance by one surface.
+struct ColorTracer::Step {
+  Step(const ColorPacket& traced, ColorMemory& remembered, PacketColors& sums)
+      : packet(traced), memory(remembered), colors(sums) {}
+
+  void add(const PathLeg& leg, const Aim& aim) {
+    next.legs[static_cast<std::size_t>(next.rays.size)] = leg;
+    add_ray(next.rays, aim);
+  }
+
+  const ColorPacket& packet;
+  ColorMemory& memory;
+  PacketColors& colors;
+  int index = 0;  ///< of the step
+  LitPoints lit;
+  PathLegs next;
+};
+
+ColorTracer::ColorTracer(const FlatScene& flat, const EmbreeScene& embree,
+                         const RenderOptions& options)
+    : flat_(flat),
+      embree_(embree),
+      mode_(options.mode),
+      bounces_(options.bounces),
+      light_radius_(static_cast<float>(options.light_radius)),
+      ambient_(ambient_light(flat, options.ambient)),
+      lights_(place_lights(flat)) {}
+
+ColorMemory ColorTracer::new_memory() const {
+  return {.seen = {}, .blockers = std::vector<Blocker>(lights_.size())};
+}
+
+PacketColors ColorTracer::trace(ColorPacket& packet, ColorMemory& memory) const {
+  PacketColors colors;
+  colors.fill(Eigen::Vector3f::Zero());
+  for (std::size_t i = 0; i < kPacketSize; ++i) {
+    packet.start.legs[i] = {i, Eigen::Vector3f::Ones(), 0, 0};
+  }
+  Step step(packet, memory, colors);
+  advance(packet.start, step);
+  while (step.next.rays.size > 0 && step.index < bounces_ + kMaxLayers) {
+    PathLegs legs = step.next;
+    step.next.rays.size = 0;
+    step.lit.points.size = 0;
+    ++step.index;
+    advance(legs, step);
+  }
+  return colors;
+}
+
+void ColorTracer::advance(PathLegs& bundle, Step& step) const {
+  embree_.intersect(bundle.rays, Sight::layers);
+  for (int lane = 0; lane < bundle.rays.size; ++lane) {
+    if (bundle.rays.has_hit(lane)) {
+      meet_surface(bundle, lane, step);
+    } else {
+      end_leg(bundle, lane, step.colors);
+    }
+  }
+  if (step.lit.points.size > 0) {
+    add_lights(step);
+  }
+}
+
+/// Behind everything it is dark for the camera; what was reflected towards there is lit from there.
+void ColorTracer::end_leg(const PathLegs& bundle, int lane, PacketColors& colors) const {
+  const PathLeg& leg = bundle.legs[static_cast<std::size_t>(lane)];
+  if (leg.bounces > 0) {
+    colors[leg.sample] += leg.weight.cwiseProduct(ambient_.radiance(bundle.rays.direction(lane)));
+  }
+}
+
+void ColorTracer::meet_surface(const PathLegs& bundle, int lane, Step& step) const {
+  const PathLeg& leg = bundle.legs[static_cast<std::size_t>(lane)];
+  const FlatMesh& mesh = flat_.meshes[static_cast<std::size_t>(bundle.rays.mesh(lane))];
+  const Material& material = *mesh.material;
+  const bool is_lit = !material.unlit && mode_ != RenderMode::unlit;
+  const auto make = [&](int mesh_index, int triangle_index) {
+    return SurfaceTriangle(flat_, mesh_index, triangle_index, bundle.rays.share(lane),
+                           is_lit ? SurfaceMaps::all : SurfaceMaps::color);
+  };
+  if (!mesh.moments.empty()) {
+    step.memory.seen = {};
+  }
+  const SurfaceTriangle& triangle =
+      step.memory.seen.get(bundle.rays.mesh(lane), bundle.rays.triangle(lane), make);
+  if (is_lit) {
+    meet_lit_surface(bundle, lane, triangle, step);
+    return;
+  }
+  const float reach = leg.travelled + bundle.rays.lanes.ray.tfar[lane];
+  const Eigen::Vector4f color = surface_color(
+      triangle,
+      {bundle.rays.weights(lane), bundle.rays.direction(lane), step.packet.sample_width * reach});
+  const float share = coverage(material, color.w(), leg, step);
+  step.colors[leg.sample] += share * leg.weight.cwiseProduct(color.head<3>());
+  pass(bundle, lane, share, step);
+}
+
+void ColorTracer::meet_lit_surface(const PathLegs& bundle, int lane,
+                                   const SurfaceTriangle& triangle, Step& step) const {
+  const PathLeg& leg = bundle.legs[static_cast<std::size_t>(lane)];
+  const float reach = leg.travelled + bundle.rays.lanes.ray.tfar[lane];
+  const SurfacePoint point =
+      surface_point(triangle, {bundle.rays.weights(lane), bundle.rays.direction(lane),
+                               step.packet.sample_width * reach, bundle.rays.share(lane)});
+  const float share = coverage(*triangle.mesh->material, point.alpha, leg, step);
+  pass(bundle, lane, share, step);
+  if (share == 0) {
+    return;
+  }
+  const Eigen::Vector3f weight = share * leg.weight;
+  Eigen::Vector3f radiance = point.emission;
+  if (mode_ == RenderMode::direct) {
+    radiance += reflect_ambient(point, ambient_);
+  }
+  step.colors[leg.sample] += weight.cwiseProduct(radiance);
+  const auto place = static_cast<std::size_t>(step.lit.points.size);
+  add_point(step.lit.points, point);
+  step.lit.legs[place] = &leg;
+  step.lit.weights[place] = weight;
+  if (mode_ == RenderMode::path && leg.bounces < bounces_) {
+    PathLeg next = leg;
+    next.travelled = reach;
+    bounce(next, point, step);
+  }
+}
+
+/// How much of what is behind the surface it hides. A path goes one way or the other by chance.
+float ColorTracer::coverage(const Material& material, float alpha, const PathLeg& leg,
+                            const Step& step) const {
+  if (material.alpha_mode != AlphaMode::blend) {
+    return 1;
+  }
+  if (mode_ == RenderMode::path) {
+    return draw(step, leg, of_coverage).x() < alpha ? 1.0F : 0.0F;
+  }
+  return std::clamp(alpha, 0.0F, 1.0F);
+}
+
+/// Straight on through what is not hidden.
+void ColorTracer::pass(const PathLegs& bundle, int lane, float hidden, Step& step) {
+  if (hidden >= 1) {
+    return;
+  }
+  const RTCRay16& ray = bundle.rays.lanes.ray;
+  constexpr float kBehind = 1 + 1e-5F;
+  PathLeg leg = bundle.legs[static_cast<std::size_t>(lane)];
+  leg.weight *= 1 - hidden;
+  step.add(leg, {{ray.org_x[lane], ray.org_y[lane], ray.org_z[lane]},
+                 bundle.rays.direction(lane),
+                 kBehind * ray.tfar[lane],
+                 kUnlimited,
+                 bundle.rays.share(lane)});
+}
+
+void ColorTracer::bounce(const PathLeg& leg, const SurfacePoint& point, Step& step) const {
+  const Scattered scattered =
+      scatter(point, draw(step, leg, of_lobe).x(), draw(step, leg, of_direction));
+  PathLeg next = leg;
+  next.weight = leg.weight.cwiseProduct(scattered.weight);
+  ++next.bounces;
+  if (!next.weight.isZero(0)) {
+    step.add(next, {point.position + point.rounding * point.face_normal, scattered.direction, 0,
+                    kUnlimited, point.share});
+  }
+}
+
+void ColorTracer::add_lights(Step& step) const {
+  const LitLanes& lit = step.lit.points;
+  ShadowPacket shadows = shadow_rays(lit);
+  Lanes3 sum;
+  for (std::size_t i = 0; i < lights_.size(); ++i) {
+    const PlacedLight& light = lights_[i];
+    LightLanes direct = direct_light(light, places_on_light(i, step), lit, instruction_set_);
+    aim_at_light(shadows, direct, light);
+    if (cast_shadows(shadows, shadow_reach(light), step.memory.blockers[i])) {
+      direct.keep(shadows.active);
+      add_reflected(lit, direct, light.intensity, instruction_set_, sum);
+    }
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(lit.size); ++i) {
+    step.colors[step.lit.legs[i]->sample] +=
+        step.lit.weights[i].cwiseProduct(Eigen::Vector3f(sum.x[i], sum.y[i], sum.z[i]));
+  }
+}
+
+/// Leaves those rays active that meet nothing. Returns whether there are any.
+bool ColorTracer::cast_shadows(ShadowPacket& shadows, float reach, Blocker& blocker) const {
+  if (!shadows.has_rays() || !blocker.stop(shadows, reach, instruction_set_)) {
+    return false;
+  }
+  ShadowHit hit;
+  embree_.occlude(shadows, hit);
+  if (hit.mesh != kNone && !blocker.is(hit)) {
+    blocker = Blocker(flat_, hit);
+  }
+  return shadows.has_rays();
+}
+
+/// Where each point sees the light, m: a point of the disc that it shows to the surface.
+Lanes3 ColorTracer::places_on_light(std::size_t light_index, const Step& step) const {
+  const PlacedLight& light = lights_[light_index];
+  Lanes3 places = same_place(light);
+  if (light_radius_ == 0 || !light.has_place()) {
+    return places;
+  }
+  const Lanes3& from = step.lit.points.position;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(step.lit.points.size); ++i) {
+    const Eigen::Vector3f position(from.x[i], from.y[i], from.z[i]);
+    const Frame frame((light.position - position).normalized());
+    const Eigen::Vector2f place =
+        light_radius_ * on_disc(draw(step, *step.lit.legs[i], of_lights + light_index));
+    const Eigen::Vector3f moved = frame.x * place.x() + frame.y * place.y();
+    places.x[i] += moved.x();
+    places.y[i] += moved.y();
+    places.z[i] += moved.z();
+  }
+  return places;
+}
+
+/// No two draws of a path are the same.
+Eigen::Vector2f ColorTracer::draw(const Step& step, const PathLeg& leg, std::size_t use) const {
+  const std::size_t uses = of_lights + lights_.size();
+  const auto purpose = static_cast<int>(static_cast<std::size_t>(step.index) * uses + use);
+  const SampleId& id = step.packet.ids[leg.sample];
+  const vo::RandomField field(step.packet.seed, kPaths, 0);
+  return even_square(field.bits(id.pixel.x, id.pixel.y, purpose), id.sample);
+}
+
+}  // namespace synth

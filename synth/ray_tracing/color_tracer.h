@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+#include <opencv2/core.hpp>
+
+#include "synth/ray_tracing/embree_scene.h"
+#include "synth/ray_tracing/hit_cache.h"
+#include "synth/ray_tracing/occluder.h"
+#include "synth/rendering/renderer.h"
+#include "synth/scene/world_geometry.h"
+#include "synth/shading/shading.h"
+#include "vo/core/instruction_set.h"
+
+namespace synth {
+
+/// Which random numbers a ray draws.
+struct SampleId {
+  cv::Point pixel;
+  int sample = 0;  ///< of the pixel's
+};
+
+/// A straight piece of a path from the camera.
+struct PathLeg {
+  std::size_t sample;      ///< of the packet
+  Eigen::Vector3f weight;  ///< of what comes back along it
+  int bounces;             ///< before it
+  float travelled;         ///< m, before its start
+};
+
+/// Legs that are traced together.
+struct PathLegs {
+  HitPacket rays;
+  std::array<PathLeg, kPacketSize> legs;
+};
+
+/// Camera rays, each a sample of a pixel.
+struct ColorPacket {
+  PathLegs start;  ///< the rays are given; ColorTracer does the rest
+  std::array<SampleId, kPacketSize> ids;
+  std::uint64_t seed = 0;  ///< of their random numbers
+  float sample_width = 0;  ///< m at 1 m, of a sample's cone
+};
+
+/// What was met last, and is likely to be met again.
+struct ColorMemory {
+  LastTriangle<SurfaceTriangle> seen;
+  std::vector<Blocker> blockers;  ///< one per light
+};
+
+using PacketColors = std::array<Eigen::Vector3f, kPacketSize>;
+
+/// Finds the light that comes back along rays. The flat scene and Embree's must outlive it.
+class ColorTracer {
+ public:
+  ColorTracer(const FlatScene& flat, const EmbreeScene& embree, const RenderOptions& options);
+
+  /// Linear RGB of each ray, whatever is remembered.
+  PacketColors trace(ColorPacket& packet, ColorMemory& memory) const;
+
+  ColorMemory new_memory() const;
+
+ private:
+  struct LitPoints;
+  struct Step;
+
+  void advance(PathLegs& bundle, Step& step) const;
+  void end_leg(const PathLegs& bundle, int lane, PacketColors& colors) const;
+  void meet_surface(const PathLegs& bundle, int lane, Step& step) const;
+  void meet_lit_surface(const PathLegs& bundle, int lane, const SurfaceTriangle& triangle,
+                        Step& step) const;
+  float coverage(const Material& material, float alpha, const PathLeg& leg, const Step& step) const;
+  static void pass(const PathLegs& bundle, int lane, float hidden, Step& step);
+  void bounce(const PathLeg& leg, const SurfacePoint& point, Step& step) const;
+  void add_lights(Step& step) const;
+  bool cast_shadows(ShadowPacket& shadows, float reach, Blocker& blocker) const;
+  Lanes3 places_on_light(std::size_t light_index, const Step& step) const;
+  Eigen::Vector2f draw(const Step& step, const PathLeg& leg, std::size_t use) const;
+
+  const FlatScene& flat_;
+  const EmbreeScene& embree_;
+  RenderMode mode_;
+  int bounces_;
+  float light_radius_;  ///< m
+  vo::InstructionSet instruction_set_ = vo::available_instruction_set();
+  AmbientLight ambient_;
+  std::vector<PlacedLight> lights_;
+};
+
+}  // namespace synth

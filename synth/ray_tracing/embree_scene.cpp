@@ -1,0 +1,324 @@
+#include "synth/ray_tracing/embree_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "synth/ray_tracing/embree_scene_geometry.h"
+#include "vo/core/error.h"
+
+namespace synth {
+namespace {
+
+constexpr std::uint64_t kInstants = 0x1257;  // the purpose of their random numbers
+constexpr float kNear = 0.01F;               // m along the optical axis
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+void keep_first_error(void* message, RTCError /*code*/, const char* text) {
+  auto& first = *static_cast<std::string*>(message);
+  if (first.empty()) {
+    first = text;
+  }
+}
+
+EmbreeQuery query_for(Sight sight, RTCIntersectContextFlags coherence) {
+  EmbreeQuery query;
+  rtcInitIntersectContext(&query.context);
+  query.context.flags = coherence;
+  query.sight = sight;
+  return query;
+}
+
+EmbreeQuery coherent_query(Sight sight) {
+  return query_for(sight, RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+}
+
+void attach(RTCScene hierarchy, RTCGeometry geometry, unsigned index) {
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(hierarchy, geometry, index);
+}
+
+void aim(RTCRay& ray, const Aim& aim) {
+  ray.org_x = aim.from.x();
+  ray.org_y = aim.from.y();
+  ray.org_z = aim.from.z();
+  ray.dir_x = aim.direction.x();
+  ray.dir_y = aim.direction.y();
+  ray.dir_z = aim.direction.z();
+  ray.tnear = aim.near;
+  ray.tfar = aim.reach;
+  ray.time = aim.share;
+  ray.mask = std::numeric_limits<unsigned>::max();
+}
+
+void aim_lane(RTCRay16& rays, int lane, const Aim& aim) {
+  rays.org_x[lane] = aim.from.x();
+  rays.org_y[lane] = aim.from.y();
+  rays.org_z[lane] = aim.from.z();
+  rays.dir_x[lane] = aim.direction.x();
+  rays.dir_y[lane] = aim.direction.y();
+  rays.dir_z[lane] = aim.direction.z();
+  rays.tnear[lane] = aim.near;
+  rays.tfar[lane] = aim.reach;
+  rays.time[lane] = aim.share;
+  rays.mask[lane] = std::numeric_limits<unsigned>::max();
+}
+
+struct alignas(64) FirstLanes {
+  explicit FirstLanes(int size) {
+    std::fill_n(mask.begin(), size, -1);
+    std::fill(mask.begin() + size, mask.end(), 0);
+  }
+  LaneMask mask;
+};
+
+/// What to say of shadow rays: Embree 3.13 gets stuck with those through instances that are said to
+/// be coherent.
+RTCIntersectContextFlags shadow_coherence(const FlatScene& flat) {
+  return flat.shared_meshes.empty() ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                    : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+}
+
+/// At a right angle to the triangle that was hit, on either side. What Embree says of a shared mesh
+/// is in that mesh's frame.
+Eigen::Vector3f across_triangle(const FlatScene& flat, const HitPacket& packet, int lane) {
+  const FlatMesh& mesh = flat.meshes[static_cast<std::size_t>(packet.mesh(lane))];
+  if (mesh.shared == kNone) {
+    const RTCHit16& hit = packet.lanes.hit;
+    return {hit.Ng_x[lane], hit.Ng_y[lane], hit.Ng_z[lane]};
+  }
+  const auto [a, b, c] = corners_of(mesh, packet.triangle(lane), packet.share(lane));
+  return (b - a).cross(c - a);
+}
+
+Eigen::Matrix3d inverse_of_intrinsics(const vo::PinholeCamera& camera) {
+  Eigen::Matrix3d result = Eigen::Matrix3d::Identity();
+  result(0, 0) = 1 / camera.fx;
+  result(1, 1) = 1 / camera.fy;
+  result(0, 2) = -camera.cx / camera.fx;
+  result(1, 2) = -camera.cy / camera.fy;
+  return result;
+}
+
+}  // namespace
+
+float shadow_reach(const PlacedLight& light) {
+  return light.has_place() ? 1 : kInfinity;
+}
+
+EmbreeScene::EmbreeScene(const FlatScene& flat)
+    : shadow_coherence_(shadow_coherence(flat)), device_(rtcNewDevice(nullptr)) {
+  vo::require(device_ != nullptr, "Embree: no device, error ", rtcGetDeviceError(nullptr));
+  std::string error;
+  rtcSetDeviceErrorFunction(device_.get(), keep_first_error, &error);
+  for (const SharedMesh& shared : flat.shared_meshes) {
+    shared_.push_back(new_hierarchy());
+    attach(shared_.back().get(), triangles_of(device_.get(), flat, shared).get(), 0);
+    rtcCommitScene(shared_.back().get());
+  }
+  hierarchy_ = new_hierarchy();
+  for (unsigned i = 0; i < flat.meshes.size(); ++i) {
+    const FlatMesh& mesh = flat.meshes[i];
+    const EmbreeGeometry geometry =
+        mesh.shared == kNone ? triangles_of(device_.get(), flat, mesh)
+                             : instance_of(device_.get(), shared_[mesh.shared].get(), flat, mesh);
+    attach(hierarchy_.get(), geometry.get(), i);
+  }
+  rtcCommitScene(hierarchy_.get());
+  rtcSetDeviceErrorFunction(device_.get(), nullptr, nullptr);
+  vo::require(error.empty(), "Embree: ", error);
+}
+
+EmbreeScene::Hierarchy EmbreeScene::new_hierarchy() const {
+  Hierarchy hierarchy(rtcNewScene(device_.get()));
+  rtcSetSceneFlags(hierarchy.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(hierarchy.get(), RTC_BUILD_QUALITY_HIGH);
+  return hierarchy;
+}
+
+void EmbreeScene::intersect(std::vector<RTCRayHit>& rays) const {
+  EmbreeQuery query = coherent_query(Sight::solid);
+  rtcIntersect1M(hierarchy_.get(), &query.context, rays.data(), static_cast<unsigned>(rays.size()),
+                 sizeof(RTCRayHit));
+}
+
+void EmbreeScene::occlude(std::vector<RTCRay>& rays) const {
+  EmbreeQuery query = query_for(Sight::solid, shadow_coherence_);
+  rtcOccluded1M(hierarchy_.get(), &query.context, rays.data(), static_cast<unsigned>(rays.size()),
+                sizeof(RTCRay));
+}
+
+void EmbreeScene::intersect(HitPacket& packet, Sight sight) const {
+  EmbreeQuery query = coherent_query(sight);
+  const FirstLanes first(packet.size);
+  rtcIntersect16(first.mask.data(), hierarchy_.get(), &query.context, &packet.lanes);
+}
+
+void EmbreeScene::occlude(ShadowPacket& packet, ShadowHit& blocker) const {
+  EmbreeQuery query = query_for(Sight::solid, shadow_coherence_);
+  query.blocker = &blocker;
+  rtcOccluded16(packet.active.data(), hierarchy_.get(), &query.context, &packet.lanes);
+  const float* const left = packet.lanes.tfar;
+  std::transform(packet.active.begin(), packet.active.end(), left, packet.active.begin(),
+                 [](int active, float far) { return far < 0 ? 0 : active; });
+}
+
+void add_ray(HitPacket& packet, const Aim& aim) {
+  const int lane = packet.size++;
+  aim_lane(packet.lanes.ray, lane, aim);
+  packet.lanes.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+}
+
+bool has_hit(const RTCRayHit& ray) {
+  return ray.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+}
+
+bool is_occluded(const RTCRay& ray) {
+  return ray.tfar < 0;
+}
+
+SurfaceHit surface_hit(const RTCHit& hit) {
+  return {.mesh = mesh_of(hit.instID[0], hit.geomID),
+          .triangle = static_cast<int>(hit.primID),
+          .weights = {1 - hit.u - hit.v, hit.u, hit.v}};
+}
+
+void aim_along(RTCRayHit& ray, const Eigen::Vector3f& from, const Eigen::Vector3f& direction) {
+  aim(ray.ray, {from, direction, kNear});
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+}
+
+void aim_at_light(RTCRay& ray, const SurfacePoint& point, const DirectLight& direct,
+                  const PlacedLight& light) {
+  aim(ray, {point.position + point.rounding * point.face_normal, direct.to_light, 0,
+            shadow_reach(light), point.share});
+}
+
+ShadowPacket shadow_rays(const LitLanes& lit) {
+  ShadowPacket packet;
+  RTCRay16& rays = packet.lanes;
+  std::copy(lit.start.x.begin(), lit.start.x.end(), rays.org_x);
+  std::copy(lit.start.y.begin(), lit.start.y.end(), rays.org_y);
+  std::copy(lit.start.z.begin(), lit.start.z.end(), rays.org_z);
+  std::fill_n(rays.tnear, kPacketSize, 0.0F);
+  std::copy(lit.scene_share.begin(), lit.scene_share.end(), rays.time);
+  std::fill_n(rays.mask, kPacketSize, std::numeric_limits<unsigned>::max());
+  return packet;
+}
+
+void aim_at_light(ShadowPacket& packet, const LightLanes& direct, const PlacedLight& light) {
+  RTCRay16& rays = packet.lanes;
+  std::copy(direct.to_light.x.begin(), direct.to_light.x.end(), rays.dir_x);
+  std::copy(direct.to_light.y.begin(), direct.to_light.y.end(), rays.dir_y);
+  std::copy(direct.to_light.z.begin(), direct.to_light.z.end(), rays.dir_z);
+  std::fill_n(rays.tfar, kPacketSize, shadow_reach(light));
+  std::transform(direct.share.begin(), direct.share.end(), packet.active.begin(),
+                 [](float share) { return share > 0 ? -1 : 0; });
+}
+
+std::vector<PixelCell> grid_of_cells(int per_edge) {
+  constexpr double kPlastic = 1.32471795724474602596;  // x^3 = x + 1
+  std::vector<PixelCell> cells;
+  for (int y = 0; y < per_edge; ++y) {
+    for (int x = 0; x < per_edge; ++x) {
+      cells.push_back({{(x + 0.5) / per_edge - 0.5, (y + 0.5) / per_edge - 0.5},
+                       x / kPlastic + y / (kPlastic * kPlastic)});
+    }
+  }
+  return cells;
+}
+
+View::View(const FlatScene& flat, const Shot& shot)
+    : flat_(flat),
+      shot_(shot),
+      eyes_(shot),
+      instants_(shot.seed, kInstants, 0),
+      pixel_width_(static_cast<float>(1 / std::sqrt(std::abs(shot.camera.fx * shot.camera.fy)))) {
+  if (!shot.camera.distortion.is_zero()) {
+    return;
+  }
+  const Eigen::Matrix3d inverse_K = inverse_of_intrinsics(shot.camera);
+  const int rows = is_at_rest() ? 1 : shot.camera.height;
+  for (int v = 0; v < rows; ++v) {
+    const Eye& eye = eyes_.of_row(v);
+    pencils_.push_back({eye.R_world_camera * inverse_K, (eye.position - flat.origin).cast<float>(),
+                        share_of_row(v)});
+  }
+}
+
+/// World axes; 1 along the optical axis, so that multiples of it are depths.
+Eigen::Vector3d View::direction(const Eye& eye, const Eigen::Vector2d& pixel) const {
+  return eye.R_world_camera * shot_.camera.unproject(pixel, 1);
+}
+
+Aim View::aim_from(const Eye& eye, const Eigen::Vector2d& pixel, float share) const {
+  const Eigen::Vector3d along = direction(eye, pixel);
+  const Eigen::Vector3f from = (eye.position - flat_.origin).cast<float>();
+  if (!along.allFinite()) {  // the lens sees nothing there, and a ray without reach hits nothing
+    return {from, Eigen::Vector3f::UnitZ(), kNear, 0, share};
+  }
+  return {from, along.cast<float>(), kNear, kInfinity, share};
+}
+
+Aim View::aim_from_row(int v, const Eigen::Vector2d& pixel) const {
+  if (pencils_.empty()) {
+    return aim_from(eyes_.of_row(v), pixel, share_of_row(v));
+  }
+  const Pencil& pencil = pencils_[pencils_.size() == 1 ? 0 : static_cast<std::size_t>(v)];
+  const Eigen::Matrix3d& M = pencil.direction_from_pixel;
+  const Eigen::Vector3d direction = M.col(0) * pixel.x() + M.col(1) * pixel.y() + M.col(2);
+  return {pencil.start, direction.cast<float>(), kNear, kInfinity, pencil.share};
+}
+
+void View::aim_at_centre(const cv::Point& pixel, RTCRayHit& ray) const {
+  aim(ray.ray, aim_from_row(pixel.y, {pixel.x, pixel.y}));
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+}
+
+void View::add_ray_at_centre(const cv::Point& pixel, HitPacket& packet) const {
+  add_ray(packet, aim_from_row(pixel.y, {pixel.x, pixel.y}));
+}
+
+void View::add_ray_at_cell(const cv::Point& pixel, const PixelCell& cell, HitPacket& packet) const {
+  const Eigen::Vector2d place(pixel.x + cell.offset.x(), pixel.y + cell.offset.y());
+  if (shot_.shutter.exposure_time == 0) {
+    add_ray(packet, aim_from_row(pixel.y, place));
+    return;
+  }
+  const double turn = instants_.uniform(pixel.x, pixel.y) + cell.instant;
+  const double time =
+      shot_.shutter.time_in_row(pixel.y, turn - std::floor(turn), shot_.camera.height);
+  add_ray(packet, aim_from(eyes_.at(time), place, share_at(time)));
+}
+
+DepthPlane View::plane_of(int mesh, int triangle, int v) const {
+  const Eye& eye = eyes_.of_row(v);
+  return depth_plane(flat_.meshes[mesh], triangle,
+                     {eye.position, eye.R_world_camera.col(2), share_of_row(v)});
+}
+
+std::optional<double> View::depth_of(const DepthPlane& plane, const cv::Point& pixel) const {
+  return plane.depth_along(direction(eyes_.of_row(pixel.y), {pixel.x, pixel.y}));
+}
+
+float View::exact_depth(const cv::Point& pixel, const RTCRayHit& ray) const {
+  const SurfaceHit hit = surface_hit(ray.hit);
+  const DepthPlane plane = plane_of(hit.mesh, hit.triangle, pixel.y);
+  const std::optional<double> depth = depth_of(plane, pixel);
+  return depth ? static_cast<float>(*depth) : ray.ray.tfar;
+}
+
+cv::Vec3f View::normal(const cv::Point& pixel, const HitPacket& packet, int lane) const {
+  const Eigen::Vector3f across = across_triangle(flat_, packet, lane);
+  const Eigen::Vector3f outward =
+      across.dot(packet.direction(lane)) > 0 ? Eigen::Vector3f(-across) : across;
+  const Eigen::Vector3f unit =
+      R_world_camera(pixel.y).transpose().cast<float>() * outward.normalized();
+  return {unit.x(), unit.y(), unit.z()};
+}
+
+}  // namespace synth

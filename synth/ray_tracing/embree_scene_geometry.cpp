@@ -1,0 +1,134 @@
+#include "synth/ray_tracing/embree_scene_geometry.h"
+
+#include <vector>
+
+#include "synth/shading/surface.h"
+
+namespace synth {
+namespace {
+
+EmbreeQuery& query_of(const RTCFilterFunctionNArguments* arguments) {
+  return *reinterpret_cast<EmbreeQuery*>(arguments->context);
+}
+
+/// A lane of the rays that were found to hit something.
+SurfaceHit hit_of(const RTCFilterFunctionNArguments* arguments, unsigned lane) {
+  RTCHitN* const hits = arguments->hit;
+  const unsigned count = arguments->N;
+  const float u = RTCHitN_u(hits, count, lane);
+  const float v = RTCHitN_v(hits, count, lane);
+  return {.mesh = mesh_of(RTCHitN_instID(hits, count, lane, 0), RTCHitN_geomID(hits, count, lane)),
+          .triangle = static_cast<int>(RTCHitN_primID(hits, count, lane)),
+          .weights = {1 - u - v, u, v}};
+}
+
+/// Notes the last of the triangles that rays were found to hit.
+void note_blocker(const RTCFilterFunctionNArguments* arguments) {
+  ShadowHit* const blocker = query_of(arguments).blocker;
+  const unsigned count = arguments->N;
+  for (unsigned i = 0; blocker != nullptr && i < count; ++i) {
+    if (arguments->valid[i] == -1) {
+      const SurfaceHit hit = hit_of(arguments, i);
+      *blocker = {hit.mesh, hit.triangle};
+    }
+  }
+}
+
+/// Lets rays pass where the alpha says that nothing is.
+void drop_invisible(const RTCFilterFunctionNArguments* arguments) {
+  const auto& flat = *static_cast<const FlatScene*>(arguments->geometryUserPtr);
+  const bool sees_layers = query_of(arguments).sight == Sight::layers;
+  const unsigned count = arguments->N;
+  for (unsigned i = 0; i < count; ++i) {
+    if (arguments->valid[i] != -1) {
+      continue;
+    }
+    const SurfaceHit hit = hit_of(arguments, i);
+    const Material& material = *flat.meshes[static_cast<std::size_t>(hit.mesh)].material;
+    const bool is_layer = material.alpha_mode == AlphaMode::blend && sees_layers;
+    if (!is_layer && surface_alpha(flat, hit) < solid_from(material)) {
+      arguments->valid[i] = 0;
+    }
+  }
+}
+
+/// The last of the positions is but room for what Embree reads.
+void set_vertices(RTCGeometry geometry, const std::vector<Eigen::Vector3f>& positions,
+                  unsigned time_step) {
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, time_step, RTC_FORMAT_FLOAT3,
+                             positions.data(), 0, sizeof(Eigen::Vector3f), positions.size() - 1);
+}
+
+/// At each moment; Embree takes them to be spread evenly over the rays' time from 0 to 1.
+void set_vertices(RTCGeometry geometry, const FlatMesh& flat) {
+  if (flat.moments.empty()) {
+    set_vertices(geometry, flat.positions, 0);
+    return;
+  }
+  const auto moments = static_cast<unsigned>(flat.moments.size());
+  rtcSetGeometryTimeStepCount(geometry, moments);
+  for (unsigned i = 0; i < moments; ++i) {
+    set_vertices(geometry, flat.moments[i].positions, i);
+  }
+}
+
+void set_triangles(RTCGeometry geometry, const Mesh& mesh) {
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                             mesh.triangles.data(), 0, sizeof(mesh.triangles[0]),
+                             mesh.triangles.size());
+}
+
+void set_filters(RTCGeometry geometry, const FlatScene& scene, const Mesh& mesh) {
+  if (material_of(*scene.scene, mesh).alpha_mode != AlphaMode::opaque) {
+    rtcSetGeometryUserData(geometry, const_cast<FlatScene*>(&scene));  // only read
+    rtcSetGeometryIntersectFilterFunction(geometry, drop_invisible);
+    rtcSetGeometryOccludedFilterFunction(geometry, drop_invisible);
+  } else {
+    rtcSetGeometryOccludedFilterFunction(geometry, note_blocker);
+  }
+}
+
+EmbreeGeometry triangles_of(RTCDevice device, const FlatScene& scene, const Mesh& mesh) {
+  EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
+  set_triangles(geometry.get(), mesh);
+  set_filters(geometry.get(), scene, mesh);
+  return geometry;
+}
+
+void set_transform(RTCGeometry geometry, const FlatScene& scene, const FlatMesh& mesh,
+                   unsigned time_step) {
+  const Eigen::Matrix<float, 3, 4> transform = T_flat_shared(scene, mesh).affine().cast<float>();
+  rtcSetGeometryTransform(geometry, time_step, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform.data());
+}
+
+}  // namespace
+
+EmbreeGeometry triangles_of(RTCDevice device, const FlatScene& scene, const SharedMesh& shared) {
+  EmbreeGeometry geometry = triangles_of(device, scene, *shared.mesh);
+  set_vertices(geometry.get(), shared.positions, 0);
+  return geometry;
+}
+
+EmbreeGeometry triangles_of(RTCDevice device, const FlatScene& scene, const FlatMesh& mesh) {
+  EmbreeGeometry geometry = triangles_of(device, scene, *mesh.mesh);
+  set_vertices(geometry.get(), mesh);
+  return geometry;
+}
+
+EmbreeGeometry instance_of(RTCDevice device, RTCScene shared, const FlatScene& scene,
+                           const FlatMesh& mesh) {
+  EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
+  rtcSetGeometryInstancedScene(geometry.get(), shared);
+  const auto moments = static_cast<unsigned>(mesh.moments.size());
+  if (moments == 0) {
+    set_transform(geometry.get(), scene, mesh, 0);
+  } else {
+    rtcSetGeometryTimeStepCount(geometry.get(), moments);
+  }
+  for (unsigned i = 0; i < moments; ++i) {
+    set_transform(geometry.get(), scene, mesh.moments[i], i);
+  }
+  return geometry;
+}
+
+}  // namespace synth

@@ -1,0 +1,126 @@
+#include "synth/ray_tracing/point_tracer.h"
+
+#include <array>
+#include <cstddef>
+
+#include "synth/ray_tracing/embree_scene.h"
+
+namespace synth {
+namespace {
+
+using Corners = std::array<Eigen::Vector3d, 3>;  ///< m, world
+
+Corners world_corners(const FlatMesh& mesh, int triangle) {
+  Corners corners;
+  for (int i = 0; i < 3; ++i) {
+    const int vertex = mesh.mesh->triangles[triangle][i];
+    corners[i] = mesh.T_world_mesh * mesh.mesh->positions[vertex].cast<double>();
+  }
+  return corners;
+}
+
+/// In the world, 1 along the optical axis.
+struct Ray {
+  Eigen::Vector3d eye;
+  Eigen::Vector3d direction;
+};
+
+/// Where the ray meets the triangle's plane, by Cramer's rule from
+///     eye + depth direction = a + w1 (b - a) + w2 (c - a).
+/// Leaves the point where that is beyond the corners' depths: they are nearly parallel.
+void refine(const Corners& corners, const Ray& ray, const Eigen::Vector3d& optical_axis,
+            TrianglePoint& point) {
+  constexpr double kTolerance = 1e-6;  // relative; the hit was found in single precision
+  const Eigen::Vector3d ab = corners[1] - corners[0];
+  const Eigen::Vector3d ac = corners[2] - corners[0];
+  const Eigen::Vector3d from_a = ray.eye - corners[0];
+  const Eigen::Vector3d normal = ab.cross(ac);
+  const Eigen::Vector3d moment = from_a.cross(ray.direction);
+  const double determinant = -normal.dot(ray.direction);
+  const double depth = normal.dot(from_a) / determinant;
+  Eigen::Vector3d depths;
+  for (int i = 0; i < 3; ++i) {
+    depths[i] = (corners[i] - ray.eye).dot(optical_axis);
+  }
+  const double margin = kTolerance * depths.cwiseAbs().maxCoeff();
+  if (depth >= depths.minCoeff() - margin && depth <= depths.maxCoeff() + margin) {
+    const double w1 = ac.dot(moment) / determinant;
+    const double w2 = -ab.dot(moment) / determinant;
+    point.depth = depth;
+    point.weights = {1 - w1 - w2, w1, w2};
+  }
+}
+
+TrianglePoint point_of(const FlatScene& flat, const RTCRayHit& hit, const Ray& ray,
+                       const Eigen::Vector3d& optical_axis) {
+  if (!has_hit(hit)) {
+    return {};
+  }
+  const SurfaceHit surface = surface_hit(hit.hit);
+  TrianglePoint point{.mesh = surface.mesh,
+                      .triangle = surface.triangle,
+                      .weights = surface.weights.cast<double>(),
+                      .depth = hit.ray.tfar};
+  refine(world_corners(flat.meshes[surface.mesh], surface.triangle), ray, optical_axis, point);
+  return point;
+}
+
+}  // namespace
+
+PointTracer::PointTracer(const Scene& scene)
+    : flat_(flatten(scene)), embree_(std::make_unique<EmbreeScene>(flat_)) {}
+
+PointTracer::~PointTracer() = default;
+
+std::vector<TrianglePoint> PointTracer::trace(const std::vector<Eigen::Vector3d>& directions,
+                                              const vo::SE3& T_world_camera) const {
+  const Eigen::Matrix3d R_world_camera = T_world_camera.rotation_matrix();
+  const Eigen::Vector3d& eye = T_world_camera.translation();
+  const Eigen::Vector3f start = (eye - flat_.origin).cast<float>();
+  std::vector<RTCRayHit> hits(directions.size());
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const Eigen::Vector3d direction = R_world_camera * directions[i];
+    aim_along(hits[i], start, direction.cast<float>());
+    if (!direction.allFinite()) {  // the lens sees nothing there
+      hits[i].ray.tfar = 0;
+    }
+  }
+  embree_->intersect(hits);
+  std::vector<TrianglePoint> points(directions.size());
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    points[i] =
+        point_of(flat_, hits[i], {eye, R_world_camera * directions[i]}, R_world_camera.col(2));
+  }
+  return points;
+}
+
+PointImage PointTracer::trace(const vo::PinholeCamera& camera,
+                              const vo::SE3& T_world_camera) const {
+  camera.validate();
+  PointImage image{.size = {camera.width, camera.height}, .points = {}};
+  std::vector<Eigen::Vector3d> directions(static_cast<std::size_t>(camera.width));
+  for (int v = 0; v < camera.height; ++v) {
+    for (int u = 0; u < camera.width; ++u) {
+      directions[static_cast<std::size_t>(u)] = camera.unproject({u, v}, 1);
+    }
+    const std::vector<TrianglePoint> row = trace(directions, T_world_camera);
+    image.points.insert(image.points.end(), row.begin(), row.end());
+  }
+  return image;
+}
+
+Eigen::Vector3d PointTracer::position(const TrianglePoint& point) const {
+  const Corners corners = world_corners(flat_.meshes[point.mesh], point.triangle);
+  return point.weights[0] * corners[0] + point.weights[1] * corners[1] +
+         point.weights[2] * corners[2];
+}
+
+Eigen::Vector3d PointTracer::face_normal(const TrianglePoint& point,
+                                         const Eigen::Vector3d& eye) const {
+  const Corners corners = world_corners(flat_.meshes[point.mesh], point.triangle);
+  const Eigen::Vector3d normal =
+      (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+  return normal.dot(eye - corners[0]) < 0 ? Eigen::Vector3d(-normal) : normal;
+}
+
+}  // namespace synth

@@ -1,0 +1,179 @@
+#include "synth/ray_tracing/ray_tracer.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "synth/ray_tracing/color_tracer.h"
+#include "synth/ray_tracing/embree_scene.h"
+#include "synth/ray_tracing/hit_cache.h"
+#include "synth/rendering/surface_ids.h"
+#include "synth/scene/world_geometry.h"
+
+namespace synth {
+namespace {
+
+constexpr int kTile = 8;  // px; a multiple of the blocks that share a packet of rays
+
+/// The pixels of one tile, in an order that keeps those beside each other close.
+struct Tile {
+  Tile(const cv::Point& corner, const cv::Size& image);
+
+  std::array<cv::Point, kTile * kTile> pixels;
+  std::size_t count = 0;
+};
+
+/// Morton's order: of an index's bits, every other one is the column's, the others are the row's.
+Tile::Tile(const cv::Point& corner, const cv::Size& image) {
+  for (int i = 0; i < kTile * kTile; ++i) {
+    const int column = (i & 1) | (i >> 1 & 2) | (i >> 2 & 4);
+    const int row = (i >> 1 & 1) | (i >> 2 & 2) | (i >> 3 & 4);
+    const cv::Point pixel = corner + cv::Point(column, row);
+    if (pixel.x < image.width && pixel.y < image.height) {
+      pixels[count++] = pixel;
+    }
+  }
+}
+
+class RayTracer final : public Renderer {
+ public:
+  RayTracer(FlatScene flat, const RenderOptions& options);
+
+  using Renderer::render;
+  RenderedFrame render(const Shot& shot) const override;
+
+ private:
+  void render_surface(const View& view, const Tile& tile, const SurfaceIds& ids,
+                      RenderedFrame& frame) const;
+  void render_color(const View& view, const Tile& tile, ColorMemory& memory,
+                    RenderedFrame& frame) const;
+
+  FlatScene flat_;
+  EmbreeScene embree_;
+  bool has_color_;
+  std::vector<PixelCell> cells_;  ///< one colour sample each
+  float width_of_cell_;           ///< px
+  ColorTracer color_tracer_;
+};
+
+RayTracer::RayTracer(FlatScene flat, const RenderOptions& options)
+    : flat_(std::move(flat)),
+      embree_(flat_),
+      has_color_(options.mode != RenderMode::depth),
+      cells_(grid_of_cells(options.samples_per_edge())),
+      width_of_cell_(1 / static_cast<float>(options.samples_per_edge())),
+      color_tracer_(flat_, embree_, options) {}
+
+RenderedFrame RayTracer::render(const Shot& shot) const {
+  const vo::PinholeCamera& camera = shot.camera;
+  camera.validate();
+  shot.shutter.validate();
+  const View view(flat_, shot);
+  RenderedFrame frame = empty_frame(camera, shot.channels);
+  const SurfaceIds ids = shot.channels.ids ? surface_ids(flat_) : SurfaceIds();
+  ColorMemory memory = color_tracer_.new_memory();
+  for (int v = 0; v < camera.height; v += kTile) {
+    for (int u = 0; u < camera.width; u += kTile) {
+      const Tile tile({u, v}, {camera.width, camera.height});
+      if (shot.channels.depth || shot.channels.normal || shot.channels.ids) {
+        render_surface(view, tile, ids, frame);
+      }
+      if (shot.channels.color && has_color_) {
+        render_color(view, tile, memory, frame);
+      }
+    }
+  }
+  return frame;
+}
+
+/// Depth, normals and ids.
+void RayTracer::render_surface(const View& view, const Tile& tile, const SurfaceIds& ids,
+                               RenderedFrame& frame) const {
+  LastTriangle<DepthPlane> last;
+  for (std::size_t first = 0; first < tile.count; first += kPacketSize) {
+    HitPacket packet;
+    const cv::Point* pixels = &tile.pixels[first];
+    const auto size = static_cast<int>(std::min<std::size_t>(kPacketSize, tile.count - first));
+    for (int i = 0; i < size; ++i) {
+      view.add_ray_at_centre(pixels[i], packet);
+    }
+    embree_.intersect(packet, Sight::solid);
+    for (int i = 0; i < size; ++i) {
+      if (!packet.has_hit(i)) {
+        continue;
+      }
+      if (!frame.depth.empty()) {
+        const auto make = [&](int mesh, int triangle) {
+          return view.plane_of(mesh, triangle, pixels[i].y);
+        };
+        if (!view.is_at_rest()) {
+          last = {};
+        }
+        const DepthPlane& plane = last.get(packet.mesh(i), packet.triangle(i), make);
+        const std::optional<double> exact = view.depth_of(plane, pixels[i]);
+        frame.depth(pixels[i]) = exact ? static_cast<float>(*exact) : packet.lanes.ray.tfar[i];
+      }
+      if (!frame.normal.empty()) {
+        frame.normal(pixels[i]) = view.normal(pixels[i], packet, i);
+      }
+      if (!frame.instance.empty()) {
+        const auto mesh = static_cast<std::size_t>(packet.mesh(i));
+        frame.instance(pixels[i]) = ids.instance[mesh];
+        frame.material(pixels[i]) = ids.material[mesh];
+      }
+    }
+  }
+}
+
+/// The mean over each pixel's cells, which are traced in their order, pixel by pixel.
+void RayTracer::render_color(const View& view, const Tile& tile, ColorMemory& memory,
+                             RenderedFrame& frame) const {
+  ColorPacket packet;
+  packet.seed = view.seed();
+  packet.sample_width = view.pixel_width() * width_of_cell_;
+  std::array<Eigen::Vector3f, kTile * kTile> sums;
+  sums.fill(Eigen::Vector3f::Zero());
+  std::array<std::size_t, kPacketSize> places;  // of the packet's rays in the tile
+  const auto trace = [&] {
+    const PacketColors colors = color_tracer_.trace(packet, memory);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(packet.start.rays.size); ++i) {
+      sums[places[i]] += colors[i];
+    }
+    packet.start.rays.size = 0;
+  };
+  for (std::size_t place = 0; place < tile.count; ++place) {
+    for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+      const auto lane = static_cast<std::size_t>(packet.start.rays.size);
+      places[lane] = place;
+      packet.ids[lane] = {tile.pixels[place], static_cast<int>(cell)};
+      view.add_ray_at_cell(tile.pixels[place], cells_[cell], packet.start.rays);
+      if (lane + 1 == kPacketSize) {
+        trace();
+      }
+    }
+  }
+  if (packet.start.rays.size > 0) {
+    trace();
+  }
+  for (std::size_t place = 0; place < tile.count; ++place) {
+    const Eigen::Vector3f mean = sums[place] / static_cast<float>(cells_.size());
+    frame.radiance(tile.pixels[place]) = {mean.x(), mean.y(), mean.z()};
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Renderer> make_ray_tracer(const Scene& scene, const RenderOptions& options) {
+  return std::make_unique<RayTracer>(flatten(scene), options);
+}
+
+std::unique_ptr<Renderer> make_ray_tracer(const SceneDuring& during, const RenderOptions& options) {
+  return std::make_unique<RayTracer>(flatten(during), options);
+}
+
+}  // namespace synth

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+#include <opencv2/core.hpp>
+
+#include "synth/scene/scene.h"
+#include "synth/scene/world_geometry.h"
+#include "synth/shading/shading.h"
+#include "vo/core/image.h"
+#include "vo/geometry/camera.h"
+#include "vo/geometry/se3.h"
+
+namespace synth {
+
+class EmbreeScene;
+class View;
+
+/// What lies at the centre of each pixel, whatever a sensor makes of it. All but the depth are 0
+/// where nothing is.
+struct SurfaceView {
+  vo::DepthImage depth;             ///< m along the optical axis; 0 = nothing hit
+  cv::Mat_<cv::Vec3f> face_normal;  ///< unit, camera's axes, of the triangle, towards the camera
+  cv::Mat_<cv::Vec3f> normal;       ///< unit, camera's axes, interpolated between vertices
+  cv::Mat_<cv::Vec3f> base_color;   ///< linear RGB
+  cv::Mat_<float> light_share;      ///< of the light that would arrive if nothing cast shadows
+};
+
+/// Traces one ray per pixel, and one from there to each light.
+class SurfaceTracer {
+ public:
+  /// `ambient` is RenderOptions::ambient. The scene must outlive the tracer.
+  SurfaceTracer(const Scene& scene, double ambient);
+  ~SurfaceTracer();
+  SurfaceTracer(const SurfaceTracer&) = delete;
+  SurfaceTracer& operator=(const SurfaceTracer&) = delete;
+  SurfaceTracer(SurfaceTracer&&) = delete;
+  SurfaceTracer& operator=(SurfaceTracer&&) = delete;
+
+  SurfaceView trace(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera) const;
+
+  Eigen::AlignedBox3d bounds() const { return visible_bounds(flat_); }  ///< m, world
+  const FlatScene& flat() const { return flat_; }
+  const EmbreeScene& embree() const { return *embree_; }
+
+ private:
+  void trace_row(const View& view, int v, SurfaceView& surfaces) const;
+  std::vector<float> light_shares(const std::vector<SurfacePoint>& points) const;
+  void add_light(const PlacedLight& light, const std::vector<SurfacePoint>& points,
+                 std::vector<float>& unshadowed, std::vector<float>& arriving) const;
+
+  FlatScene flat_;
+  AmbientLight ambient_;
+  std::vector<PlacedLight> lights_;
+  std::unique_ptr<const EmbreeScene> embree_;
+};
+
+}  // namespace synth

@@ -1,0 +1,48 @@
+#include "synth/rendering/renderer.h"
+
+#include <cmath>
+
+#include "vo/core/error.h"
+
+namespace synth {
+
+void RenderOptions::validate() const {
+  constexpr int kMaxSamples = 256;
+  constexpr int kMaxBounces = 64;
+  vo::require(samples >= 1 && samples <= kMaxSamples, "render: expected samples from 1 to ",
+              kMaxSamples, ", got ", samples);
+  vo::require(ambient >= 0 && std::isfinite(ambient),
+              "render: expected ambient at or above 0, got ", ambient);
+  vo::require(light_radius >= 0 && std::isfinite(light_radius),
+              "render: expected light_radius at or above 0 m, got ", light_radius);
+  vo::require(bounces >= 0 && bounces <= kMaxBounces, "render: expected bounces from 0 to ",
+              kMaxBounces, ", got ", bounces);
+  vo::require(kind != RendererKind::rasterizer || mode != RenderMode::path,
+              "render: the rasterizer cannot follow paths, expected mode direct, unlit or depth");
+}
+
+int RenderOptions::samples_per_edge() const {
+  return static_cast<int>(std::ceil(std::sqrt(samples)));
+}
+
+RenderedFrame empty_frame(const vo::PinholeCamera& camera, const Channels& channels) {
+  const cv::Size size(camera.width, camera.height);
+  const cv::Vec3f none(0, 0, 0);
+  RenderedFrame frame;
+  if (channels.color) {
+    frame.radiance = cv::Mat_<cv::Vec3f>(size, none);
+  }
+  if (channels.depth) {
+    frame.depth = vo::DepthImage(size, 0.0F);
+  }
+  if (channels.normal) {
+    frame.normal = cv::Mat_<cv::Vec3f>(size, none);
+  }
+  if (channels.ids) {
+    frame.instance = IdImage(size, std::uint16_t{0});
+    frame.material = IdImage(size, std::uint16_t{0});
+  }
+  return frame;
+}
+
+}  // namespace synth

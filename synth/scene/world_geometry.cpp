@@ -1,0 +1,230 @@
+#include "synth/scene/world_geometry.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <Eigen/LU>
+
+#include "synth/scene/cofactors.h"
+
+namespace synth {
+namespace {
+
+const Material kDefaultMaterial;  // glTF's, of a mesh without one
+
+Eigen::Vector3f place_position(const FlatMesh& flat, const Eigen::Vector3f& position) {
+  const Eigen::Vector3d p_world = flat.T_world_mesh * position.cast<double>();
+  return (p_world - flat.origin).cast<float>();
+}
+
+Eigen::Vector3f place_normal(const Eigen::Matrix3d& N, const Eigen::Vector3f& normal) {
+  return (N * normal.cast<double>()).normalized().cast<float>();
+}
+
+/// Without vertices.
+FlatMesh unplaced(const Scene& scene, std::size_t index) {
+  const Instance& instance = scene.instances[index];
+  FlatMesh flat;
+  flat.mesh = &scene.meshes[instance.mesh];
+  flat.instance = static_cast<int>(index);
+  flat.material = &material_of(scene, *flat.mesh);
+  flat.T_world_mesh = instance.T_world_mesh;
+  flat.side = instance.T_world_mesh.linear().determinant() < 0 ? -1.0F : 1.0F;
+  return flat;
+}
+
+Eigen::AlignedBox3d bounds(const FlatMesh& flat) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3f& position : flat.mesh->positions) {
+    box.extend(flat.T_world_mesh * position.cast<double>());
+  }
+  return box;
+}
+
+/// Nothing where they are shared.
+void place_vertices(FlatMesh& flat) {
+  if (flat.shared != kNone) {
+    return;
+  }
+  const Mesh& mesh = *flat.mesh;
+  flat.positions.resize(mesh.positions.size() + 1, Eigen::Vector3f::Zero());
+  std::transform(mesh.positions.begin(), mesh.positions.end(), flat.positions.begin(),
+                 [&](const Eigen::Vector3f& position) { return place_position(flat, position); });
+  const Eigen::Matrix3d N = cofactors(flat.T_world_mesh.linear());
+  flat.normals.resize(mesh.normals.size());
+  std::transform(mesh.normals.begin(), mesh.normals.end(), flat.normals.begin(),
+                 [&](const Eigen::Vector3f& normal) { return place_normal(N, normal); });
+}
+
+/// A shared mesh does not bend.
+bool moves_between(const std::vector<FlatMesh>& moments) {
+  return std::any_of(moments.begin(), moments.end(), [&](const FlatMesh& moment) {
+    return moment.T_world_mesh.matrix() != moments[0].T_world_mesh.matrix() ||
+           (moment.shared == kNone && moment.mesh->positions != moments[0].mesh->positions);
+  });
+}
+
+void add_moments(const std::vector<Scene>& scenes, FlatMesh& flat) {
+  std::vector<FlatMesh> moments;
+  for (const Scene& scene : scenes) {
+    FlatMesh& moment =
+        moments.emplace_back(unplaced(scene, static_cast<std::size_t>(flat.instance)));
+    moment.origin = flat.origin;
+    moment.shared = flat.shared;
+  }
+  if (moves_between(moments)) {
+    std::for_each(moments.begin(), moments.end(), place_vertices);
+    flat.moments = std::move(moments);
+  }
+}
+
+/// Gives the instances that can do without vertices of their own the shared ones.
+void share_meshes(const std::vector<Scene>& moments, FlatScene& flat) {
+  const std::vector<bool> sharing = sharing_instances(*flat.scene, moments);
+  std::vector<int> shared_of_mesh(flat.scene->meshes.size(), kNone);
+  for (FlatMesh& mesh : flat.meshes) {
+    if (!sharing[static_cast<std::size_t>(mesh.instance)]) {
+      continue;
+    }
+    int& shared = shared_of_mesh[static_cast<std::size_t>(mesh.mesh - flat.scene->meshes.data())];
+    if (shared == kNone) {
+      shared = static_cast<int>(flat.shared_meshes.size());
+      flat.shared_meshes.push_back(shared_mesh(*mesh.mesh));
+    }
+    mesh.shared = shared;
+  }
+}
+
+FlatScene flatten(const Scene& scene, const std::vector<Scene>& moments) {
+  FlatScene flat;
+  flat.scene = &scene;
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const int mesh = scene.instances[i].mesh;
+    if (mesh != kNone && !scene.meshes[mesh].triangles.empty()) {
+      flat.meshes.push_back(unplaced(scene, i));
+      box.extend(bounds(flat.meshes.back()));
+    }
+  }
+  if (!box.isEmpty()) {
+    flat.origin = box.center();
+  }
+  share_meshes(moments, flat);
+  for (FlatMesh& mesh : flat.meshes) {
+    mesh.origin = flat.origin;
+    place_vertices(mesh);
+    add_moments(moments, mesh);
+  }
+  return flat;
+}
+
+Eigen::Vector3d corner_of(const FlatMesh& mesh, int vertex) {
+  return mesh.T_world_mesh * mesh.mesh->positions[vertex].cast<double>();
+}
+
+}  // namespace
+
+const Material& material_of(const Scene& scene, const Mesh& mesh) {
+  return mesh.material == kNone ? kDefaultMaterial : scene.materials[mesh.material];
+}
+
+Eigen::Vector3f FlatMesh::position(int vertex) const {
+  return shared == kNone ? positions[vertex] : place_position(*this, mesh->positions[vertex]);
+}
+
+Eigen::Vector3f FlatMesh::normal(int vertex) const {
+  return shared == kNone ? normals[vertex]
+                         : place_normal(cofactors(T_world_mesh.linear()), mesh->normals[vertex]);
+}
+
+FlatScene flatten(const Scene& scene) {
+  return flatten(scene, {});
+}
+
+FlatScene flatten(const SceneDuring& during) {
+  FlatScene flat = flatten(during.now, during.moments);
+  flat.begin = during.begin;
+  flat.end = during.end;
+  return flat;
+}
+
+float FlatScene::share_at(double time) const {
+  return end > begin ? static_cast<float>(std::clamp((time - begin) / (end - begin), 0.0, 1.0)) : 0;
+}
+
+MomentPair moments_around(const FlatMesh& mesh, float share) {
+  if (mesh.moments.empty()) {
+    return {&mesh, &mesh, 0};
+  }
+  const std::size_t intervals = mesh.moments.size() - 1;
+  const float place = share * static_cast<float>(intervals);
+  const std::size_t before = std::min(static_cast<std::size_t>(place), intervals - 1);
+  return {&mesh.moments[before], &mesh.moments[before + 1], place - static_cast<float>(before)};
+}
+
+std::array<Eigen::Vector3f, 3> corners_of(const FlatMesh& mesh, int triangle, float share) {
+  const MomentPair moments = moments_around(mesh, share);
+  const std::array<int, 3>& vertices = mesh.mesh->triangles[triangle];
+  std::array<Eigen::Vector3f, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    corners[i] = moments.before->position(vertices[i]);
+    if (moments.share != 0) {
+      corners[i] += moments.share * (moments.after->position(vertices[i]) - corners[i]);
+    }
+  }
+  return corners;
+}
+
+Eigen::Affine3d T_flat_shared(const FlatScene& flat, const FlatMesh& mesh) {
+  return Eigen::Translation3d(-flat.origin) * mesh.T_world_mesh *
+         Eigen::Translation3d(flat.shared_meshes[mesh.shared].centre);
+}
+
+Eigen::AlignedBox3d visible_bounds(const FlatScene& flat) {
+  Eigen::AlignedBox3d box;
+  for (const FlatMesh& mesh : flat.meshes) {
+    box.extend(bounds(mesh));
+  }
+  return box;
+}
+
+DepthPlane depth_plane(const FlatMesh& mesh, int triangle, const PlaneView& view) {
+  constexpr double kTolerance = 1e-6;      // relative; the hit was found in single precision
+  std::array<Eigen::Vector3d, 3> corners;  // from the eye, m
+  Eigen::Vector3d depths;
+  const MomentPair moments = moments_around(mesh, view.share);
+  const double share = moments.share;
+  for (int i = 0; i < 3; ++i) {
+    const int vertex = mesh.mesh->triangles[triangle][i];
+    corners[i] = corner_of(*moments.before, vertex) - view.eye;
+    if (share > 0) {
+      corners[i] += share * (corner_of(*moments.after, vertex) - view.eye - corners[i]);
+    }
+    depths[i] = corners[i].dot(view.optical_axis);
+  }
+  const double margin = kTolerance * depths.cwiseAbs().maxCoeff();
+  DepthPlane plane;
+  plane.normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  plane.offset = plane.normal.dot(corners[0]);
+  plane.nearest = depths.minCoeff() - margin;
+  plane.farthest = depths.maxCoeff() + margin;
+  return plane;
+}
+
+std::optional<double> DepthPlane::depth_along(const Eigen::Vector3d& direction) const {
+  const double depth = offset / normal.dot(direction);
+  return depth >= nearest && depth <= farthest ? std::optional(depth) : std::nullopt;
+}
+
+Eigen::AlignedBox3d lit_bounds(const FlatScene& flat) {
+  Eigen::AlignedBox3d box;
+  for (const FlatMesh& mesh : flat.meshes) {
+    if (!mesh.material->unlit) {
+      box.extend(bounds(mesh));
+    }
+  }
+  return box;
+}
+
+}  // namespace synth

@@ -1,0 +1,190 @@
+#include "synth/sequence/render_sequence.h"
+
+#include <optional>
+
+#include "synth/scene/scene_hash.h"
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+#include "vo/core/hash.h"
+#include "vo/core/version.h"
+#include "vo/dataset/camera_file.h"
+#include "vo/dataset/depth_units.h"
+#include "vo/dataset/trajectory_file.h"
+#include "vo/files/toml_file.h"
+
+namespace synth {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kManifest = "sequence.toml";
+
+/// How the exact ground truth is written, and what it was made with.
+std::string describe_channels(const SequenceRecipe& recipe) {
+  TruthOptions options = recipe.channels;
+  std::string text;
+  for (const TruthChannel channel : options.channels) {
+    text += vo::concat("truth.", vo::to_string(channel), " = ",
+                       vo::quoted_toml(truth_convention(channel, options.float_format)), "\n");
+  }
+  if (options.has(TruthChannel::edges)) {
+    text += vo::format_toml(vo::fields_of(options.edges, "edges."));
+  }
+  if (options.has(TruthChannel::imu)) {
+    text += vo::format_toml(vo::fields_of(options.imu, "imu."));
+  }
+  vo::ContentHash motion;  // the poses do not tell how the camera moves between them
+  for (const vo::NamedBytes& file : encode_motion(options, recipe.path, recipe.truth)) {
+    motion.add(file.bytes);
+    text += "motion_hash." + fs::path(file.name).stem().string() + " = \"" +
+            vo::to_hex(motion.value()) + "\"\n";
+  }
+  return text;
+}
+
+bool moves_between_stamps(const SensorOptions& sensor) {
+  return sensor.shutter.exposure_time > 0 || sensor.shutter.readout_time > 0 ||
+         sensor.depth.delay != 0;
+}
+
+/// Of the motion around the stamps.
+std::string motion_hash(const SequenceRecipe& recipe) {
+  const CameraPath path = path_of(recipe);
+  vo::Trajectory around;
+  for (const vo::StampedPose& pose : recipe.truth) {
+    for (const double time : {-0.01, -0.003, 0.003, 0.01}) {
+      around.push_back({pose.timestamp + time, path(pose.timestamp + time)});
+    }
+  }
+  vo::ContentHash hash;
+  hash.add(vo::format_trajectory(around));
+  return vo::to_hex(hash.value());
+}
+
+/// What a reader of the folder must know, and what two equal folders have in common.
+std::string format_manifest(const RenderJob& job, const Scene& scene) {
+  std::string text =
+      "# Frames: T_world_camera in groundtruth.txt, camera x right, y down, z forward;"
+      " world is the scene's.\n"
+      "# Depth: along the optical axis at the pixel's centre, 0 = none.";
+  text +=
+      vo::concat(" 16 bit hold up to ", vo::farthest_in_16_bit(job.recipe.camera.depth_units_per_m),
+                 " m; beyond, 0.\n");
+  text +=
+      "# Colour: sRGB unless sensor.response says otherwise, mean over the pixel's area.\n"
+      "# Stamps: the middle of the exposure of the middle row, (height - 1) / 2, and the pose is\n"
+      "# that of this instant; row v is exposed readout_time (v - (height - 1) / 2) / height "
+      "later,\n"
+      "# its depth is that of the middle of its exposure. Depth is stamped depth.delay later, its\n"
+      "# poses are in groundtruth_depth.txt then.\n";
+  text += vo::concat("generator = \"edvo ", vo::version(), "\"\n");
+  text += "scene = " + vo::quoted_toml(job.scene.path().filename().string()) + "\n";
+  text += "scene_hash = \"" + vo::to_hex(content_hash(scene)) + "\"\n";
+  return text + format_recipe(job);
+}
+
+std::vector<std::size_t> all_frames(const RenderJob& job) {
+  return frames_of({}, job.recipe.truth.size());
+}
+
+std::vector<std::size_t> share_of(const RenderJob& job) {
+  return frames_of(job.share, job.recipe.truth.size());
+}
+
+bool is_of(const fs::path& folder, const std::string& manifest) {
+  return fs::is_regular_file(folder / kManifest) && vo::read_file(folder / kManifest) == manifest;
+}
+
+bool holds(const fs::path& folder, const std::string& manifest, const RenderJob& job) {
+  return is_of(folder, manifest) && missing_frames(job.recipe, all_frames(job), folder).empty();
+}
+
+/// Renders a share of the frames and, if no other is missing, completes the sequence.
+void render_share(const RenderJob& job, const Scene& scene, vo::StagedFolder& staged,
+                  const vo::Progress& progress, RenderOutcome& outcome) {
+  const fs::path& folder = staged.staging();
+  const std::vector<std::size_t> frames = missing_frames(job.recipe, share_of(job), folder);
+  outcome.depth_beyond_16_bit = generate_frames(scene, job.recipe, frames, folder, progress);
+  outcome.rendered = frames.size();
+  outcome.missing = missing_frames(job.recipe, all_frames(job), folder).size();
+  if (outcome.missing == 0) {
+    finish_sequence(job.recipe, folder);
+    staged.commit();
+  }
+}
+
+/// Tells who stopped a run that what it has made is not lost.
+std::string with_advice(const vo::Error& error, const fs::path& staging) {
+  const bool is_stopped =
+      error.kind() == vo::ErrorKind::temporary || error.kind() == vo::ErrorKind::interrupted;
+  return is_stopped ? vo::concat(error.what(), "; finished frames are kept in ", staging.string(),
+                                 ", the same command continues there")
+                    : error.what();
+}
+
+}  // namespace
+
+std::vector<std::size_t> frames_to_render(const RenderJob& job, const Scene& scene,
+                                          const fs::path& folder) {
+  const std::vector<std::size_t> share = share_of(job);
+  const std::string manifest = format_manifest(job, scene);
+  if (folder.empty()) {
+    return share;
+  }
+  for (const fs::path& place : {folder, vo::StagedFolder::staging_of(folder)}) {
+    if (is_of(place, manifest)) {
+      return missing_frames(job.recipe, share, place);
+    }
+  }
+  return share;
+}
+
+std::string format_recipe(const RenderJob& job) {
+  vo::ContentHash truth;
+  truth.add(vo::format_trajectory(job.recipe.truth));
+  std::string text = vo::concat("frames = ", job.recipe.truth.size(), "\n");
+  text += "trajectory_hash = \"" + vo::to_hex(truth.value()) + "\"\n";
+  SequenceRecipe recipe = job.recipe;
+  if (moves_between_stamps(recipe.sensor)) {
+    text += "shutter_motion_hash = \"" + motion_hash(recipe) + "\"\n";
+  }
+  text += std::string("float_depth = ") +
+          (recipe.float_depth == vo::FloatDepth::npy ? "true" : "false") + "\n";
+  text += vo::format_toml(vo::fields_of(recipe.camera, "camera."));
+  text += vo::format_toml(vo::fields_of(recipe.render, "render."));
+  text += vo::format_toml(vo::fields_of(recipe.sensor, "sensor."));
+  return text + describe_channels(recipe);
+}
+
+RenderOutcome render_sequence(const RenderJob& job, const fs::path& folder,
+                              vo::ExistingOutput existing, const vo::Progress& progress) {
+  job.recipe.camera.validate();
+  share_of(job);  // throws before any work
+  RenderOutcome outcome{.folder = folder};
+  const Scene& scene = job.scene.scene();
+  outcome.notes = job.scene.notes();
+  const std::string manifest = format_manifest(job, scene);
+  if (holds(folder, manifest, job)) {
+    outcome.was_there = true;
+    return outcome;
+  }
+  vo::require_replaceable(folder, kManifest, existing);
+  vo::StagedFolder staged(folder, {kManifest, manifest}, existing);
+  std::optional<vo::Error> error;
+  try {
+    render_share(job, scene, staged, progress, outcome);
+  } catch (const vo::Error& thrown) {
+    error = thrown;
+  }
+  if (holds(folder, manifest, job)) {  // another process may have completed it, and moved it away
+    outcome.missing = 0;
+    return outcome;
+  }
+  if (error) {
+    throw vo::Error(with_advice(*error, staged.staging()), error->kind());
+  }
+  outcome.folder = staged.staging();
+  return outcome;
+}
+
+}  // namespace synth

@@ -1,0 +1,272 @@
+#include "synth/shading/surface.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "synth/scene/texture.h"
+
+namespace synth {
+namespace {
+
+/// Beyond this slant a texture is not blurred further.
+constexpr float kMinCosine = 0.05F;
+
+template <typename Values>
+auto interpolate(const Values& values, const std::array<int, 3>& triangle,
+                 const Eigen::Vector3f& weights) {
+  return (values[triangle[0]] * weights[0] + values[triangle[1]] * weights[1] +
+          values[triangle[2]] * weights[2])
+      .eval();
+}
+
+constexpr std::array<int, 3> kCorners{0, 1, 2};
+
+/// Twice the area that the triangle covers in the image, texels^2, over twice its own, m^2: an even
+/// mapping of the triangle has its root as texels per metre.
+TexturePatch texture_patch(const Scene& scene, const FlatMesh& flat, const TextureSlot& slot,
+                           const std::array<int, 3>& vertices, float double_area) {
+  TexturePatch patch;
+  const auto& texcoords = flat.mesh->texcoords[slot.texcoord_set];
+  if (slot.texture == kNone || scene.textures[slot.texture].image == kNone || texcoords.empty()) {
+    return patch;
+  }
+  patch.texture = &scene.textures[slot.texture];
+  patch.image = &scene.images[patch.texture->image];
+  for (std::size_t i = 0; i < 3; ++i) {
+    patch.uv[i] = slot.T_image_texcoord * texcoords[vertices[i]];
+  }
+  const Eigen::Vector2f a = patch.uv[1] - patch.uv[0];
+  const Eigen::Vector2f b = patch.uv[2] - patch.uv[0];
+  const auto texels = static_cast<float>(patch.image->levels[0].total());
+  patch.lod_at_1m =
+      0.5F * std::log2(std::abs(a.x() * b.y() - a.y() * b.x()) * texels / double_area);
+  return patch;
+}
+
+Eigen::Vector3f normal_between(const MomentPair& moments, int vertex) {
+  Eigen::Vector3f normal = moments.before->normal(vertex);
+  if (moments.share != 0) {
+    normal += moments.share * (moments.after->normal(vertex) - normal);
+  }
+  return normal;
+}
+
+/// The greatest coordinate that takes part in finding a hit, m.
+float extent_of(const FlatScene& flat, const SurfaceTriangle& triangle) {
+  const std::array<Eigen::Vector3f, 3>& corners = triangle.corners;
+  const Eigen::Array3f extent =
+      corners[0].array().abs().max(corners[1].array().abs()).max(corners[2].array().abs());
+  const FlatMesh& mesh = *triangle.mesh;
+  if (mesh.shared == kNone) {
+    return extent.maxCoeff();
+  }
+  const Eigen::Vector3d place = T_flat_shared(flat, mesh).translation();
+  return extent.maxCoeff() + place.cast<float>().cwiseAbs().maxCoeff();
+}
+
+/// Unit, on the front side.
+Eigen::Vector3f vertex_normal(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights) {
+  if (!triangle.mesh->has_normals()) {
+    return triangle.normal;
+  }
+  constexpr float kMinLength = 1e-3F;  // shorter: opposite normals that cancel out
+  const Eigen::Vector3f normal = interpolate(triangle.normals, kCorners, weights);
+  const float length = normal.norm();
+  return length > kMinLength ? Eigen::Vector3f(normal / length) : triangle.normal;
+}
+
+/// Where u grows along the surface, and the side on which v does: of the mesh or, without tangents
+/// of its own, of the normal map's coordinates.
+Eigen::Vector4f tangent_of(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights) {
+  const FlatMesh& flat = *triangle.mesh;
+  if (!flat.mesh->tangents.empty()) {
+    const Eigen::Vector4f tangent = interpolate(flat.mesh->tangents, triangle.vertices, weights);
+    Eigen::Vector4f placed;
+    placed << flat.T_world_mesh.linear().cast<float>() * tangent.head<3>(),
+        flat.T_world_mesh.linear().determinant() < 0 ? -tangent.w() : tangent.w();
+    return placed;
+  }
+  const Eigen::Vector3f a = triangle.corners[1] - triangle.corners[0];
+  const Eigen::Vector3f b = triangle.corners[2] - triangle.corners[0];
+  const Eigen::Vector2f uv_a = triangle.normal_map.uv[1] - triangle.normal_map.uv[0];
+  const Eigen::Vector2f uv_b = triangle.normal_map.uv[2] - triangle.normal_map.uv[0];
+  const float determinant = uv_a.x() * uv_b.y() - uv_a.y() * uv_b.x();
+  const Eigen::Vector3f along_u = (a * uv_b.y() - b * uv_a.y()) * (determinant < 0 ? -1.0F : 1.0F);
+  const Eigen::Vector3f along_v = (b * uv_a.x() - a * uv_b.x()) * (determinant < 0 ? -1.0F : 1.0F);
+  Eigen::Vector4f tangent;
+  // glTF's bitangent points up in the image, where v falls.
+  tangent << along_u, triangle.normal.cross(along_u).dot(-along_v) < 0 ? -1.0F : 1.0F;
+  return tangent;
+}
+
+/// glTF's normal map in the frame of tangents, on the front side.
+Eigen::Vector3f mapped_normal(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights,
+                              const Eigen::Vector3f& normal, float log2_footprint) {
+  const Eigen::Vector4f tangent = tangent_of(triangle, weights);
+  const Eigen::Vector3f across =
+      tangent.head<3>() - normal * normal.dot(tangent.head<3>());  // Gram-Schmidt
+  const float length = across.norm();
+  if (!(length > std::numeric_limits<float>::min())) {
+    return normal;
+  }
+  const Eigen::Vector3f t = across / length;
+  const Eigen::Vector3f b = tangent.w() * normal.cross(t);
+  const float scale = triangle.mesh->material->normal_scale;
+  const Eigen::Vector3f texel =
+      2 * triangle.normal_map.color(weights, log2_footprint).head<3>() - Eigen::Vector3f::Ones();
+  const Eigen::Vector3f mapped =
+      t * (scale * texel.x()) + b * (scale * texel.y()) + normal * texel.z();
+  const float mapped_length = mapped.norm();
+  return mapped_length > 0 ? Eigen::Vector3f(mapped / mapped_length) : normal;
+}
+
+Eigen::Vector4f color_of(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights,
+                         float log2_footprint) {
+  Eigen::Vector4f color = triangle.mesh->material->base_color;
+  if (triangle.base_color.texture != nullptr) {
+    color.array() *= triangle.base_color.color(weights, log2_footprint).array();
+  }
+  const std::vector<Eigen::Vector4f>& colors = triangle.mesh->mesh->colors;
+  if (!colors.empty()) {
+    color.array() *= interpolate(colors, triangle.vertices, weights).array();
+  }
+  return color;
+}
+
+/// Binary logarithm of a positive number to 1e-3, which is plenty for a level of detail: exponent,
+/// and a fit to log2(1 + f) that is exact at 0 and 1.
+float quick_log2(float value) {
+  constexpr int kMantissaBits = 23;
+  const auto bits = std::bit_cast<std::uint32_t>(value);
+  const auto exponent = static_cast<float>(static_cast<int>(bits >> kMantissaBits) - 127);
+  const float f = std::bit_cast<float>((bits & 0x7fffffU) | 0x3f800000U) - 1;
+  return exponent + f + f * (1 - f) * (0.43807F - f * (0.23669F - f * 0.08031F));
+}
+
+/// Of the colour sample's width on the surface, m.
+float log2_footprint(const SurfaceRay& ray, float cosine) {
+  return quick_log2(ray.footprint / std::max(kMinCosine, cosine));
+}
+
+/// All that light asks of the material.
+void read_maps(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights, float log2_width,
+               SurfacePoint& point) {
+  const Material& material = *triangle.mesh->material;
+  const Eigen::Vector4f color = color_of(triangle, weights, log2_width);
+  point.base_color = color.head<3>();
+  point.alpha = color.w();
+  point.emission = material.emission;
+  point.metallic = material.metallic;
+  point.roughness = material.roughness;
+  point.specular = material.specular;
+  if (triangle.emissive.texture != nullptr) {
+    point.emission.array() *= triangle.emissive.color(weights, log2_width).head<3>().array();
+  }
+  if (triangle.metallic_roughness.texture != nullptr) {
+    const Eigen::Vector4f texel = triangle.metallic_roughness.color(weights, log2_width);
+    point.roughness *= texel.y();
+    point.metallic *= texel.z();
+  }
+  if (triangle.occlusion.texture != nullptr) {
+    const float texel = triangle.occlusion.color(weights, log2_width).x();
+    point.openness = 1 + material.occlusion_strength * (texel - 1);
+  }
+}
+
+}  // namespace
+
+Eigen::Vector4f TexturePatch::color(const Eigen::Vector3f& weights, float log2_footprint) const {
+  return sample(*image, *texture, interpolate(uv, kCorners, weights), lod_at_1m + log2_footprint);
+}
+
+SurfaceTriangle::SurfaceTriangle(const FlatScene& flat, int mesh_index, int triangle, float share,
+                                 SurfaceMaps maps) {
+  const MomentPair moments = moments_around(flat.meshes[mesh_index], share);
+  mesh = moments.before;
+  vertices = mesh->mesh->triangles[triangle];
+  corners = corners_of(flat.meshes[mesh_index], triangle, share);
+  for (std::size_t i = 0; i < 3 && mesh->has_normals(); ++i) {
+    normals[i] = normal_between(moments, vertices[i]);
+  }
+  const Eigen::Vector3f cross =
+      mesh->side * (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const float length = cross.norm();
+  const bool has_area = length > std::numeric_limits<float>::min();
+  normal = has_area ? Eigen::Vector3f(cross / length) : Eigen::Vector3f::Zero();
+  rounding = 16 * std::numeric_limits<float>::epsilon() * extent_of(flat, *this);
+  const Material& material = *mesh->material;
+  const auto patch = [&](const TextureSlot& slot) {
+    return texture_patch(*flat.scene, *mesh, slot, vertices, has_area ? length : 0);
+  };
+  base_color = patch(material.base_color_texture);
+  if (maps == SurfaceMaps::color) {
+    return;
+  }
+  metallic_roughness = patch(material.metallic_roughness_texture);
+  normal_map = patch(material.normal_texture);
+  occlusion = patch(material.occlusion_texture);
+  emissive = patch(material.emissive_texture);
+}
+
+Eigen::Vector4f surface_color(const SurfaceTriangle& triangle, const SurfaceRay& ray) {
+  const float cosine = std::abs(triangle.normal.dot(ray.direction)) / ray.direction.norm();
+  return color_of(triangle, ray.weights, log2_footprint(ray, cosine));
+}
+
+SurfacePoint surface_point(const SurfaceTriangle& triangle, const SurfaceRay& ray) {
+  SurfacePoint point;
+  point.position = interpolate(triangle.corners, kCorners, ray.weights);
+  point.share = ray.share;
+  point.to_viewer = -ray.direction.normalized();
+  point.rounding = triangle.rounding;
+  const float slant = triangle.normal.dot(point.to_viewer);
+  point.face_normal = slant < 0 ? Eigen::Vector3f(-triangle.normal) : triangle.normal;
+  const float log2_width = log2_footprint(ray, std::abs(slant));
+  point.normal = vertex_normal(triangle, ray.weights);
+  if (triangle.normal.isZero(0)) {
+    point.face_normal = point.to_viewer;
+    point.normal = point.to_viewer;
+  } else {
+    if (point.normal.dot(triangle.normal) < 0) {
+      point.normal = -point.normal;
+    }
+    if (triangle.normal_map.texture != nullptr) {
+      point.normal = mapped_normal(triangle, ray.weights, point.normal, log2_width);
+    }
+    point.normal *= slant < 0 ? -1.0F : 1.0F;
+  }
+  read_maps(triangle, ray.weights, log2_width, point);
+  return point;
+}
+
+SurfacePoint surface_point(const FlatScene& flat, const SurfaceHit& hit,
+                           const Eigen::Vector3f& view_direction, float footprint) {
+  return surface_point(SurfaceTriangle(flat, hit.mesh, hit.triangle),
+                       {hit.weights, view_direction, footprint});
+}
+
+float surface_alpha(const FlatScene& flat, const SurfaceHit& hit) {
+  const FlatMesh& mesh = flat.meshes[hit.mesh];
+  const Material& material = *mesh.material;
+  const std::array<int, 3>& vertices = mesh.mesh->triangles[hit.triangle];
+  float alpha = material.base_color.w();
+  const TexturePatch patch =
+      texture_patch(*flat.scene, mesh, material.base_color_texture, vertices, 1);
+  if (patch.texture != nullptr) {
+    const float sharpest = -std::numeric_limits<float>::infinity();
+    alpha *= patch.color(hit.weights, sharpest).w();
+  }
+  if (!mesh.mesh->colors.empty()) {
+    alpha *= interpolate(mesh.mesh->colors, vertices, hit.weights).w();
+  }
+  return alpha;
+}
+
+}  // namespace synth

@@ -1,0 +1,96 @@
+#include "synth/truth/imu.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "vo/core/error.h"
+#include "vo/core/random_field.h"
+
+namespace synth {
+namespace {
+
+enum Purpose : std::uint64_t { kGyroNoise = 0x6701, kGyroWalk, kAccelNoise, kAccelWalk };
+
+/// Independent normal numbers for three axes, of a sample.
+Eigen::Vector3d normals(const ImuOptions& options, Purpose purpose, std::size_t sample) {
+  const vo::RandomField field(options.seed, purpose, 0);
+  const int index = static_cast<int>(sample);
+  return {field.normal(0, index), field.normal(1, index), field.normal(2, index)};
+}
+
+bool is_density(double value) {
+  return value >= 0 && std::isfinite(value);
+}
+
+/// Their error is h^2 / 6 times the third derivative of position and rotation, h^2 / 12 times the
+/// fourth of position.
+PathMotion central_differences(const CameraPath& path, double time, double step) {
+  const vo::SE3 before = path(time - step);
+  const vo::SE3 now = path(time);
+  const vo::SE3 after = path(time + step);
+  return {(after.translation() - before.translation()) / (2 * step),
+          (after.translation() - 2 * now.translation() + before.translation()) / (step * step),
+          (before.inverse() * after).log().tail<3>() / (2 * step)};
+}
+
+}  // namespace
+
+void ImuOptions::validate() const {
+  constexpr double kMaxRate = 1e5;  // Hz
+  vo::require(noise.rate > 0 && noise.rate <= kMaxRate, "imu: expected a rate above 0 and at most ",
+              kMaxRate, " Hz, got ", noise.rate);
+  vo::require(std::isfinite(gravity), "imu: expected a finite gravity, got ", gravity);
+  vo::require(is_density(noise.gyro_noise) && is_density(noise.gyro_bias_walk) &&
+                  is_density(noise.accel_noise) && is_density(noise.accel_bias_walk),
+              "imu: expected noise densities at or above 0");
+}
+
+/// Nearer to an end than a step, linear from what is one and two steps off it.
+PathMotion path_motion(const CameraPath& path, const TimeSpan& span, double time) {
+  const double step = std::min(1e-3, (span.end - span.begin) / 4);  // s
+  if (!(step > 0)) {
+    return {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  }
+  const double near = std::clamp(time, span.begin + step, span.end - step);
+  const PathMotion motion = central_differences(path, near, step);
+  if (near == time) {
+    return motion;
+  }
+  const double inwards = near > time ? step : -step;
+  const PathMotion farther = central_differences(path, near + inwards, step);
+  const double share = (time - near) / inwards;
+  return {motion.velocity + share * (farther.velocity - motion.velocity),
+          motion.acceleration + share * (farther.acceleration - motion.acceleration),
+          motion.angular_velocity + share * (farther.angular_velocity - motion.angular_velocity)};
+}
+
+vo::ImuRecord measure_imu(const CameraPath& path, const TimeSpan& span, const ImuOptions& options) {
+  options.validate();
+  const vo::ImuNoise& noise = options.noise;
+  constexpr double kTolerance = 1e-9;  // samples, for the rounding of rate times duration
+  const auto last = static_cast<std::size_t>((span.end - span.begin) * noise.rate + kTolerance);
+  const double noise_scale = std::sqrt(noise.rate);
+  const Eigen::Vector3d gravity(0, -options.gravity, 0);
+  vo::ImuRecord record{.samples = {}, .states = {}, .noise = noise};
+  vo::BodyState state;
+  for (std::size_t i = 0; i <= last; ++i) {
+    state.timestamp = span.begin + static_cast<double>(i) / noise.rate;
+    state.T_world_body = path(state.timestamp);
+    const PathMotion motion = path_motion(path, span, state.timestamp);
+    state.velocity = motion.velocity;
+    record.states.push_back(state);
+    record.samples.push_back(
+        {state.timestamp,
+         motion.angular_velocity + state.gyro_bias +
+             noise.gyro_noise * noise_scale * normals(options, kGyroNoise, i),
+         state.T_world_body.rotation().conjugate() * (motion.acceleration - gravity) +
+             state.accel_bias +
+             noise.accel_noise * noise_scale * normals(options, kAccelNoise, i)});
+    state.gyro_bias += noise.gyro_bias_walk / noise_scale * normals(options, kGyroWalk, i);
+    state.accel_bias += noise.accel_bias_walk / noise_scale * normals(options, kAccelWalk, i);
+  }
+  return record;
+}
+
+}  // namespace synth

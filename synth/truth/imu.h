@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+
+#include <Eigen/Core>
+
+#include "synth/path/camera_path.h"
+#include "vo/geometry/imu.h"
+
+namespace synth {
+
+/// An inertial measurement unit in the camera: its axes and its place are the camera's. The
+/// defaults are perfect. Noise is white, sigma = density sqrt(rate) per sample; biases start at 0
+/// and walk by sigma = density / sqrt(rate) from sample to sample.
+struct ImuOptions {
+  vo::ImuNoise noise{.rate = 200};
+  double gravity = 9.81;  ///< m/s^2 along the world's -y
+  std::uint64_t seed = 1;
+
+  void validate() const;  ///< throws vo::Error
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, ImuOptions& options) {
+  visit_fields(visit, options.noise);
+  visit("gravity", options.gravity, "along the world's -y, m/s^2");
+  visit("seed", options.seed, "of noise and biases");
+}
+
+/// How a path moves at a time within the span. Only the path within the span counts.
+struct PathMotion {
+  Eigen::Vector3d velocity;          ///< m/s, world
+  Eigen::Vector3d acceleration;      ///< m/s^2, world
+  Eigen::Vector3d angular_velocity;  ///< rad/s, camera's axes
+};
+
+PathMotion path_motion(const CameraPath& path, const TimeSpan& span, double time);
+
+/// Samples at the span's begin and every 1 / rate seconds after it.
+vo::ImuRecord measure_imu(const CameraPath& path, const TimeSpan& span, const ImuOptions& options);
+
+}  // namespace synth

@@ -1,0 +1,150 @@
+#include "synth/truth/truth_channels.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+#include "vo/dataset/imu_file.h"
+#include "vo/dataset/sequence.h"
+
+namespace synth {
+namespace {
+
+bool is_float(TruthChannel channel) {
+  return channel == TruthChannel::depth || channel == TruthChannel::normal;
+}
+
+bool is_of_frames(TruthChannel channel) {
+  return channel != TruthChannel::velocity && channel != TruthChannel::imu;
+}
+
+/// Whether a frame's channel is about the next frame too.
+bool needs_next(TruthChannel channel) {
+  return channel == TruthChannel::flow || channel == TruthChannel::occlusion;
+}
+
+std::string extension(TruthChannel channel, vo::FloatFormat format) {
+  if (is_float(channel)) {
+    return std::string(vo::to_string(format));
+  }
+  return channel == TruthChannel::flow ? "flo" : "png";
+}
+
+std::string format_velocities(const CameraPath& path, const vo::Trajectory& trajectory) {
+  const TimeSpan span{trajectory.front().timestamp, trajectory.back().timestamp};
+  std::string text = "# timestamp [s],vx,vy,vz [m/s, world],wx,wy,wz [rad/s, camera]\n";
+  for (const vo::StampedPose& pose : trajectory) {
+    const PathMotion motion = path_motion(path, span, pose.timestamp);
+    std::array<char, 256> line{};
+    std::snprintf(line.data(), line.size(), "%.6f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f\n", pose.timestamp,
+                  motion.velocity.x(), motion.velocity.y(), motion.velocity.z(),
+                  motion.angular_velocity.x(), motion.angular_velocity.y(),
+                  motion.angular_velocity.z());
+    text += line.data();
+  }
+  return text;
+}
+
+}  // namespace
+
+bool TruthOptions::has(TruthChannel channel) const {
+  return std::find(channels.begin(), channels.end(), channel) != channels.end();
+}
+
+void TruthOptions::validate() const {
+  edges.validate();
+  imu.validate();
+}
+
+std::vector<TruthChannel> parse_channels(std::string_view text) {
+  TruthOptions options;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string_view name = text.substr(begin, end - begin);
+    for (const auto& [channel, channel_name] : enum_names(TruthChannel{})) {
+      if (name == "all" && !options.has(channel)) {
+        options.channels.push_back(channel);
+      }
+    }
+    if (name != "all") {
+      const auto channel = vo::parse_enum<TruthChannel>(name);
+      vo::require(!options.has(channel), "channels: ", name, " is there twice");
+      options.channels.push_back(channel);
+    }
+    begin = end + 1;
+  }
+  std::sort(options.channels.begin(), options.channels.end());
+  return options.channels;
+}
+
+std::string truth_convention(TruthChannel channel, vo::FloatFormat format) {
+  const std::string folder =
+      vo::concat("truth/", vo::to_string(channel), "/NNNNNN.", extension(channel, format), ": ");
+  switch (channel) {
+    case TruthChannel::depth:
+      return folder + "float32, m along the optical axis at the pixel's centre, 0 = nothing there";
+    case TruthChannel::normal:
+      return folder +
+             "float32, (x, y, z) of the triangle's unit normal, world axes, towards the camera, "
+             "0 = nothing there";
+    case TruthChannel::instance:
+      return folder + "16 bit, 1 + index of the scene's instance, 0 = nothing there";
+    case TruthChannel::material:
+      return folder +
+             "16 bit, 1 + index of the scene's material, 1 + their number = none given, 0 = "
+             "nothing there";
+    case TruthChannel::flow:
+      return folder +
+             "Middlebury, float32 (du, dv) px from this frame's pixel centre to its point in the "
+             "next frame, u right, v down, above 1e9 = unknown; the last frame has none";
+    case TruthChannel::occlusion:
+      return folder +
+             "8 bit, the pixel's point is 0 = visible in the next frame, 255 = hidden there, 128 = "
+             "outside its image, 64 = nothing there; the last frame has none";
+    case TruthChannel::edges:
+      return folder + "8 bit, sum of 1 = depth edge, 2 = crease, 4 = albedo, 8 = shadow";
+    case TruthChannel::moving:
+      return folder +
+             "8 bit, 255 = the pixel's point is elsewhere in the world at the next frame (of the "
+             "last: at the one before)";
+    case TruthChannel::velocity:
+      return "truth/velocity.csv: s, m/s in the world, rad/s in the camera's axes";
+    case TruthChannel::imu:
+      return "imu.csv: EuRoC, ns, rad/s, m/s^2 (acceleration less gravity), camera's axes, at the "
+             "camera; imu.toml: its noise; truth/imu_states.csv: EuRoC, T_world_camera, quaternion "
+             "w first, velocity "
+             "in the world, biases";
+  }
+  return "";
+}
+
+std::vector<TruthFile> truth_files(const TruthOptions& options, std::size_t index,
+                                   std::size_t frames) {
+  std::vector<TruthFile> files;
+  for (const TruthChannel channel : options.channels) {
+    if (is_of_frames(channel) && !(needs_next(channel) && index + 1 == frames)) {
+      files.push_back({channel, vo::frame_file("truth/" + std::string(vo::to_string(channel)),
+                                               index, extension(channel, options.float_format))});
+    }
+  }
+  return files;
+}
+
+std::vector<vo::NamedBytes> encode_motion(const TruthOptions& options, const CameraPath& path,
+                                          const vo::Trajectory& trajectory) {
+  std::vector<vo::NamedBytes> files;
+  if (options.has(TruthChannel::velocity)) {
+    files.push_back({"truth/velocity.csv", format_velocities(path, trajectory)});
+  }
+  if (options.has(TruthChannel::imu)) {
+    const vo::ImuRecord record =
+        measure_imu(path, {trajectory.front().timestamp, trajectory.back().timestamp}, options.imu);
+    files.push_back({"imu.csv", vo::format_imu(record.samples)});
+    files.push_back({"imu.toml", vo::format_imu_noise(record.noise)});
+    files.push_back({"truth/imu_states.csv", vo::format_states(record.states)});
+  }
+  return files;
+}
+
+}  // namespace synth

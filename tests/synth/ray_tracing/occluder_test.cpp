@@ -1,0 +1,101 @@
+#include "synth/ray_tracing/occluder.h"
+
+#include <gtest/gtest.h>
+
+#include "synth/ray_tracing/embree_scene.h"
+#include "tests/support/quads.h"
+#include "vo/core/random_field.h"
+
+namespace synth {
+namespace {
+
+/// Points behind the middle of a square of two triangles, 1 m before them, and a light in front of
+/// it.
+struct Stage {
+  Scene scene;
+  FlatScene flat;
+  PlacedLight light;
+
+  Stage() {
+    add(scene, square_at(2, 0.5F), diffuse({1, 1, 1}));
+    flat = flatten(scene);
+    light.position = (Eigen::Vector3d(0, 0, 0.5) - flat.origin).cast<float>();
+    light.intensity.setOnes();
+  }
+
+  ShadowPacket rays(int draw) const {
+    const vo::RandomField field(7, 7, 7);
+    LitLanes lit;
+    for (int i = 0; i < kPacketSize; ++i) {
+      SurfacePoint point;
+      const Eigen::Vector3d place(4 * field.uniform(i, draw, 0) - 2,
+                                  4 * field.uniform(i, draw, 1) - 2, 3);
+      point.position = (place - flat.origin).cast<float>();
+      point.face_normal = point.normal = point.to_viewer = -Eigen::Vector3f::UnitZ();
+      point.base_color.setOnes();
+      add_point(lit, point);
+    }
+    ShadowPacket packet = shadow_rays(lit);
+    constexpr auto kBaseline = vo::InstructionSet::baseline;
+    aim_at_light(packet, direct_light(light, same_place(light), lit, kBaseline), light);
+    return packet;
+  }
+};
+
+TEST(Blocker, StopsNothingThatEmbreeLetsPassAndMostOfTheRest) {
+  const Stage stage;
+  const EmbreeScene embree(stage.flat);
+  int doubtless = 0;
+  int stopped = 0;
+  for (int draw = 0; draw < 50; ++draw) {
+    const ShadowPacket start = stage.rays(draw);
+    ShadowPacket traced = start;
+    ShadowHit hit;
+    embree.occlude(traced, hit);
+    ShadowPacket left = start;
+    for (const int triangle : {0, 1}) {
+      Blocker(stage.flat, {0, triangle})
+          .stop(left, shadow_reach(stage.light), vo::available_instruction_set());
+    }
+    for (std::size_t i = 0; i < kPacketSize; ++i) {
+      EXPECT_TRUE(left.active[i] == -1 || traced.active[i] == 0);
+      doubtless += left.active[i] == 0 ? 1 : 0;
+      stopped += traced.active[i] == 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(stopped, 100);
+  EXPECT_GT(doubtless, 0.9 * stopped);
+}
+
+TEST(Blocker, HasTheSameBitsWithAllInstructionSets) {
+  const Stage stage;
+  ShadowPacket baseline = stage.rays(0);
+  ShadowPacket available = baseline;
+  const Blocker blocker(stage.flat, {0, 1});
+  blocker.stop(baseline, 1, vo::InstructionSet::baseline);
+  blocker.stop(available, 1, vo::available_instruction_set());
+  EXPECT_EQ(baseline.active, available.active);
+}
+
+TEST(Blocker, LeavesRaysThatEndBeforeIt) {
+  Stage stage;
+  stage.light.position.z() += 2;  // on the points' side of the square
+  ShadowPacket rays = stage.rays(0);
+  const LaneMask before = rays.active;
+  Blocker(stage.flat, {0, 0}).stop(rays, 1, vo::available_instruction_set());
+  EXPECT_EQ(rays.active, before);
+  EXPECT_TRUE(rays.has_rays());
+}
+
+TEST(EmbreeScene, NamesTheTriangleThatCastAShadow) {
+  const Stage stage;
+  const EmbreeScene embree(stage.flat);
+  ShadowPacket rays = stage.rays(0);
+  ShadowHit hit;
+  embree.occlude(rays, hit);
+  EXPECT_EQ(hit.mesh, 0);
+  EXPECT_TRUE(hit.triangle == 0 || hit.triangle == 1);
+}
+
+}  // namespace
+}  // namespace synth

@@ -1,0 +1,39 @@
+#include "synth/rendering/renderer.h"
+
+#include <utility>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "synth/camera/make_renderer.h"
+#include "tests/support/error_text.h"
+
+namespace synth {
+namespace {
+
+using support::error_text;
+using testing::HasSubstr;
+
+TEST(RenderOptions, SamplesAreRoundedUpToASquareGrid) {
+  for (const auto& [samples, edge] :
+       {std::pair{1, 1}, std::pair{2, 2}, std::pair{4, 2}, std::pair{8, 3}, std::pair{256, 16}}) {
+    EXPECT_NO_THROW(RenderOptions{.samples = samples}.validate());
+    EXPECT_EQ(RenderOptions{.samples = samples}.samples_per_edge(), edge);
+  }
+  for (const int samples : {-4, 0, 257}) {
+    EXPECT_THAT(error_text([&] { RenderOptions{.samples = samples}.validate(); }),
+                HasSubstr("expected samples from 1 to 256, got"));
+  }
+}
+
+TEST(RenderOptions, AmbientMustNotBeNegative) {
+  EXPECT_THAT(error_text([] { RenderOptions{.ambient = -0.1}.validate(); }),
+              HasSubstr("expected ambient at or above 0, got -0.1"));
+}
+
+TEST(MakeRenderer, RefusesOptionsThatAreNotValid) {
+  EXPECT_THROW(make_renderer(Scene{}, {.samples = 0}), vo::Error);
+}
+
+}  // namespace
+}  // namespace synth

@@ -1,0 +1,59 @@
+#include "synth/scene/world_geometry.h"
+
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/quads.h"
+
+namespace synth {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kGeometryRounding = 1e-12;  // m, of some metres in double precision
+
+const Vector3d kAhead(0.1, 0.2, 1);
+
+std::optional<double> depth_of_plane(const FlatMesh& mesh, const Vector3d& direction) {
+  return depth_plane(mesh, 0, PlaneView{}).depth_along(direction);
+}
+
+TEST(Flatten, KeepsTheMiddleOfTheSceneNearZero) {
+  Scene scene;
+  add(scene, square_at(2, 1), unlit({1, 1, 1}));
+  scene.instances[0].T_world_mesh = Eigen::Translation3d(1e7, 2e7, 3e7);
+  const FlatScene flat = flatten(scene);
+  EXPECT_EQ(flat.origin, Vector3d(1e7, 2e7, 3e7 + 2));
+  EXPECT_EQ(flat.meshes[0].positions[2], Eigen::Vector3f(1, 1, 0));
+}
+
+TEST(DepthOfPlane, IsTheClosedForm) {
+  Scene scene;
+  add(scene, quad({-4, -4, 1}, {8, 0, 4}, {0, 8, 0}), unlit({1, 1, 1}));  // z = 3 + x / 2
+  const std::optional<double> depth = depth_of_plane(flatten(scene).meshes[0], kAhead);
+  ASSERT_TRUE(depth.has_value());
+  EXPECT_NEAR(*depth, 3 / (1 - 0.05), kGeometryRounding);
+}
+
+TEST(DepthOfPlane, IsUnknownOfATriangleSeenEdgeOnOrOfNoWidth) {
+  Scene scene;
+  add(scene, quad({0, 0, 1}, {0, 0, 1}, {0, 1, 0}), unlit({1, 1, 1}));
+  add(scene, quad({0, 0, 1}, {1, 0, 1}, {2, 0, 2}), unlit({1, 1, 1}));
+  const FlatScene flat = flatten(scene);
+  const Vector3d along_the_first(0, 0.2, 1);
+  EXPECT_FALSE(depth_of_plane(flat.meshes[1], kAhead).has_value());
+  EXPECT_FALSE(depth_of_plane(flat.meshes[0], along_the_first).has_value());
+}
+
+TEST(LitBounds, LeaveOutWhatIsUnlit) {
+  Scene scene;
+  add(scene, square_at(2, 1), diffuse({1, 1, 1}));
+  add(scene, square_at(50, 90), unlit({1, 1, 1}));
+  const Eigen::AlignedBox3d box = lit_bounds(flatten(scene));
+  EXPECT_EQ(box.min(), Vector3d(-1, -1, 2));
+  EXPECT_EQ(box.max(), Vector3d(1, 1, 2));
+}
+
+}  // namespace
+}  // namespace synth

@@ -1,0 +1,164 @@
+#include "synth/sequence/generate.h"
+
+#include <filesystem>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include "synth/camera/make_renderer.h"
+#include "synth/path/camera_path.h"
+#include "tests/support/error_text.h"
+#include "tests/support/folder_contents.h"
+#include "tests/support/quads.h"
+#include "tests/support/temp_folder.h"
+#include "vo/dataset/trajectory_file.h"
+#include "vo/files/npy.h"
+#include "vo/files/output.h"
+#include "vo/files/png.h"
+
+namespace synth {
+namespace {
+
+namespace fs = std::filesystem;
+using support::contents;
+using support::error_text;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const vo::RgbdCamera kCamera{.pinhole = wide_camera()};
+
+/// Two squares that lie in one plane, which of them is seen being the renderer's choice, and a
+/// wall.
+Scene small_room() {
+  Scene scene;
+  add(scene, square_at(0, 1), diffuse({1, 0.2F, 0.2F}));
+  add(scene, square_at(0, 1), diffuse({0.2F, 1, 0.2F}));
+  add(scene, square_at(-2, 3), diffuse({0.7F, 0.7F, 0.7F}));
+  scene.lights.push_back(point_light({1, 2, 3}, {40, 40, 40}));
+  return scene;
+}
+
+vo::Trajectory short_orbit() {
+  return sample(orbit({.radius = 2.5, .height = 0.5}), 4, 1.25);
+}
+
+void generate(const fs::path& folder, const vo::Progress& progress = {}) {
+  generate_sequence(small_room(),
+                    {.truth = short_orbit(), .camera = kCamera, .float_depth = vo::FloatDepth::npy},
+                    folder, progress);
+}
+
+TEST(GenerateSequence, WritesTheSameBytesOnOneThreadAndOnTwo) {
+  const support::TempFolder one;
+  const support::TempFolder two;
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+    generate(one.path());
+  }
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 2);
+    generate(two.path());
+  }
+  EXPECT_EQ(contents(one.path()).size(), 3 * 6 + 5U);
+  EXPECT_EQ(contents(one.path()), contents(two.path()));
+}
+
+TEST(GenerateSequence, WritesWhatTheSensorMeasuresAtThePosesOfTheTruth) {
+  const support::TempFolder folder;
+  generate(folder.path());
+  const Scene scene = small_room();
+  const vo::Trajectory truth = short_orbit();
+  const auto renderer = make_renderer(scene, {});
+  const SensorOptions sensor{
+      .exposure = meter_exposure(scene, RenderersOverTime(scene, {}), kCamera.pinhole, truth)};
+  const vo::RgbdFrame expected =
+      measure(renderer->render(kCamera.pinhole, truth[3].T_world_camera), 0, sensor);
+  const cv::Mat color = vo::read_png(folder.path() / "rgb/000003.png");
+  EXPECT_EQ(cv::norm(color, expected.image, cv::NORM_INF), 0);
+  const vo::DepthImage depth = vo::read_npy(folder.path() / "depth_float/000003.npy");
+  EXPECT_EQ(cv::norm(depth, expected.depth, cv::NORM_INF), 0);
+  EXPECT_EQ(vo::read_file(folder.path() / "groundtruth.txt"), vo::format_trajectory(truth));
+}
+
+TEST(GenerateSequence, TellsOfEveryFrame) {
+  const support::TempFolder folder;
+  std::vector<std::size_t> done;
+  generate(folder.path(), [&](std::size_t count, std::size_t total) {
+    EXPECT_EQ(total, 6U);
+    done.push_back(count);
+  });
+  EXPECT_THAT(done, ElementsAre(1, 2, 3, 4, 5, 6));
+}
+
+TEST(GenerateSequence, StopsWhenToldToAndLeavesNoLists) {
+  const support::TempFolder folder;
+  const auto stop = [](std::size_t, std::size_t) { vo::fail("stopped"); };
+  EXPECT_EQ(error_text([&] { generate(folder.path(), stop); }), "stopped");
+  EXPECT_FALSE(fs::exists(folder.path() / "rgb.txt"));
+}
+
+TEST(GenerateSequence, NeedsAPose) {
+  const support::TempFolder folder;
+  const auto generate_nothing = [&] {
+    generate_sequence({}, {.camera = kCamera}, folder.path(), {});
+  };
+  EXPECT_THAT(error_text(generate_nothing), HasSubstr("no poses to render"));
+}
+
+/// A wall 2 m away at first, and 4 m away after a second.
+Scene receding_wall() {
+  Scene scene;
+  add(scene, square_at(2, 9), diffuse({0.7F, 0.7F, 0.7F}));
+  scene.motion.nodes.resize(1);
+  scene.motion.instance_nodes = {0};
+  scene.motion.animations = {
+      {.duration = 1,
+       .channels = {{.property = AnimatedProperty::translation,
+                     .curve = {.width = 3, .times = {0, 1}, .values = {0, 0, 0, 0, 0, 2}}}}}};
+  return scene;
+}
+
+TEST(GenerateSequence, MovesTheSceneFromTheFirstStampOn) {
+  const support::TempFolder folder;
+  const vo::Trajectory truth = {{1e9, {}}, {1e9 + 0.5, {}}, {1e9 + 2, {}}};
+  generate_sequence(receding_wall(),
+                    {.truth = truth, .camera = kCamera, .float_depth = vo::FloatDepth::npy},
+                    folder.path(), {});
+  const std::vector<float> expected = {2, 3, 4};  // m
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const fs::path file = folder.path() / ("depth_float/00000" + std::to_string(i) + ".npy");
+    const cv::Mat_<float> depth = vo::read_npy(file);
+    EXPECT_NEAR(depth(24, 32), expected[i], 1e-6) << "frame " << i;
+  }
+}
+
+/// The wall recedes by 2 m/s, the middle row is read at the stamp.
+TEST(GenerateSequence, MeasuresMovingThingsWhenEachRowIsRead) {
+  const support::TempFolder folder;
+  SequenceRecipe recipe{
+      .truth = {{5, {}}, {5.5, {}}}, .camera = kCamera, .float_depth = vo::FloatDepth::npy};
+  recipe.sensor.shutter.readout_time = 0.1;
+  recipe.sensor.depth.delay = 0.05;
+  generate_sequence(receding_wall(), recipe, folder.path(), {});
+  const cv::Mat_<float> depth = vo::read_npy(folder.path() / "depth_float/000001.npy");
+  for (int v = 0; v < depth.rows; ++v) {
+    const double time = 0.5 + 0.05 + recipe.sensor.shutter.row_time(v, depth.rows);
+    EXPECT_NEAR(depth(v, 32), 2 + 2 * time, 1e-5) << "row " << v;
+  }
+}
+
+TEST(GenerateSequence, AFrameOfAMovingSceneDependsOnItsIndexAlone) {
+  const support::TempFolder all;
+  const support::TempFolder last;
+  const SequenceRecipe recipe{.truth = {{5, {}}, {5.25, {}}, {5.75, {}}}, .camera = kCamera};
+  generate_frames(receding_wall(), recipe, {0, 1, 2}, all.path(), {});
+  generate_frames(receding_wall(), recipe, {2}, last.path(), {});
+  for (const std::string& file : frame_files(recipe, 2)) {
+    EXPECT_EQ(vo::read_file(all.path() / file), vo::read_file(last.path() / file)) << file;
+  }
+}
+
+}  // namespace
+}  // namespace synth

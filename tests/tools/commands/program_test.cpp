@@ -1,0 +1,204 @@
+#include "tests/support/program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/plane_sequence.h"
+#include "tests/support/temp_folder.h"
+#include "vo/dataset/trajectory_file.h"
+#include "vo/files/png.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using nlohmann::json;
+using support::ProgramResult;
+using support::run_program;
+using support::TempFolder;
+using testing::HasSubstr;
+
+/// A sequence to track, made once.
+class Program : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { support::write_plane_sequence(folder().path() / "sequence", 6); }
+
+  static const TempFolder& folder() {
+    static const TempFolder instance;
+    return instance;
+  }
+
+  static std::string path(const std::string& name) {
+    return "'" + (folder().path() / name).string() + "'";
+  }
+
+  static ProgramResult track(const std::string& rest) {
+    return run_program("track " + path("sequence") + " --quiet " + rest);
+  }
+
+  static bool exists(const std::string& name) { return fs::exists(folder().path() / name); }
+};
+
+TEST_F(Program, HelpTeachesAndIsNoError) {
+  for (const char* command : {"", "render", "track", "evaluate", "run", "ablate"}) {
+    const ProgramResult result = run_program(std::string(command) + " --help");
+    EXPECT_EQ(result.exit_code, 0) << command;
+    EXPECT_THAT(result.out, HasSubstr("edvo")) << command;
+    EXPECT_EQ(result.err, "");
+  }
+  EXPECT_THAT(run_program("track --help").out, HasSubstr("map.references = 4"));
+  EXPECT_THAT(run_program("track --help").out, HasSubstr("icl-nuim"));
+}
+
+TEST_F(Program, TrackPrintsItsContract) {
+  const ProgramResult result = track("--out " + path("contract.txt") + " --json");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const json summary = json::parse(result.out);
+  EXPECT_EQ(summary["frames"], 6);
+  EXPECT_EQ(summary["tracked_fraction"], 1.0);
+  EXPECT_EQ(summary["keyframes"], 1) << "25 mm are less than a keyframe's flow";
+  for (const char* key : {"median", "p90", "pyramid", "edges", "alignment"}) {
+    EXPECT_GT(summary["ms_per_frame"][key], 0.0) << key;
+  }
+}
+
+TEST_F(Program, EvaluatePrintsItsContract) {
+  ASSERT_EQ(track("--out " + path("estimate.txt")).exit_code, 0);
+  const std::string files = path("sequence/groundtruth.txt") + " " + path("estimate.txt");
+  const ProgramResult result =
+      run_program("evaluate " + files + " --interval 1f --json --sequence " + path("sequence"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const json errors = json::parse(result.out);
+  EXPECT_LT(errors["ate"]["rmse_m"], 2e-3) << "a tenth of a pixel is 1.5 mm";
+  EXPECT_LT(errors["rpe"]["translation_rmse_m"], 2e-3);
+  EXPECT_LT(errors["rpe"]["rotation_rmse_deg"], 0.1);
+  for (const char* key : {"translation_mean_m", "translation_median_m", "translation_max_m",
+                          "rotation_mean_deg", "rotation_median_deg", "rotation_max_deg"}) {
+    EXPECT_TRUE(errors["rpe"].contains(key)) << key;
+  }
+  EXPECT_EQ(errors["scale"], 1.0);
+  EXPECT_EQ(errors["matched_fraction"], 1.0);
+  EXPECT_EQ(errors["tracked_fraction"], 1.0);
+}
+
+TEST_F(Program, TwoRunsGiveTheSameBytesOnAnyNumberOfThreads) {
+  ASSERT_EQ(track("--threads 1 --out " + path("one.txt")).exit_code, 0);
+  ASSERT_EQ(track("--threads 2 --out " + path("two.txt")).exit_code, 0);
+  EXPECT_EQ(vo::read_file(folder().path() / "one.txt"), vo::read_file(folder().path() / "two.txt"));
+}
+
+TEST_F(Program, DebugImagesLieBesideTheEstimate) {
+  ASSERT_EQ(track("--debug-images 3 --out " + path("pictured.txt")).exit_code, 0);
+  EXPECT_TRUE(exists("pictured_panels/000000.png"));
+  EXPECT_TRUE(exists("pictured_panels/000003.png"));
+  EXPECT_FALSE(exists("pictured_panels/000001.png"));
+  EXPECT_TRUE(exists("pictured_trajectory.svg"));
+}
+
+TEST_F(Program, AWrongCommandLineIsUsage) {
+  for (const char* arguments :
+       {"", "tarck", "track", "evaluate a", "track a --out b --preset papre",
+        "track a --out b --set keyframes.evry=1", "track a --out b --set keyframes.every=x",
+        "evaluate a b --interval 3m", "render a --out b --path orbit --size 640",
+        "render a --out b", "render a --out b --path orbit --intrinsics 1,2,3",
+        "render a --out b --path orbit --fov 180", "render a --out b --path orbit --rate -1",
+        "track a --out b --set pyramid.levels=0"}) {
+    const ProgramResult result = run_program(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments << "\n" << result.err;
+    EXPECT_NE(result.err, "") << arguments;
+    EXPECT_EQ(result.out, "") << arguments;
+  }
+  EXPECT_THAT(run_program("track a --out b --set keyframes.evry=1").err,
+              HasSubstr("the nearest known key is keyframes.every"));
+}
+
+TEST_F(Program, UnusableInputIsNamed) {
+  const std::string out = " --quiet --out " + path("never.txt");
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"track " + path("none") + out, "none: there is no such folder"},
+      {"track " + path("sequence") + " --camera tum-fr9" + out, "the nearest preset is tum-fr"},
+      {"track " + path("sequence") + " --camera tum-fr1" + out, "expected the camera's 640x480"},
+      {"evaluate " + path("none.txt") + " " + path("none.txt"), "none.txt: there is no such file"},
+      {"run " + path("none.toml") + " --out " + path("never"), "none.toml: there is no such file"},
+      {"render " + path("none.gltf") + " --path orbit --out " + path("never"), "none.gltf"},
+      {"track " + path("sequence") + " --quiet --out /nowhere/e.txt", "there is no folder"}};
+  for (const auto& [arguments, message] : cases) {
+    const ProgramResult result = run_program(arguments);
+    EXPECT_EQ(result.exit_code, 3) << arguments << "\n" << result.err;
+    EXPECT_THAT(result.err, HasSubstr(message)) << arguments;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << "one sentence";
+  }
+  EXPECT_FALSE(exists("never.txt"));
+  EXPECT_FALSE(support::has_leftovers(folder().path()));
+}
+
+TEST_F(Program, AnOutputThatDiffersIsKept) {
+  folder().write("kept.txt", "precious\n");
+  EXPECT_EQ(track("--out " + path("kept.txt")).exit_code, 6);
+  EXPECT_EQ(vo::read_file(folder().path() / "kept.txt"), "precious\n");
+  EXPECT_EQ(track("--force --out " + path("kept.txt")).exit_code, 0);
+  EXPECT_EQ(track("--out " + path("kept.txt")).exit_code, 0) << "the same again is no conflict";
+}
+
+TEST_F(Program, AFullDiskIsTemporaryAndLeavesNothing) {
+  EXPECT_EQ(track("--out /dev/full").exit_code, 75);
+  const ProgramResult result = run_program(
+      "track " + path("sequence") + " --quiet --out " + path("full.txt"), "ulimit -f 0; ");
+  EXPECT_NE(result.exit_code, 0);
+  EXPECT_FALSE(exists("full.txt"));
+  EXPECT_FALSE(support::has_leftovers(folder().path()));
+}
+
+TEST_F(Program, AResultThatStdoutCannotTakeIsNoSuccess) {
+  ASSERT_EQ(track("--force --out " + path("e.txt")).exit_code, 0);
+  const std::string files = path("sequence/groundtruth.txt") + " " + path("e.txt");
+  EXPECT_EQ(run_program("evaluate " + files + " > /dev/full; exit $?; :").exit_code, 75);
+}
+
+TEST_F(Program, ATrajectoryCanGoDownAPipe) {
+  const ProgramResult result = track("--json --out /dev/stdout | grep -vc '^#'");
+  EXPECT_EQ(result.out, "6\n") << "poses alone; the summary is on stderr";
+}
+
+TEST_F(Program, AnIntervalWithoutPairsHasNoError) {
+  ASSERT_EQ(track("--force --out " + path("e.txt")).exit_code, 0);
+  const ProgramResult result = run_program("evaluate " + path("sequence/groundtruth.txt") + " " +
+                                           path("e.txt") + " --interval 100s --json");
+  const json errors = json::parse(result.out);
+  EXPECT_TRUE(errors["rpe"]["translation_rmse_m"].is_null());
+  EXPECT_EQ(errors["rpe"]["pairs"], 0);
+}
+
+TEST_F(Program, ALostFrameIsSaidAndHasNoPose) {
+  const fs::path covered = folder().path() / "covered";
+  support::write_plane_sequence(covered, 4);
+  vo::write_file(covered / "rgb/000002.png",
+                 vo::encode_png(cv::Mat(120, 160, CV_8UC1, cv::Scalar(90))),
+                 vo::ExistingOutput::replace);
+  const ProgramResult result =
+      run_program("track " + path("covered") + " --quiet --json --out " + path("covered.txt") +
+                  " --frame-log " + path("covered.csv"));
+  EXPECT_EQ(result.exit_code, 5) << result.err;
+  EXPECT_EQ(json::parse(result.out)["tracked_fraction"], 0.75);
+  EXPECT_EQ(vo::read_trajectory(folder().path() / "covered.txt").size(), 3U);
+  EXPECT_THAT(vo::read_file(folder().path() / "covered.csv"),
+              HasSubstr("0.066667,lost,images_disagree,0"));
+}
+
+TEST_F(Program, ATruncatedImageNamesTheFileAndLeavesNothing) {
+  const fs::path broken = folder().path() / "broken";
+  support::write_plane_sequence(broken, 3);
+  const std::string bytes = vo::read_file(broken / "rgb/000002.png");
+  vo::write_file(broken / "rgb/000002.png", bytes.substr(0, bytes.size() / 2),
+                 vo::ExistingOutput::replace);
+  const ProgramResult result = run_program("track " + path("broken") + " --quiet --out " +
+                                           path("broken.txt") + " --debug-images 1");
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("000002.png: cannot be decoded: it is truncated"));
+  EXPECT_FALSE(exists("broken.txt"));
+  EXPECT_FALSE(exists("broken_panels"));
+  EXPECT_FALSE(support::has_leftovers(folder().path()));
+}
+
+}  // namespace

@@ -1,0 +1,101 @@
+#include "tools/report/report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/example_trajectory.h"
+#include "tools/plot/svg_axis.h"
+#include "tools/plot/trajectory_svg.h"
+
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+tools::Scenario small_scenario() {
+  tools::Scenario scenario;
+  scenario.file = "somewhere/small.toml";
+  scenario.name = "small";
+  scenario.why = "because";
+  scenario.expect = {{"ate_rmse_m", {.max = 0.01}}, {"keyframes", {.min = 3, .max = 5}}};
+  return scenario;
+}
+
+tools::Outcome small_outcome() {
+  tools::Outcome outcome;
+  outcome.truth = support::example_trajectory(10, 30);
+  outcome.metrics.ate_rmse_m = 0.0025;
+  outcome.metrics.keyframes = 7;
+  outcome.metrics.drift_percent = std::nan("");
+  outcome.checks = {{"ate_rmse_m", 0.0025, {.max = 0.01}, true},
+                    {"keyframes", 7, {.min = 3, .max = 5}, false}};
+  return outcome;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+TEST(Report, TableShowsEveryMetricItsBoundAndTheVerdict) {
+  const std::string table = tools::report_table(small_scenario(), small_outcome());
+  EXPECT_THAT(table, HasSubstr("ate_rmse_m                  0.0025        <= 0.01       ok\n"));
+  EXPECT_THAT(table,
+              HasSubstr("keyframes                   7             >= 3, <= 5    VIOLATED\n"));
+  EXPECT_THAT(table, Not(HasSubstr("\ndrift_percent"))) << "neither asked for nor measured";
+  EXPECT_THAT(table, HasSubstr("FAIL  1 of 2 bounds\n"));
+}
+
+TEST(Report, JsonHasMetricsBoundsAndOptions) {
+  const auto json = tools::report_json(small_scenario(), small_outcome());
+  EXPECT_EQ(json["passed"], false);
+  EXPECT_EQ(json["metrics"]["ate_rmse_m"], 0.0025);
+  EXPECT_TRUE(json["metrics"]["drift_percent"].is_null()) << "JSON has no NaN";
+  EXPECT_TRUE(json["bounds"]["ate_rmse_m"]["min"].is_null());
+  EXPECT_EQ(json["options"]["odometry.tracker.pyramid.levels"], 3);
+}
+
+TEST(Report, MarkdownNamesTheFileNotItsPlace) {
+  const std::string text = tools::report_markdown(small_scenario(), small_outcome());
+  EXPECT_THAT(text, HasSubstr("edvo run small.toml"));
+  EXPECT_EQ(text.find("somewhere"), std::string::npos);
+}
+
+TEST(SvgAxis, TicksAreRoundAndInside) {
+  EXPECT_THAT(tools::ticks({0, 10}, 5), ElementsAre(0, 2, 4, 6, 8, 10));
+  EXPECT_THAT(tools::ticks({-0.3, 0.7}, 4), ElementsAre(0, 0.5));
+  EXPECT_THAT(tools::ticks({2, 2}, 4), ElementsAre(2));
+  EXPECT_EQ(tools::tick_label(3 * 0.1), "0.3");
+  EXPECT_EQ(tools::tick_label(-1e-18), "0");
+  EXPECT_EQ(tools::tick_label(300000), "300000");
+}
+
+TEST(SvgAxis, ALogarithmicAxisSpacesRatiosEvenly) {
+  const tools::AxisMap axis{{0.1, 1000}, 0, 400, tools::AxisScale::logarithmic};
+  EXPECT_NEAR(axis(1), 100, 1e-9);
+  EXPECT_NEAR(axis(100), 300, 1e-9);
+  EXPECT_THAT(tools::axis_ticks(tools::AxisMap{{3, 60}, 0, 1, tools::AxisScale::logarithmic}, 5),
+              ElementsAre(5, 10, 20, 50));
+}
+
+TEST(TrajectorySvg, DrawsASegmentPerPairOfPosesAndNamesTheLargestError) {
+  const vo::Trajectory truth = support::example_trajectory(20, 30);
+  const vo::SE3 T_shift(Eigen::Quaterniond::Identity(), {0, 0.003, 0});
+  const std::string svg = tools::draw_trajectory(truth, support::moved(T_shift, truth));
+  EXPECT_EQ(count(svg, "stroke-linecap=\"round\""), truth.size() - 1);
+  EXPECT_THAT(svg, HasSubstr("error 0 to 3 mm"));
+  EXPECT_THAT(svg, testing::EndsWith("</svg>\n"));
+}
+
+TEST(TrajectorySvg, WithoutTruthTheEstimateStandsAlone) {
+  const std::string svg = tools::draw_trajectory({}, support::example_trajectory(20, 30));
+  EXPECT_EQ(count(svg, "stroke=\"#333\""), 19U);
+  EXPECT_EQ(svg.find("error"), svg.find("error{")) << "only the style speaks of errors";
+}
+
+}  // namespace

@@ -1,0 +1,143 @@
+#include "tools/scenario/scenario.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "synth/sensor/preset.h"
+#include "tests/support/error_text.h"
+#include "tests/support/temp_folder.h"
+
+namespace {
+
+using support::error_text;
+using support::TempFolder;
+using testing::EndsWith;
+using testing::HasSubstr;
+
+constexpr const char* kScenario = R"(why = "it would fail if"
+[scene]
+gltf = "room/room.gltf"
+[path]
+kind = "orbit"
+duration = 2
+[odometry]
+tracker.pyramid.levels = 4
+preset = "paper"
+[expect]
+ate_rmse_m = { max = 0.01 }
+keyframes = { min = 3, max = 12 }
+)";
+
+tools::Scenario load(const std::string& text) {
+  const TempFolder folder;
+  return tools::load_scenario(folder.write("s.toml", text));
+}
+
+std::string error_with(const std::string& text, const std::string& replacement) {
+  std::string scenario = kScenario;
+  scenario.replace(scenario.find(text), text.size(), replacement);
+  return error_text([&] { load(scenario); });
+}
+
+TEST(Scenario, ReadsWhatTheFileSaysAndKeepsTheDefaults) {
+  const tools::Scenario scenario = load(kScenario);
+  EXPECT_EQ(scenario.name, "s");
+  EXPECT_EQ(scenario.path.duration, 2);
+  EXPECT_EQ(scenario.path.rate, synth::PathOptions{}.rate);
+  EXPECT_EQ(scenario.expect.at("ate_rmse_m").max, 0.01);
+  EXPECT_TRUE(scenario.expect.at("ate_rmse_m").contains(0));
+  EXPECT_FALSE(scenario.expect.at("keyframes").contains(2));
+  EXPECT_FALSE(scenario.expect.at("keyframes").contains(std::nan("")));
+  EXPECT_THAT(scenario.scene_file().string(), EndsWith("/assets/room/room.gltf"));
+}
+
+TEST(Scenario, APresetIsWhereTheOptionsStartFromWhereverItStands) {
+  const tools::Scenario scenario = load(kScenario);
+  EXPECT_EQ(scenario.odometry.tracker.pyramid.levels, 4);
+  EXPECT_EQ(scenario.odometry.tracker.points.source, vo::EdgeSource::current);
+  EXPECT_EQ(scenario.odometry.tracker.lens, vo::LensModel::ignore);
+}
+
+TEST(Scenario, ASensorPresetMayComeFromTheFileOrFromAChange) {
+  const TempFolder folder;
+  const auto file = folder.write(
+      "s.toml", std::string(kScenario) + "[sensor]\npreset = \"azure-kinect\"\nmin_depth = 0.7\n");
+  EXPECT_EQ(tools::load_scenario(file, {}).sensor.max_depth, 3.86);
+  const tools::Scenario changed = tools::load_scenario(file, {{"sensor.preset", "kinect-v1"}});
+  const synth::SensorOptions kinect = synth::preset_options(synth::SensorPreset::kinect_v1);
+  EXPECT_EQ(changed.sensor.max_depth, kinect.max_depth);
+  EXPECT_EQ(changed.sensor.depth.delay, kinect.depth.delay);
+  EXPECT_EQ(changed.sensor.min_depth, 0.7) << "the file's";
+}
+
+TEST(Scenario, ErrorsNameFileLineAndNearestKey) {
+  EXPECT_THAT(error_with("duration", "durration"),
+              EndsWith("s.toml:6: unknown key 'path.durration'; the nearest known key is "
+                       "path.duration"));
+  EXPECT_THAT(error_with("ate_rmse_m", "ate_rsme_m"),
+              EndsWith("s.toml:11: unknown key 'expect.ate_rsme_m.max'; the nearest known key is "
+                       "expect.ate_rmse_m.max"));
+  EXPECT_THAT(error_with("max = 0.01", "max = 'low'"),
+              EndsWith("s.toml:11: expect.ate_rmse_m.max: expected a number, got \"low\""));
+  EXPECT_THAT(error_with("\"orbit\"", "\"circle\""),
+              EndsWith("s.toml:5: path.kind: expected one of orbit, spline, trajectory, recorded, "
+                       "still, dolly, pan, roll, explore, got 'circle'"));
+}
+
+TEST(Scenario, WhatMakesNoSenseIsAnError) {
+  EXPECT_THAT(error_with("it would fail if", ""), HasSubstr("s.toml: why: expected a sentence"));
+  EXPECT_THAT(error_with("duration = 2", "duration = -2"),
+              HasSubstr("path.duration: expected above 0, got -2"));
+  EXPECT_THAT(error_with("min = 3, max = 12", "min = 13, max = 12"),
+              HasSubstr("expect.keyframes: expected min <= max"));
+  EXPECT_THAT(error_with("kind = \"orbit\"", "kind = \"spline\""),
+              HasSubstr("a spline expects at least two eyes"));
+}
+
+TEST(Scenario, ChangesComeAfterTheFileAndAPresetBeforeThem) {
+  const TempFolder folder;
+  const auto file = folder.write("s.toml", kScenario);
+  const tools::Scenario changed = tools::load_scenario(
+      file, {{"odometry.tracker.keyframes.every", "7"}, {"odometry.preset", "default"}});
+  EXPECT_EQ(changed.odometry.tracker.pyramid.levels, 4) << "the file's";
+  EXPECT_EQ(changed.odometry.tracker.keyframes.every, 7);
+  EXPECT_EQ(changed.odometry.tracker.lens, vo::LensModel::distortion) << "the preset's";
+  EXPECT_THAT(error_text([&] {
+                tools::load_scenario(file, {{"odometry.preset", "best"}});
+              }),
+              HasSubstr("--set odometry.preset=best: "));
+  EXPECT_THAT(error_text([&] {
+                tools::load_scenario(file, {{"path.rat", "1"}});
+              }),
+              HasSubstr("the nearest known key is path.rate"));
+}
+
+constexpr const char* kMonoScenario = R"(why = "it would fail if"
+[scene]
+gltf = "room/room.gltf"
+[odometry]
+mono.bootstrap = "rgbd"
+mono.depth_map.anchor.every = 5
+mode = "mono"
+[expect]
+depth_error_percent = { max = 0.4 }
+)";
+
+TEST(Scenario, TheModeDecidesWhichOptionsThereAre) {
+  const tools::Scenario scenario = load(kMonoScenario);
+  EXPECT_EQ(scenario.odometry.mode, tools::OdometryMode::mono);
+  EXPECT_EQ(scenario.odometry.mono.bootstrap, vo::MonoBootstrap::rgbd);
+  EXPECT_EQ(scenario.odometry.mono.map.anchor.every, 5);
+  std::string text = kMonoScenario;
+  text.replace(text.find("mono.depth_map.anchor.every"), 27, "tracker.pyramid.levels");
+  EXPECT_THAT(error_text([&] { load(text); }),
+              HasSubstr("unknown key 'odometry.tracker.pyramid.levels'"));
+}
+
+TEST(Scenario, AMonocularOneHasNoDepthFileToStartFrom) {
+  std::string text = kMonoScenario;
+  text.replace(text.find("\"rgbd\""), 6, "\"file\"");
+  EXPECT_THAT(error_text([&] { load(text); }), HasSubstr("a scenario has no depth file"));
+}
+
+}  // namespace

@@ -1,0 +1,91 @@
+#include "vo/bootstrap/mono_initialiser.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/plane_map.h"
+#include "tests/support/pose_near.h"
+
+namespace {
+
+using support::grey_frame;
+using support::small_camera;
+using vo::InitialiserVerdict;
+using vo::SE3;
+
+/// 1.5 cm a frame past the plane at 2 m: about 2 px.
+SE3 walk(double frame) {
+  return SE3::exp((vo::Vector6d() << 0.015 * frame, 0.005 * frame, 0.004 * frame, 0, 0.002 * frame,
+                   0.001 * frame)
+                      .finished());
+}
+
+TEST(CornerTracks, FollowPlacesOfThePlane) {
+  const vo::PinholeCamera camera = small_camera();
+  vo::CornerTracks tracks(grey_frame(camera, SE3()), 200);
+  ASSERT_GT(tracks.size(), 80U);
+  for (int i = 1; i <= 5; ++i) {
+    tracks.follow(grey_frame(camera, walk(i)));
+  }
+  ASSERT_GT(tracks.alive(), tracks.size() * 7 / 10);
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    const double z = support::TexturedPlane().depth(camera, SE3(), tracks.start(i));
+    const Eigen::Vector2d truth =
+        camera.project(walk(5).inverse() * camera.unproject(tracks.start(i), z));
+    right += tracks.is_alive(i) && (tracks.now(i) - truth).norm() < 0.3 ? 1 : 0;
+  }
+  EXPECT_GT(right, tracks.alive() * 9 / 10);
+}
+
+TEST(MonoInitialiser, FindsPosesAndDepthsOfAnUnknownPlane) {
+  vo::MonoInitialiser initialiser(grey_frame(small_camera(), walk(0)), {6, 6}, 2);
+  vo::InitialiserReport report;
+  int frame = 0;
+  while (report.verdict != InitialiserVerdict::solved && frame < 30) {
+    report = initialiser.add(grey_frame(small_camera(), walk(++frame)));
+  }
+  ASSERT_EQ(report.verdict, InitialiserVerdict::solved);
+  EXPECT_GE(report.parallax_px, 6);
+  const auto& frames = initialiser.frames();
+  const double scale =
+      walk(frame).translation().norm() / frames.back().T_frame_first.translation().norm();
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    const SE3& T = frames[i].T_frame_first;
+    const SE3 T_metric(T.rotation(), scale * T.translation());
+    EXPECT_THAT(T_metric.inverse(), support::PoseNear(walk(static_cast<int>(i)),
+                                                      support::PoseTolerance{.translation_m = 0.02,
+                                                                             .rotation_deg = 0.6}))
+        << "frame " << i;
+  }
+}
+
+/// Parallax when it is solved, on a walk that is slow enough to choose.
+double parallax_at_start(const vo::StartParallax& parallax) {
+  vo::MonoInitialiser initialiser(grey_frame(small_camera(), walk(0)), parallax, 2);
+  vo::InitialiserReport report;
+  for (int i = 1; i < 60 && report.verdict != InitialiserVerdict::solved; ++i) {
+    report = initialiser.add(grey_frame(small_camera(), walk(0.3 * i)));
+  }
+  return report.verdict == InitialiserVerdict::solved ? report.parallax_px : 0;
+}
+
+TEST(MonoInitialiser, WaitsForMoreParallaxWhileCornersAreInView) {
+  constexpr double kOutOfReach = 1000;  // px
+  const double hasty = parallax_at_start({2, 2});
+  EXPECT_GE(hasty, 2);
+  EXPECT_GT(parallax_at_start({2, 5}), 1.3 * hasty);
+  EXPECT_GE(parallax_at_start({2, kOutOfReach}), 2) << "it does not wait until nothing is left";
+}
+
+TEST(MonoInitialiser, RecognisesATurn) {
+  vo::MonoInitialiser initialiser(grey_frame(small_camera(), SE3()), {6, 6}, 2);
+  vo::InitialiserReport report;
+  for (int i = 1; i <= 12; ++i) {
+    const SE3 turn = SE3::exp((vo::Vector6d() << 0, 0, 0, 0.002 * i, 0.008 * i, 0).finished());
+    report = initialiser.add(grey_frame(small_camera(), turn));
+    EXPECT_NE(report.verdict, InitialiserVerdict::solved);
+  }
+  EXPECT_EQ(report.verdict, InitialiserVerdict::pure_rotation);
+}
+
+}  // namespace

@@ -1,0 +1,91 @@
+#include "vo/files/toml_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/error_text.h"
+#include "tests/support/temp_folder.h"
+#include "vo/files/output.h"
+
+namespace {
+
+using support::error_text;
+using support::TempFolder;
+using testing::EndsWith;
+using testing::HasSubstr;
+
+struct Settings {
+  int count = 1;
+  double size = 2;
+  bool flag = false;
+  std::string name = "a";
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  std::vector<Eigen::Vector3d> points;
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, Settings& settings) {
+  visit("count", settings.count, "");
+  visit("size", settings.size, "");
+  visit("flag", settings.flag, "");
+  visit("name", settings.name, "");
+  visit("centre", settings.centre, "");
+  visit("points", settings.points, "");
+}
+
+Settings read(const std::string& text) {
+  const TempFolder folder;
+  vo::write_file(folder.path() / "s.toml", text);
+  Settings settings;
+  std::vector<vo::Field> fields = vo::fields_of(settings, "top.");
+  vo::assign_fields(vo::read_toml(folder.path() / "s.toml"), fields);
+  return settings;
+}
+
+std::string error_of(const std::string& text) {
+  return error_text([&] { read(text); });
+}
+
+TEST(TomlFile, AssignsTablesDottedKeysAndArrays) {
+  const Settings settings = read(
+      "[top]\ncount = 7\nsize = 3\nflag = true\nname = 'b'\ncentre = [1, 2.5, -3]\n"
+      "points = [[1, 2, 3],\n [4, 5, 6]]\n");
+  EXPECT_EQ(settings.count, 7);
+  EXPECT_EQ(settings.size, 3) << "a whole number is a number";
+  EXPECT_TRUE(settings.flag);
+  EXPECT_EQ(settings.name, "b");
+  EXPECT_EQ(settings.centre, Eigen::Vector3d(1, 2.5, -3));
+  ASSERT_EQ(settings.points.size(), 2U);
+  EXPECT_EQ(settings.points[1], Eigen::Vector3d(4, 5, 6));
+}
+
+TEST(TomlFile, FormatReadsBack) {
+  Settings settings;
+  settings.size = 0.1;
+  settings.name = "say \"hi\" \\";
+  settings.points = {{1, 2, 3}};
+  const Settings copy = read(vo::format_toml(vo::fields_of(settings, "top.")));
+  EXPECT_EQ(copy.size, settings.size);
+  EXPECT_EQ(copy.name, settings.name);
+  EXPECT_EQ(copy.points, settings.points);
+}
+
+TEST(TomlFile, ErrorsNameFileLineAndNearestKey) {
+  EXPECT_THAT(error_of("[top]\ncount = 1\nsiez = 2\n"),
+              EndsWith("s.toml:3: unknown key 'top.siez'; the nearest known key is top.size"));
+  EXPECT_THAT(error_of("[top]\nsize = 'big'\n"),
+              EndsWith("s.toml:2: top.size: expected a number, got \"big\""));
+  EXPECT_THAT(error_of("[top]\ncount = 1.5\n"),
+              EndsWith("s.toml:2: top.count: expected a whole number, got 1.5"));
+  EXPECT_THAT(error_of("[top]\nname = 3\n"),
+              EndsWith("s.toml:2: top.name: expected a text in quotes, got 3"));
+  EXPECT_THAT(error_of("[top]\ncentre = [1, 'a', 2]\n"),
+              EndsWith("s.toml:2: top.centre: expected an array of numbers"));
+}
+
+TEST(TomlFile, WhatIsNoTomlNamesLineAndColumn) {
+  EXPECT_THAT(error_of("[top]\ncount = = 3\n"), HasSubstr("s.toml:2:9: "));
+  EXPECT_THAT(error_of("[top]\ncount = 1\ncount = 2\n"), HasSubstr("s.toml:3:"));
+}
+
+}  // namespace

@@ -1,0 +1,193 @@
+#include "vo/odometry/mono_odometry.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/error_text.h"
+#include "tests/support/plane_frames.h"
+#include "tests/support/pose_near.h"
+#include "tests/support/sideways_walk.h"
+#include "vo/evaluation/evaluate.h"
+
+namespace {
+
+using support::sideways_walk;
+using support::small_camera;
+using vo::MonoBootstrap;
+using vo::MonoState;
+using vo::SE3;
+
+struct TrackedWalk {
+  vo::Trajectory truth;
+  vo::Trajectory estimate;
+  std::vector<vo::MonoResult> results;
+};
+
+/// Depth is handed over with the first frame only.
+TrackedWalk tracked(const vo::MonoOptions& options, int frames) {
+  vo::MonoOdometry odometry(small_camera(), options);
+  TrackedWalk walked;
+  for (int i = 0; i < frames; ++i) {
+    vo::RgbdFrame frame = support::plane_frame(small_camera(), sideways_walk(i), i);
+    if (i > 0) {
+      frame.depth = vo::DepthImage();
+    }
+    walked.results.push_back(odometry.track(frame));
+    walked.truth.push_back({frame.timestamp, sideways_walk(i)});
+  }
+  walked.estimate = odometry.trajectory();
+  return walked;
+}
+
+vo::MonoOptions options_with(MonoBootstrap bootstrap) {
+  vo::MonoOptions options = vo::mono_options();
+  options.bootstrap = bootstrap;
+  return options;
+}
+
+/// 0.25 % of a path of 0.4 m is 1 mm; a pixel is 7 mm wide on the plane.
+TEST(MonoOdometry, KeepsTheScaleOfADepthImage) {
+  const TrackedWalk done = tracked(options_with(MonoBootstrap::rgbd), 25);
+  ASSERT_EQ(done.estimate.size(), 25U);
+  const vo::TrajectoryErrors errors = vo::evaluate(done.truth, done.estimate);
+  EXPECT_LT(errors.ate.rmse, 0.0025 * vo::path_length(done.truth));
+}
+
+TEST(MonoOdometry, FindsAnUnknownPlaneUpToScale) {
+  const TrackedWalk done = tracked(options_with(MonoBootstrap::automatic), 60);
+  ASSERT_EQ(done.estimate.size(), 60U);
+  EXPECT_EQ(done.results.front().state, MonoState::initialising);
+  EXPECT_EQ(done.results.back().state, MonoState::tracking);
+  const vo::TrajectoryErrors errors =
+      vo::evaluate(done.truth, done.estimate, {.alignment = vo::TrajectoryAlignment::sim3});
+  EXPECT_LT(errors.ate.rmse, 0.01 * vo::path_length(done.truth));
+}
+
+TEST(MonoOdometry, DoesNotPretendWhileTheCameraOnlyTurns) {
+  vo::MonoOdometry odometry(small_camera(), options_with(MonoBootstrap::automatic));
+  for (int i = 0; i < 15; ++i) {
+    const SE3 turn = SE3::exp((vo::Vector6d() << 0, 0, 0, 0, 0.008 * i, 0).finished());
+    const vo::MonoResult result = odometry.track(support::plane_frame(small_camera(), turn, i));
+    EXPECT_EQ(result.state, MonoState::initialising);
+  }
+  EXPECT_FALSE(odometry.finish());
+  EXPECT_TRUE(odometry.trajectory().empty());
+}
+
+TEST(MonoOdometry, TheEndOfASequenceMakesTheStartThatWaited) {
+  vo::MonoOdometry odometry(small_camera(), options_with(MonoBootstrap::automatic));
+  vo::Trajectory truth;
+  double parallax_px = 0;
+  for (int i = 0; i < support::kShortWalk; ++i) {
+    const vo::RgbdFrame frame = support::plane_frame(small_camera(), sideways_walk(i), i);
+    parallax_px = odometry.track(frame).initialiser.parallax_px;
+    truth.push_back({frame.timestamp, sideways_walk(i)});
+  }
+  ASSERT_GT(parallax_px, 2);
+  ASSERT_LT(parallax_px, 6);
+  ASSERT_TRUE(odometry.trajectory().empty());
+  const std::optional<vo::MonoResult> last = odometry.finish();
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->state, MonoState::tracking);
+  EXPECT_EQ(last->tracking.timestamp, truth.back().timestamp);
+  ASSERT_EQ(odometry.trajectory().size(), truth.size());
+  const vo::TrajectoryErrors errors =
+      vo::evaluate(truth, odometry.trajectory(), {.alignment = vo::TrajectoryAlignment::sim3});
+  EXPECT_LT(errors.ate.rmse, 0.02 * vo::path_length(truth));
+  EXPECT_FALSE(odometry.finish());
+}
+
+TEST(MonoOdometry, TheEndOfASequenceChangesNothingWhileTracking) {
+  vo::MonoOdometry odometry(small_camera(), options_with(MonoBootstrap::rgbd));
+  vo::MonoOdometry undisturbed(small_camera(), options_with(MonoBootstrap::rgbd));
+  EXPECT_FALSE(odometry.finish());
+  for (int i = 0; i < 6; ++i) {
+    const vo::RgbdFrame frame = support::plane_frame(small_camera(), sideways_walk(i), i);
+    const SE3 T_world_camera = odometry.track(frame).tracking.T_world_camera;
+    const SE3 T_world_undisturbed = undisturbed.track(frame).tracking.T_world_camera;
+    EXPECT_EQ(T_world_camera.translation(), T_world_undisturbed.translation());
+    EXPECT_EQ(T_world_camera.rotation_matrix(), T_world_undisturbed.rotation_matrix());
+    EXPECT_FALSE(odometry.finish());
+  }
+}
+
+TEST(MonoOdometry, ACutIsALossAndThenANewStart) {
+  vo::MonoOptions options = options_with(MonoBootstrap::rgbd);
+  options.max_lost_frames = 3;
+  vo::MonoOdometry odometry(small_camera(), options);
+  for (int i = 0; i < 5; ++i) {
+    odometry.track(support::plane_frame(small_camera(), sideways_walk(i), i));
+  }
+  const SE3 elsewhere(Eigen::Quaterniond::Identity(), {40, 30, 0.3});
+  MonoState last = MonoState::tracking;
+  for (int i = 5; i < 9; ++i) {
+    last =
+        odometry.track(support::plane_frame(small_camera(), elsewhere * sideways_walk(i), i)).state;
+  }
+  EXPECT_EQ(last, MonoState::reinitialising);
+}
+
+TEST(MonoOdometry, WantsTheFirstDepthOnlyWhereItIsAskedFor) {
+  vo::RgbdFrame frame = support::plane_frame(small_camera(), SE3(), 0);
+  frame.depth = vo::DepthImage();
+  vo::MonoOdometry needs(small_camera(), options_with(MonoBootstrap::rgbd));
+  EXPECT_EQ(support::error_text([&] { needs.track(frame); }),
+            "mono: expected the first frame's depth image with the camera's 320x240 px for the "
+            "bootstrap, got 0x0 px");
+  vo::MonoOdometry flat(small_camera(), options_with(MonoBootstrap::flat));
+  EXPECT_EQ(flat.track(frame).state, MonoState::tracking);
+}
+
+TEST(MonoOdometry, WithoutParallaxItWaitsForIt) {
+  vo::MonoOdometry odometry(small_camera(), options_with(MonoBootstrap::automatic));
+  for (int i = 0; i < 15; ++i) {
+    const vo::MonoResult result = odometry.track(support::plane_frame(small_camera(), SE3(), i));
+    EXPECT_EQ(result.state, MonoState::initialising);
+    EXPECT_EQ(result.tracking.status, vo::TrackingStatus::lost);
+    EXPECT_EQ(result.initialiser.verdict, vo::InitialiserVerdict::waiting);
+  }
+  EXPECT_TRUE(odometry.trajectory().empty());
+}
+
+/// A tenth of a pixel is 0.7 mm on the plane.
+TEST(MonoOdometry, WithKnownDepthsItFollowsACameraThatOnlyTurns) {
+  vo::MonoOdometry odometry(small_camera(), options_with(MonoBootstrap::rgbd));
+  for (int i = 0; i < 10; ++i) {
+    const SE3 turn = SE3::exp((vo::Vector6d() << 0, 0, 0, 0, 0.008 * i, 0).finished());
+    const vo::MonoResult result = odometry.track(support::plane_frame(small_camera(), turn, i));
+    EXPECT_EQ(result.state, MonoState::tracking);
+    EXPECT_LT(result.tracking.T_world_camera.translation().norm(), 0.002);
+  }
+}
+
+/// From its own depth image: half the plane stands still, the other half moves with the camera.
+TEST(MonoOdometry, WhenHalfTheImageMovesPosesAreFiniteOrLost) {
+  for (const MonoBootstrap bootstrap :
+       {MonoBootstrap::rgbd, MonoBootstrap::automatic, MonoBootstrap::random}) {
+    vo::MonoOdometry odometry(small_camera(), options_with(bootstrap));
+    for (int i = 0; i < 20; ++i) {
+      vo::RgbdFrame frame = support::plane_frame(small_camera(), sideways_walk(i), i);
+      const vo::RgbdFrame moving = support::plane_frame(small_camera(), sideways_walk(-2 * i), i);
+      moving.image.colRange(0, 160).copyTo(frame.image.colRange(0, 160));
+      const vo::MonoResult result = odometry.track(frame);
+      const bool is_lost = result.tracking.status == vo::TrackingStatus::lost;
+      EXPECT_EQ(is_lost, result.tracking.reason != vo::LostReason::none) << "frame " << i;
+    }
+    for (const vo::StampedPose& pose : odometry.trajectory()) {
+      EXPECT_TRUE(pose.T_world_camera.translation().allFinite());
+      EXPECT_LT(pose.T_world_camera.translation().norm(), 10);
+    }
+  }
+}
+
+TEST(MonoOdometry, AWallWithoutTextureIsNotTracked) {
+  for (const MonoBootstrap bootstrap : {MonoBootstrap::rgbd, MonoBootstrap::automatic}) {
+    vo::MonoOdometry odometry(small_camera(), options_with(bootstrap));
+    for (int i = 0; i < 4; ++i) {
+      const vo::MonoResult result = odometry.track(support::blank_frame(small_camera(), 128, i));
+      EXPECT_EQ(result.tracking.status, vo::TrackingStatus::lost);
+    }
+    EXPECT_TRUE(odometry.trajectory().empty());
+  }
+}
+
+}  // namespace

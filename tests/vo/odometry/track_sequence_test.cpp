@@ -1,0 +1,58 @@
+#include "vo/odometry/track_sequence.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/plane_sequence.h"
+#include "tests/support/temp_folder.h"
+
+namespace {
+
+using support::TempFolder;
+
+TEST(TrackSequence, TracksEveryFrameAndTellsOfEach) {
+  const TempFolder folder;
+  const vo::Trajectory truth = support::write_plane_sequence(folder.path(), 5);
+  const vo::SequenceReader sequence(folder.path());
+  std::vector<std::size_t> done;
+  int observed = 0;
+  const vo::SequenceResult result = vo::track_sequence(
+      sequence, {}, truth.front().T_world_camera,
+      [&](const auto&, const auto&, const auto&, const auto&) { ++observed; },
+      [&](std::size_t count, std::size_t total) {
+        EXPECT_EQ(total, 5U);
+        done.push_back(count);
+      });
+  EXPECT_EQ(result.tracked_fraction(), 1);
+  EXPECT_EQ(result.keyframes(), 5U);
+  EXPECT_EQ(observed, 5);
+  EXPECT_THAT(done, testing::ElementsAre(1, 2, 3, 4, 5));
+}
+
+TEST(TrackSequence, SummaryHasNearestRankPercentiles) {
+  std::vector<vo::StageTimes> times;
+  for (int i = 1; i <= 10; ++i) {
+    times.push_back({.pyramid_ms = 1, .edges_ms = 2, .alignment_ms = 1.0 * i});
+  }
+  const vo::TimeSummary summary = vo::summarize(times);
+  EXPECT_EQ(summary.median_ms, 3 + 5);
+  EXPECT_EQ(summary.p90_ms, 3 + 9);
+  EXPECT_EQ(summary.pyramid_ms, 1);
+}
+
+TEST(TrackSequence, FrameLogHasAColumnForEveryTitle) {
+  vo::TrackingResult frame;
+  const std::string log = vo::format_frame_log({frame, frame});
+  const auto columns = [](const std::string& line) {
+    return std::count(line.begin(), line.end(), ',') + 1;
+  };
+  std::istringstream lines(log);
+  std::string header;
+  std::string row;
+  std::getline(lines, header);
+  std::getline(lines, row);
+  EXPECT_EQ(columns(header), 15 + 21) << "covariance: upper triangle of 6x6";
+  EXPECT_EQ(columns(row), columns(header));
+}
+
+}  // namespace

@@ -1,0 +1,25 @@
+# edvo_module(USES folder... PUBLIC target... PRIVATE target...) makes a static library of the folder
+# that it is called in: of all its source files, named after its path (vo/core is vo_core). USES names
+# the folders whose headers it may include, which tools/check_layers.py holds it to; PUBLIC and PRIVATE
+# are targets of other projects.
+function(edvo_module)
+  cmake_parse_arguments(PARSE_ARGV 0 module "" "" "USES;PUBLIC;PRIVATE")
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR}
+             OUTPUT_VARIABLE folder)
+  string(REPLACE "/" "_" name ${folder})
+  list(TRANSFORM module_USES REPLACE "/" "_")
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  add_library(${name} STATIC ${sources})
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PUBLIC ${module_USES} ${module_PUBLIC} PRIVATE edvo_build ${module_PRIVATE})
+  edvo_precompile(${name})
+endfunction()
+
+# edvo_precompile(target) shares the headers that most files read among all targets.
+function(edvo_precompile target)
+  if(target STREQUAL vo_core)
+    target_precompile_headers(${target} PRIVATE ${EDVO_PRECOMPILED_HEADERS})
+  else()
+    target_precompile_headers(${target} REUSE_FROM vo_core)
+  endif()
+endfunction()

@@ -1,0 +1,125 @@
+#include "tools/laboratory/results_json.h"
+
+#include <cmath>
+#include <limits>
+
+#include <nlohmann/json.hpp>
+
+#include "vo/core/error.h"
+#include "vo/core/version.h"
+#include "vo/files/output.h"
+
+namespace tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kSchema = "edvo.results";
+constexpr int kSchemaVersion = 1;
+
+Json number_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+double number_at(const nlohmann::json& json, const std::string& key) {
+  const auto found = json.find(key);
+  return found != json.end() && found->is_number() ? found->get<double>()
+                                                   : std::numeric_limits<double>::quiet_NaN();
+}
+
+Json scenario_json(const ScenarioResult& scenario) {
+  Json json = {{"name", scenario.name},
+               {"why", scenario.why},
+               {"verdict", to_text(scenario.verdict())},
+               {"complaints", complaints(scenario)}};
+  for (const auto& [metric, estimate] : estimate_metrics(scenario)) {
+    json["metrics"][metric] = {{"mean", number_or_null(estimate.mean)},
+                               {"low", number_or_null(estimate.low)},
+                               {"high", number_or_null(estimate.high)}};
+  }
+  json["bounds"] = Json::object();
+  for (const BoundCheck& check : scenario.checks) {
+    json["bounds"][check.metric] = {{"min", number_or_null(check.bound.min)},
+                                    {"max", number_or_null(check.bound.max)},
+                                    {"holds", check.holds}};
+  }
+  json["trials"] = Json::array();
+  for (const TrialResult& trial : scenario.trials) {
+    json["trials"].push_back(trial_json(trial));
+  }
+  return json;
+}
+
+std::vector<BoundCheck> checks_from_json(const nlohmann::json& bounds) {
+  std::vector<BoundCheck> checks;
+  for (const auto& [metric, bound] : bounds.items()) {
+    checks.push_back({.metric = metric, .holds = bound.at("holds").get<bool>()});
+  }
+  return checks;
+}
+
+ScenarioResult scenario_from_json(const nlohmann::json& json) {
+  ScenarioResult scenario{.name = json.at("name").get<std::string>(),
+                          .why = json.value("why", std::string())};
+  for (const nlohmann::json& trial : json.at("trials")) {
+    scenario.trials.push_back(trial_from_json(trial));
+  }
+  scenario.checks = checks_from_json(json.value("bounds", nlohmann::json::object()));
+  return scenario;
+}
+
+}  // namespace
+
+Json trial_json(const TrialResult& trial) {
+  Json json = {{"seed", trial.seed}, {"sequence", trial.sequence}, {"frames", trial.frames}};
+  for (const auto& [metric, value] : metric_values(trial.metrics)) {
+    json["metrics"][metric] = number_or_null(value);
+  }
+  if (!trial.problem.empty()) {
+    json["problem"] = trial.problem;
+  }
+  return json;
+}
+
+TrialResult trial_from_json(const nlohmann::json& json) {
+  TrialResult trial{.seed = json.at("seed").get<int>(),
+                    .sequence = json.at("sequence").get<std::string>(),
+                    .frames = json.at("frames").get<std::size_t>()};
+  const nlohmann::json& metrics = json.at("metrics");
+  trial.metrics = make_metrics([&](const std::string& name) { return number_at(metrics, name); });
+  trial.problem = json.value("problem", std::string());
+  return trial;
+}
+
+Json results_json(const TestResults& results) {
+  Json json = {{"schema", kSchema},          {"schema_version", kSchemaVersion},
+               {"edvo", results.edvo},       {"tracker", results.tracker},
+               {"passed", results.passed()}, {"scenarios", Json::array()}};
+  for (const ScenarioResult& scenario : results.scenarios) {
+    json["scenarios"].push_back(scenario_json(scenario));
+  }
+  return json;
+}
+
+TestResults read_results(const std::filesystem::path& file) {
+  const std::string text = vo::read_file(file);
+  try {
+    const nlohmann::json json = nlohmann::json::parse(text);
+    vo::require(json.value("schema", std::string()) == kSchema, file.string(),
+                ": expected the results of `edvo test --json`");
+    const int found = json.at("schema_version").get<int>();
+    vo::require(found == kSchemaVersion, file.string(), ": has schema version ", found,
+                ", expected ", kSchemaVersion);
+    TestResults results{.edvo = json.value("edvo", std::string()),
+                        .tracker = json.value("tracker", std::string()),
+                        .scenarios = {}};
+    for (const nlohmann::json& scenario : json.at("scenarios")) {
+      results.scenarios.push_back(scenario_from_json(scenario));
+    }
+    return results;
+  } catch (const nlohmann::json::exception& error) {
+    vo::fail(file.string(), ": expected the results of `edvo test --json`: ", error.what());
+  }
+}
+
+}  // namespace tools

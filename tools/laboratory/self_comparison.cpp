@@ -1,0 +1,56 @@
+#include "tools/laboratory/self_comparison.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "vo/core/error.h"
+#include "vo/core/hash.h"
+
+namespace tools {
+namespace {
+
+/// By Fisher and Yates.
+void shuffle(std::vector<TrialResult>& trials, std::uint64_t seed) {
+  for (std::size_t i = trials.size(); i > 1; --i) {
+    const double uniform = vo::random_uniform({seed, i});
+    std::swap(trials[i - 1], trials[static_cast<std::size_t>(uniform * static_cast<double>(i))]);
+  }
+}
+
+/// Two results of halves of the trials.
+std::pair<TestResults, TestResults> split(const TestResults& results, std::uint64_t seed) {
+  std::pair<TestResults, TestResults> halves{results, results};
+  for (std::size_t i = 0; i < results.scenarios.size(); ++i) {
+    std::vector<TrialResult> trials = results.scenarios[i].trials;
+    shuffle(trials, vo::mixed(seed) + i);
+    const auto middle = trials.begin() + static_cast<std::ptrdiff_t>(trials.size() / 2);
+    halves.first.scenarios[i].trials.assign(trials.begin(), middle);
+    halves.second.scenarios[i].trials.assign(middle, trials.end());
+  }
+  return halves;
+}
+
+}  // namespace
+
+int count_false_alarms(const TestResults& results, int comparisons,
+                       const ComparisonOptions& options) {
+  constexpr std::size_t kMinTrials = 4;
+  for (const ScenarioResult& scenario : results.scenarios) {
+    vo::require(scenario.trials.size() >= kMinTrials, scenario.name, ": has ",
+                scenario.trials.size(), " seeds, expected ", kMinTrials, " to split");
+  }
+  int count = 0;
+  for (int i = 0; i < comparisons; ++i) {
+    const auto [before, after] = split(results, static_cast<std::uint64_t>(i));
+    const std::vector<Change> changes = compare_results(before, after, options);
+    count += std::any_of(changes.begin(), changes.end(),
+                         [](const Change& change) { return change.is_alarm(); })
+                 ? 1
+                 : 0;
+  }
+  return count;
+}
+
+}  // namespace tools

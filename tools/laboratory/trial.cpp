@@ -1,0 +1,170 @@
+#include "tools/laboratory/trial.h"
+
+#include <chrono>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/laboratory/results_json.h"
+#include "tools/processes/readable_text.h"
+#include "tools/report/scenario_report.h"
+#include "tools/sequence_cache/sequence_cache.h"
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+#include "vo/core/hash.h"
+#include "vo/files/output.h"
+#include "vo/files/result_files.h"
+#include "vo/files/toml_file.h"
+
+namespace tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kUnknownMetric = std::numeric_limits<double>::quiet_NaN();
+
+/// Of this program's file: another build may measure something else.
+const std::string& program_hash() {
+  static const std::string hash = [] {
+    vo::ContentHash content;
+    content.add(vo::read_file("/proc/self/exe"));
+    return vo::to_hex(content.value());
+  }();
+  return hash;
+}
+
+/// Under which the result of our own tracker is kept.
+std::string kept_key(const Scenario& scenario, const std::string& sequence) {
+  Scenario copy = scenario;
+  vo::ContentHash hash;
+  hash.add(program_hash());
+  hash.add(sequence);
+  hash.add(vo::format_toml(vo::fields_of(copy.odometry)));
+  hash.add(vo::format_toml(vo::fields_of(copy.score)));
+  hash.add(scenario.expect.contains("repeat_difference_m") ? "twice" : "once");
+  return vo::to_hex(hash.value());
+}
+
+/// What an earlier run measured; nothing where it left no or an unreadable file.
+std::optional<TrialResult> read_kept(const fs::path& file) {
+  if (!fs::exists(file)) {
+    return {};
+  }
+  try {
+    return trial_from_json(nlohmann::json::parse(vo::read_file(file)));
+  } catch (const nlohmann::json::exception&) {
+    return {};
+  } catch (const vo::Error&) {
+    return {};
+  }
+}
+
+void set_problem(TrialResult& trial, ProblemKind kind, const std::string& sentence) {
+  trial.problem = readable_text(sentence);
+  trial.kind = kind;
+}
+
+bool is_reported(const TrialSettings& settings, const TrialResult& trial) {
+  return settings.pictures && trial.seed == 0;
+}
+
+void add_report(const Scenario& scenario, const Outcome& outcome, FrameGallery gallery,
+                TrialResult& trial) {
+  const auto report = std::make_shared<ScenarioReport>(scenario_report(scenario, outcome));
+  report->gallery = std::move(gallery);
+  trial.report = report;
+}
+
+void measure_outside(const Scenario& scenario, const TrialSettings& settings,
+                     const fs::path& folder, const WaitObserver& waiting, TrialResult& trial) {
+  const vo::SequenceReader sequence(folder);
+  Outcome outcome{.tracking = {}, .truth = sequence.ground_truth(), .metrics = {}};
+  try {
+    outcome.tracking = track_outside(*settings.tracker, folder, sequence, waiting);
+    outcome.metrics = measure(outcome.truth, outcome.tracking, scenario.score);
+    outcome.metrics.keyframes = kUnknownMetric;
+    outcome.metrics.nees_median = kUnknownMetric;
+    trial.metrics = outcome.metrics;
+    if (is_reported(settings, trial)) {
+      add_report(scenario, outcome, FrameGallery(), trial);
+    }
+  } catch (const vo::Error& error) {
+    waiting();
+    set_problem(trial, ProblemKind::tracker, error.what());
+  }
+}
+
+/// Tracks as without a report, and draws what a report shows.
+Metrics reported(const Scenario& scenario, const vo::SequenceReader& sequence,
+                 const GalleryOptions& pictures, const vo::Progress& progress, TrialResult& trial) {
+  FrameGallery gallery(pictures);
+  const Outcome outcome =
+      track_scenario(scenario, sequence, {.frame = gallery.observer(), .map = {}}, progress);
+  add_report(scenario, outcome, std::move(gallery), trial);
+  return outcome.metrics;
+}
+
+void measure_trial(const Scenario& scenario, const TrialSettings& settings,
+                   const WaitObserver& waiting, TrialResult& trial) {
+  const vo::Progress progress = [&](std::size_t, std::size_t) { waiting(); };
+  const CachedSequence cached =
+      cached_sequence(settings.cache, render_job(with_seed(scenario, trial.seed)), progress);
+  trial.sequence = cached.content;
+  if (!cached.problem.empty()) {
+    trial.note = vo::concat("the cache's ", cached.folder.filename().string(),
+                            " was rendered again: ", cached.problem);
+  }
+  const vo::SequenceReader sequence(cached.folder);
+  trial.frames = sequence.size();
+  if (settings.tracker) {
+    measure_outside(scenario, settings, cached.folder, waiting, trial);
+    return;
+  }
+  const std::string key = kept_key(scenario, cached.content);
+  const fs::path file = settings.cache / "results" / (key + ".json");
+  const FileLock lock(settings.cache / "locks" / key, LockKind::exclusive, waiting);
+  const bool again = settings.measure_again || is_reported(settings, trial);
+  const std::optional<TrialResult> kept = again ? std::nullopt : read_kept(file);
+  if (kept) {
+    trial.metrics = kept->metrics;
+    trial.was_kept = true;
+    return;
+  }
+  trial.metrics = is_reported(settings, trial)
+                      ? reported(scenario, sequence, *settings.pictures, progress, trial)
+                      : track_scenario(scenario, sequence, {}, progress).metrics;
+  vo::make_folder(file.parent_path());
+  vo::write_file(file, trial_json(trial).dump(2) + "\n", vo::ExistingOutput::replace);
+}
+
+}  // namespace
+
+TrialResult run_trial(const Scenario& scenario, int seed, const TrialSettings& settings,
+                      const WaitObserver& waiting) {
+  const Clock::time_point start = Clock::now();
+  TrialResult trial{.seed = seed};
+  trial.metrics = make_metrics([](const std::string&) { return kUnknownMetric; });
+  try {
+    measure_trial(scenario, settings, waiting, trial);
+  } catch (const vo::Error& error) {
+    waiting();
+    set_problem(
+        trial,
+        error.kind() == vo::ErrorKind::temporary ? ProblemKind::temporary : ProblemKind::unusable,
+        error.what());
+  } catch (const fs::filesystem_error& error) {
+    waiting();
+    set_problem(trial, ProblemKind::unusable,
+                error.path1().string() + ": " + error.code().message());
+  }
+  trial.time = std::chrono::duration<double>(Clock::now() - start).count();
+  return trial;
+}
+
+}  // namespace tools

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <opencv2/core.hpp>
+
+#include "tools/make_scenes/model/shape.h"
+#include "tools/make_scenes/painting/finish.h"
+
+namespace scenes {
+
+/// The triangles of one material.
+struct MeshPart {
+  Finish finish = Finish::oak;
+  Shape shape;
+};
+
+struct Mesh {
+  std::string name;
+  std::vector<MeshPart> parts;
+};
+
+/// Adds a shape in the mesh's frame to its part of that finish.
+void add(Mesh& mesh, Finish finish, const Shape& shape,
+         const Eigen::Isometry3d& T_mesh_shape = Eigen::Isometry3d::Identity());
+
+enum class LightKind { point, directional };
+
+struct Light {
+  std::string name;
+  LightKind kind = LightKind::point;
+  Color color = Color::Ones();  ///< linear
+  double intensity = 1;         ///< cd (point), lx (directional; it shines along the node's -z)
+};
+
+inline constexpr int kNone = -1;
+
+struct Node {
+  std::string name;
+  int mesh = kNone;
+  int light = kNone;
+  Eigen::Isometry3d T_parent_node = Eigen::Isometry3d::Identity();
+  double scale = 1;
+  std::vector<int> children = {};
+};
+
+/// The poses a node takes at the times, straight between them.
+struct Motion {
+  int node = kNone;
+  std::vector<double> times;  ///< s
+  std::vector<Eigen::Isometry3d> T_parent_node;
+};
+
+/// A scene as glTF sees it: a tree of nodes that show meshes, several the same one.
+struct Model {
+  std::string name;  ///< of the scene, its folder and its files
+  std::vector<Mesh> meshes;
+  std::vector<Light> lights;
+  std::vector<Node> nodes;
+  std::vector<int> roots;  ///< nodes without a parent
+  std::vector<Motion> motions;
+};
+
+}  // namespace scenes

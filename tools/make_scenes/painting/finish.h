@@ -1,0 +1,112 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+#include "tools/make_scenes/painting/texture_painter.h"
+
+namespace scenes {
+
+/// What a surface is made of.
+enum class Finish {
+  floor,
+  ceiling,
+  brick,
+  plain_wall,
+  wallpaper,
+  tiles,
+  white_paint,
+  oak,
+  pine,
+  walnut,
+  marble,
+  sofa_fabric,
+  ochre_fabric,
+  rust_fabric,
+  linen,
+  rug,
+  carpet,
+  brass,
+  steel,
+  black_plastic,
+  porcelain,
+  glaze,
+  terracotta,
+  leaf,
+  soil,
+  cardboard,
+  paint,
+  print,
+  book_spines,
+  paper,
+  shapes_poster,
+  ridges_poster,
+  painting,
+  map,
+  globe,
+  clock,
+  screen,
+  view,
+  lamp_glow,
+  lamp_shade,
+  white_wall,
+  white_floor,
+  mosaic,
+  mosaic_box,
+  linoleum,
+  ceiling_panels,
+  door_paint,
+  exit_sign,
+  page,
+  handwriting,
+  cork,
+  ruler,
+  checker,
+  grey_plastic,
+  crate,
+  ball,
+};
+
+enum class Wrap { repeat = 10497, clamp_to_edge = 33071, mirrored_repeat = 33648 };
+enum class Magnification { nearest = 9728, linear = 9729 };
+enum class Minification {
+  linear = 9729,
+  nearest_mipmap_nearest = 9984,
+  linear_mipmap_nearest = 9985,
+  linear_mipmap_linear = 9987,
+};
+
+/// glTF's sampler; the values are glTF's.
+struct Sampler {
+  Wrap wrap = Wrap::repeat;
+  Magnification magnification = Magnification::linear;
+  Minification minification = Minification::linear_mipmap_linear;
+
+  bool operator==(const Sampler&) const = default;
+};
+
+struct Material {
+  std::string name;
+  Color color = Color::Ones();                     ///< linear; multiplies the texture
+  std::string image;                               ///< name of its texture's image; empty = none
+  Eigen::Vector2d tile = Eigen::Vector2d::Ones();  ///< m (or share of 0..1) the image covers
+  Sampler sampler;
+  Color emission = Color::Zero();  ///< linear
+  bool unlit = false;
+  bool double_sided = false;
+};
+
+/// The material of each Finish, in its order.
+std::vector<Material> materials();
+
+struct NamedImage {
+  std::string name;
+  cv::Mat (*paint)();
+};
+
+/// All images that materials() name.
+std::vector<NamedImage> images();
+
+}  // namespace scenes

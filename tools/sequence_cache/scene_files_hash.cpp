@@ -1,0 +1,46 @@
+#include "tools/sequence_cache/scene_files_hash.h"
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "synth/gltf_document/gltf_file.h"
+#include "synth/gltf_document/uri.h"
+#include "vo/core/error.h"
+#include "vo/core/hash.h"
+#include "vo/files/output.h"
+
+namespace tools {
+namespace {
+
+/// The files that the members of an array such as "buffers" name.
+void add_named_files(const synth::GltfFile& file, const char* array, vo::ContentHash& hash) {
+  const auto elements = file.json.find(array);
+  if (elements == file.json.end() || !elements->is_array()) {
+    return;
+  }
+  for (const nlohmann::json& element : *elements) {
+    const auto uri = element.is_object() ? element.find("uri") : element.end();
+    if (!element.is_object() || uri == element.end() || !uri->is_string() ||
+        synth::is_data_uri(uri->get<std::string>())) {
+      continue;
+    }
+    const std::string place = file.path.string() + ": " + array;
+    const std::filesystem::path named =
+        synth::resolve_uri(file.path.parent_path(), uri->get<std::string>(), place);
+    hash.add(vo::read_file(named));
+  }
+}
+
+}  // namespace
+
+std::uint64_t scene_files_hash(const std::filesystem::path& gltf) {
+  const synth::GltfFile file = synth::read_gltf_file(gltf);
+  vo::ContentHash hash;
+  hash.add(vo::read_file(gltf));
+  add_named_files(file, "buffers", hash);
+  add_named_files(file, "images", hash);
+  return hash.value();
+}
+
+}  // namespace tools

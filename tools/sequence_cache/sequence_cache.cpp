@@ -1,0 +1,219 @@
+#include "tools/sequence_cache/sequence_cache.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <system_error>
+#include <tuple>
+#include <utility>
+
+#include "tools/sequence_cache/folder_hash.h"
+#include "tools/sequence_cache/generator_hash.h"
+#include "tools/sequence_cache/scene_files_hash.h"
+#include "vo/core/error.h"
+#include "vo/core/hash.h"
+#include "vo/files/output.h"
+#include "vo/files/result_files.h"
+#include "vo/files/toml_file.h"
+
+namespace tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct EntryPlaces {
+  fs::path sequence;
+  fs::path files;
+  fs::path lock;
+};
+
+EntryPlaces places_of(const fs::path& cache, const std::string& key) {
+  return {cache / "sequences" / key, cache / "sequences" / (key + ".files"), cache / "locks" / key};
+}
+
+std::string key_of(const synth::RenderJob& job) {
+  vo::ContentHash hash;
+  hash.add(generator_hash());
+  hash.add(vo::to_hex(scene_files_hash(job.scene.path())));
+  hash.add(synth::format_recipe(job));
+  return vo::to_hex(hash.value());
+}
+
+/// The hash of all of the files of an entry.
+std::string content_of(const EntryPlaces& places) {
+  vo::ContentHash hash;
+  hash.add(vo::read_file(places.files));
+  return vo::to_hex(hash.value());
+}
+
+/// What is wrong with an entry that is there; empty when nothing is.
+std::string problem_of(const EntryPlaces& places) {
+  if (!fs::exists(places.files)) {
+    return "it was left unfinished";
+  }
+  return find_difference(places.sequence, vo::read_file(places.files));
+}
+
+void remove_entry(const EntryPlaces& places) {
+  std::error_code ignored;
+  fs::remove(places.files, ignored);
+  fs::remove_all(places.sequence, ignored);
+}
+
+/// What a process that was killed while it rendered left, for the next one to go on from.
+void remove_unfinished(const fs::path& cache) {
+  std::vector<std::string> keys;
+  if (fs::is_directory(cache / "sequences")) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(cache / "sequences")) {
+      const fs::path name = entry.path().filename();
+      if (entry.is_directory() && vo::StagedFolder::staging_of(name.stem()).filename() == name) {
+        keys.push_back(name.stem().string());
+      }
+    }
+  }
+  for (const std::string& key : keys) {
+    const EntryPlaces places = places_of(cache, key);
+    if (const auto lock = FileLock::try_lock(places.lock, LockKind::exclusive)) {
+      std::error_code ignored;
+      fs::remove_all(vo::StagedFolder::staging_of(places.sequence), ignored);
+    }
+  }
+}
+
+std::string value_of(const std::vector<vo::TomlValue>& values, const std::string& key) {
+  const auto found = std::find_if(values.begin(), values.end(),
+                                  [&](const vo::TomlValue& value) { return value.key == key; });
+  return found == values.end() ? "" : found->text;
+}
+
+std::uintmax_t size_of(const fs::path& folder) {
+  std::uintmax_t bytes = 0;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    bytes += entry.is_regular_file() ? entry.file_size() : 0;
+  }
+  return bytes;
+}
+
+/// Nothing of an entry that somebody removes at this moment.
+std::optional<CacheEntry> describe_entry(const fs::path& cache, const std::string& key) {
+  const EntryPlaces places = places_of(cache, key);
+  try {
+    CacheEntry entry{.key = key, .bytes = size_of(places.sequence)};
+    entry.last_used = fs::last_write_time(fs::exists(places.lock) ? places.lock : places.sequence);
+    const fs::path manifest = places.sequence / "sequence.toml";
+    if (fs::exists(manifest)) {
+      const std::vector<vo::TomlValue> values = vo::read_toml(manifest);
+      entry.scene = value_of(values, "scene");
+      const std::string frames = value_of(values, "frames");
+      entry.frames = frames.empty() ? 0 : static_cast<std::size_t>(vo::parse_integer(frames));
+    }
+    return entry;
+  } catch (const fs::filesystem_error&) {
+    return {};
+  } catch (const vo::Error&) {
+    return CacheEntry{.key = key};
+  }
+}
+
+std::vector<std::string> keys_in(const fs::path& cache) {
+  std::vector<std::string> keys;
+  if (fs::is_directory(cache / "sequences")) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(cache / "sequences")) {
+      const std::string name = entry.path().filename().string();
+      if (entry.is_directory() && !entry.path().has_extension()) {
+        keys.push_back(name);
+      }
+    }
+  }
+  return keys;
+}
+
+}  // namespace
+
+fs::path default_cache_folder() {
+  const char* cache = std::getenv("XDG_CACHE_HOME");  // NOLINT(concurrency-mt-unsafe)
+  if (cache != nullptr && fs::path(cache).is_absolute()) {
+    return fs::path(cache) / "edvo";
+  }
+  const char* home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe)
+  vo::require(home != nullptr, "HOME is not set, expected it or XDG_CACHE_HOME or --cache DIR");
+  return fs::path(home) / ".cache" / "edvo";
+}
+
+CachedSequence cached_sequence(const fs::path& cache, const synth::RenderJob& job,
+                               const vo::Progress& progress) {
+  vo::make_folder(cache / "sequences");
+  vo::make_folder(cache / "locks");
+  const EntryPlaces places = places_of(cache, key_of(job));
+  const WaitObserver waiting = [&] { progress(0, 0); };
+  {
+    FileLock lock(places.lock, LockKind::shared, waiting);
+    if (fs::exists(places.sequence) && problem_of(places).empty()) {
+      return {places.sequence, content_of(places), "", std::move(lock)};
+    }
+  }
+  FileLock lock(places.lock, LockKind::exclusive, waiting);
+  std::string problem = fs::exists(places.sequence) ? problem_of(places) : "";
+  if (!fs::exists(places.sequence) || !problem.empty()) {
+    remove_entry(places);
+    synth::render_sequence(job, places.sequence, vo::ExistingOutput::keep, progress);
+    vo::write_file(places.files, list_file_hashes(places.sequence));
+  }
+  lock.share();
+  return {places.sequence, content_of(places), std::move(problem), std::move(lock)};
+}
+
+std::vector<CacheEntry> list_cache(const fs::path& cache) {
+  std::vector<CacheEntry> entries;
+  for (const std::string& key : keys_in(cache)) {
+    if (std::optional<CacheEntry> entry = describe_entry(cache, key)) {
+      entries.push_back(std::move(*entry));
+    }
+  }
+  std::sort(entries.begin(), entries.end(), [](const CacheEntry& a, const CacheEntry& b) {
+    return std::tie(a.last_used, a.key) < std::tie(b.last_used, b.key);
+  });
+  return entries;
+}
+
+std::vector<CacheEntry> verify_cache(const fs::path& cache, const vo::Progress& progress) {
+  std::vector<CacheEntry> entries = list_cache(cache);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const EntryPlaces places = places_of(cache, entries[i].key);
+    const std::filesystem::file_time_type used = entries[i].last_used;
+    const auto lock = FileLock::try_lock(places.lock, LockKind::exclusive);
+    if (lock) {
+      entries[i].problem = problem_of(places);
+      if (!entries[i].problem.empty()) {
+        remove_entry(places);
+      }
+      std::error_code ignored;
+      fs::last_write_time(places.lock, used, ignored);
+    }
+    progress(i + 1, entries.size());
+  }
+  return entries;
+}
+
+std::vector<CacheEntry> prune_cache(const fs::path& cache, std::uintmax_t max_bytes) {
+  remove_unfinished(cache);
+  const std::vector<CacheEntry> entries = list_cache(cache);
+  std::uintmax_t total = 0;
+  for (const CacheEntry& entry : entries) {
+    total += entry.bytes;
+  }
+  std::vector<CacheEntry> removed;
+  for (const CacheEntry& entry : entries) {
+    const EntryPlaces places = places_of(cache, entry.key);
+    const auto lock = total > max_bytes ? FileLock::try_lock(places.lock, LockKind::exclusive)
+                                        : std::optional<FileLock>();
+    if (lock) {
+      remove_entry(places);
+      total -= entry.bytes;
+      removed.push_back(entry);
+    }
+  }
+  return removed;
+}
+
+}  // namespace tools

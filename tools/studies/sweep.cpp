@@ -1,0 +1,273 @@
+#include "tools/studies/sweep.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "tools/plot/plot.h"
+#include "tools/plot/statistics.h"
+#include "vo/core/error.h"
+
+namespace tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SweptMetric {
+  const char* metric;
+  const char* title;
+  double factor;  ///< from the metric's unit to the title's
+  int decimals;
+};
+
+constexpr std::array<SweptMetric, 4> kSweptMetrics{
+    {{"ate_rmse_m", "ate_mm", 1000, 3},
+     {"rpe_translation_rmse_m", "rpe_mm", 1000, 3},
+     {"rpe_rotation_rmse_deg", "rpe_deg", 1, 4},
+     {"tracked_fraction", "tracked_percent", 100, 1}}};
+
+/// Of modes mono and mapping.
+constexpr std::array<SweptMetric, 7> kMapMetrics{
+    {{"ate_percent", "ate_percent", 1, 3},
+     {"scale_error_percent", "scale_percent", 1, 3},
+     {"scale_drift_percent", "drift_percent_per_10m", 1, 2},
+     {"depth_error_percent", "depth_percent", 1, 3},
+     {"depth_outliers_percent", "outliers_percent", 1, 2},
+     {"depth_nees", "nees", 1, 2},
+     {"depth_density_fraction", "density_percent", 100, 1}}};
+
+/// One row: a scenario with certain values of the options.
+struct Combination {
+  Assignments values;
+  ScenarioResult result;
+
+  Estimate estimate(const SweptMetric& swept) const {
+    const Estimate plain = estimate_mean(values_of(result, swept.metric));
+    return {swept.factor * plain.mean, swept.factor * plain.low, swept.factor * plain.high};
+  }
+};
+
+/// The values that were measured, in the title's unit.
+std::vector<double> measured_values(const Combination& row, const SweptMetric& swept) {
+  std::vector<double> values;
+  for (const double value : values_of(row.result, swept.metric)) {
+    if (std::isfinite(value)) {
+      values.push_back(swept.factor * value);
+    }
+  }
+  return values;
+}
+
+/// Those of maps only where a map was measured.
+std::vector<SweptMetric> shown_metrics(const std::vector<Combination>& rows) {
+  std::vector<SweptMetric> shown(kSweptMetrics.begin(), kSweptMetrics.end());
+  std::copy_if(kMapMetrics.begin(), kMapMetrics.end(), std::back_inserter(shown),
+               [&](const SweptMetric& swept) {
+                 return std::any_of(rows.begin(), rows.end(), [&](const Combination& row) {
+                   return !measured_values(row, swept).empty();
+                 });
+               });
+  return shown;
+}
+
+/// All combinations, the last option's values changing fastest.
+std::vector<Assignments> combine(const std::vector<SweptOption>& options) {
+  std::vector<Assignments> combinations(1);
+  for (const auto& [key, values] : options) {
+    std::vector<Assignments> longer;
+    for (const Assignments& combination : combinations) {
+      for (const std::string& value : values) {
+        longer.push_back(combination);
+        longer.back().emplace_back(key, value);
+      }
+    }
+    combinations = std::move(longer);
+  }
+  return combinations;
+}
+
+std::vector<Combination> measure(const std::vector<fs::path>& scenarios,
+                                 const SweepSettings& settings, const vo::Progress& progress,
+                                 const WaitObserver& waiting) {
+  std::vector<Combination> rows;
+  std::vector<TrialJob> jobs;
+  for (const fs::path& file : scenarios) {
+    for (const Assignments& values : combine(settings.options)) {
+      const Scenario scenario = load_scenario(file, values);
+      rows.push_back({values, {.name = scenario.name, .why = scenario.why}});
+      for (int seed = 0; seed < settings.run.seeds; ++seed) {
+        jobs.push_back({scenario, seed});
+      }
+    }
+  }
+  std::vector<TrialResult> trials = run_trials(jobs, settings.run, progress, waiting);
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    rows[i / static_cast<std::size_t>(settings.run.seeds)].result.trials.push_back(
+        std::move(trials[i]));
+  }
+  return rows;
+}
+
+std::string last_part(const std::string& key) {
+  return key.substr(key.rfind('.') + 1);
+}
+
+/// A list as a cell of a table that is written with commas between cells.
+std::string without_commas(std::string value) {
+  std::replace(value.begin(), value.end(), ',', ' ');
+  return value;
+}
+
+Table make_table(const std::vector<Combination>& rows, const SweepSettings& settings) {
+  const std::vector<SweptMetric> metrics = shown_metrics(rows);
+  Table table{.columns = {{"scenario"}}};
+  for (const auto& [key, values] : settings.options) {
+    table.columns.push_back({last_part(key)});
+  }
+  for (const SweptMetric& swept : metrics) {
+    table.columns.push_back({swept.title, swept.decimals});
+    if (settings.run.seeds > 1) {
+      table.columns.push_back({std::string(swept.title) + "_ci95", swept.decimals});
+    }
+  }
+  for (const Combination& row : rows) {
+    std::vector<TableCell> cells{row.result.name};
+    for (const auto& [key, value] : row.values) {
+      cells.emplace_back(without_commas(value));
+    }
+    for (const SweptMetric& swept : metrics) {
+      const Estimate estimate = row.estimate(swept);
+      cells.emplace_back(estimate.mean);
+      if (settings.run.seeds > 1) {
+        cells.emplace_back(estimate.high - estimate.mean);
+      }
+    }
+    table.add_row(std::move(cells));
+  }
+  return table;
+}
+
+/// The values as numbers; nothing where one of them is none.
+std::vector<double> as_numbers(const std::vector<std::string>& texts) {
+  std::vector<double> numbers;
+  for (const std::string& text : texts) {
+    double number = 0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (result.ec != std::errc() || result.ptr != text.data() + text.size()) {
+      return {};
+    }
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+/// The scenario and the values of all options but the first.
+std::string series_name(const Combination& row) {
+  std::string name = row.result.name;
+  for (std::size_t i = 1; i < row.values.size(); ++i) {
+    name += " " + last_part(row.values[i].first) + "=" + row.values[i].second;
+  }
+  return name;
+}
+
+/// Against the first option's values, a line for each scenario and combination of the others.
+PlotPanel draw_panel(const std::vector<Combination>& rows, const SweptOption& option,
+                     const SweptMetric& swept) {
+  const std::vector<double> numbers = as_numbers(option.second);
+  PlotPanel panel{.x = {.title = last_part(option.first)}, .y = {.title = swept.title}};
+  if (numbers.empty()) {
+    panel.x.categories = option.second;
+  }
+  for (const Combination& row : rows) {
+    const auto place = static_cast<std::size_t>(
+        std::find(option.second.begin(), option.second.end(), row.values[0].second) -
+        option.second.begin());
+    const std::string name = series_name(row);
+    auto series = std::find_if(panel.series.begin(), panel.series.end(),
+                               [&](const PlotSeries& s) { return s.name == name; });
+    if (series == panel.series.end()) {
+      const int style = static_cast<int>(panel.series.size());
+      series = panel.series.insert(
+          series, {.name = name, .style = style, .mark = PlotMark::line_and_points, .points = {}});
+    }
+    const Estimate estimate = row.estimate(swept);
+    series->points.push_back({numbers.empty() ? static_cast<double>(place) : numbers[place],
+                              estimate.mean, estimate.high - estimate.mean});
+  }
+  return panel;
+}
+
+std::vector<std::string> problems_of(const std::vector<Combination>& rows) {
+  std::vector<std::string> sentences;
+  for (const Combination& row : rows) {
+    for (const std::string& complaint : complaints(row.result)) {
+      std::string name = row.result.name;
+      for (const auto& [key, value] : row.values) {
+        name += vo::concat(" ", last_part(key), "=", value);
+      }
+      sentences.push_back(name + ": " + complaint);
+    }
+  }
+  return sentences;
+}
+
+/// The median over all scenarios and seeds that were run with the same values.
+std::vector<std::string> medians_of(const std::vector<Combination>& rows,
+                                    const SweepSettings& settings) {
+  std::vector<std::string> sentences;
+  for (const Assignments& values : combine(settings.options)) {
+    std::string sentence = "Medians";
+    for (const auto& [key, value] : values) {
+      sentence += vo::concat(" ", last_part(key), "=", value);
+    }
+    for (const SweptMetric& swept : shown_metrics(rows)) {
+      std::vector<double> trials;
+      for (const Combination& row : rows) {
+        if (row.values == values) {
+          const std::vector<double> more = measured_values(row, swept);
+          trials.insert(trials.end(), more.begin(), more.end());
+        }
+      }
+      if (!trials.empty()) {
+        sentence +=
+            vo::concat("; ", swept.title, " ", format_decimals(median(trials), swept.decimals));
+      }
+    }
+    sentences.push_back(sentence + ".");
+  }
+  return sentences;
+}
+
+}  // namespace
+
+StudyReport sweep(const std::vector<fs::path>& scenarios, const SweepSettings& settings,
+                  const vo::Progress& progress, const WaitObserver& waiting) {
+  const std::vector<Combination> rows = measure(scenarios, settings, progress, waiting);
+  std::string title = "Sweep:";
+  for (const auto& [key, values] : settings.options) {
+    title += " " + key;
+  }
+  std::vector<PlotPanel> panels;
+  for (const SweptMetric& swept : {kSweptMetrics[0], kSweptMetrics[1], kSweptMetrics[2]}) {
+    panels.push_back(draw_panel(rows, settings.options.front(), swept));
+  }
+  std::vector<std::string> findings = problems_of(rows);
+  if (scenarios.size() * static_cast<std::size_t>(settings.run.seeds) > 1) {
+    const std::vector<std::string> medians = medians_of(rows, settings);
+    findings.insert(findings.end(), medians.begin(), medians.end());
+  }
+  return {.name = "sweep",
+          .title = title,
+          .method = vo::concat("Every combination of the options' values, ", settings.run.seeds,
+                               settings.run.seeds == 1 ? " seed" : " seeds",
+                               " each; ci95 is half the 95 % confidence interval of the mean."),
+          .table = make_table(rows, settings),
+          .findings = std::move(findings),
+          .plot = draw_plot(title, panels),
+          .more = {}};
+}
+
+}  // namespace tools

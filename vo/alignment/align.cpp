@@ -1,0 +1,199 @@
+#include "vo/alignment/align.h"
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include "vo/alignment/pose_covariance.h"
+#include "vo/core/error.h"
+
+namespace vo {
+namespace {
+
+/// Below this ratio of the eigenvalues of the scaled H, a direction is noise: the surface and its
+/// texture do not determine it.
+constexpr double kMinConditioning = 1e-8;
+
+constexpr int kDegreesOfFreedom = 6;
+
+double degrees(double radians) {
+  return radians * 180 / std::numbers::pi;
+}
+
+/// Least over greatest eigenvalue of H, translation and rotation scaled to the same size; 0 where a
+/// parameter has no influence at all.
+double conditioning_of(const Matrix6d& H) {
+  const Vector6d diagonal = H.diagonal();
+  if (!(diagonal.minCoeff() > 0)) {
+    return 0;
+  }
+  const Vector6d scale = diagonal.cwiseSqrt().cwiseInverse();
+  const Matrix6d scaled = scale.asDiagonal() * H * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(scaled, Eigen::EigenvaluesOnly);
+  return solver.eigenvalues().minCoeff() / solver.eigenvalues().maxCoeff();
+}
+
+bool is_small(const Vector6d& delta, std::size_t level, const AlignOptions& options) {
+  const double growth = std::pow(options.step_limit_growth, static_cast<double>(level));
+  return delta.head<3>().norm() < growth * options.min_translation &&
+         degrees(delta.tail<3>().norm()) < growth * options.min_rotation_deg;
+}
+
+/// A step that is shortened while it raises the cost.
+Vector6d damped_step(const JointSystem& system, double damping) {
+  Matrix6d H = system.H;
+  H.diagonal() *= 1 + damping;
+  return -H.ldlt().solve(system.b);
+}
+
+/// Gauss-Newton on one pyramid level.
+class LevelAlignment {
+ public:
+  LevelAlignment(JointProblem& problem, AlignResult& result)
+      : problem_(problem), options_(problem.options()), result_(result) {}
+
+  /// Improves the result's pose and returns the system there.
+  JointSystem run() {
+    const auto min_points = static_cast<std::size_t>(options_.min_points);
+    system_ = problem_.linearize(result_.T_cur_ref);
+    result_.termination = Termination::max_iterations;
+    for (int i = 0; i < options_.max_iterations && system_.points >= min_points; ++i) {
+      if (!(conditioning_of(system_.H) >= kMinConditioning)) {
+        result_.termination = Termination::singular;
+        break;
+      }
+      if (!step()) {
+        break;
+      }
+    }
+    if (system_.points < min_points) {
+      result_.termination = Termination::too_few_points;
+    }
+    return system_;
+  }
+
+ private:
+  /// False when there is no step to take; says why in the result.
+  bool step() {
+    constexpr double kFirstDamping = 0.5;
+    constexpr double kDampingFactor = 8;
+    double damping = 0;
+    for (int retry = 0; retry <= options_.step_retries; ++retry) {
+      const Vector6d delta = damped_step(system_, damping);
+      if (is_small(delta, problem_.level(), options_)) {
+        result_.termination = Termination::converged;
+        return false;
+      }
+      if (accept(delta)) {
+        return true;
+      }
+      damping = damping == 0 ? kFirstDamping : damping * kDampingFactor;
+    }
+    result_.termination = Termination::no_better_step;
+    return false;
+  }
+
+  /// Moves unless the cost would rise.
+  bool accept(const Vector6d& delta) {
+    const std::vector<ResidualModel> models = problem_.models();
+    const SE3 T_candidate = SE3::exp(delta) * result_.T_cur_ref;
+    problem_.update_brightness(system_, delta, result_.T_cur_ref);
+    JointSystem candidate = problem_.linearize(T_candidate);
+    ++result_.iterations;
+    const bool better = candidate.cost < system_.cost;
+    if (!better && !options_.keep_worse_step) {
+      problem_.set_models(models);
+      return false;
+    }
+    result_.T_cur_ref = T_candidate;
+    system_ = std::move(candidate);
+    return better;
+  }
+
+  JointProblem& problem_;
+  const AlignOptions& options_;
+  AlignResult& result_;
+  JointSystem system_;
+};
+
+void summarize(const JointSystem& system, const JointProblem& problem, AlignResult& result) {
+  const LinearSystem& first = system.parts.front();
+  result.points = system.points;
+  result.cost = system.cost;
+  result.gain = problem.models().front().brightness.gain;
+  result.offset = problem.models().front().brightness.offset;
+  result.conditioning = conditioning_of(system.H);
+  if (first.total > 0) {
+    result.visible_fraction = static_cast<double>(first.points) / static_cast<double>(first.total);
+  }
+  if (result.usable()) {
+    const JointScores scores = problem.scores(system, result.T_cur_ref);
+    result.covariance = pose_covariance(problem, system, scores, result.T_cur_ref);
+    result.loss_by_readout = scores.loss_by_readout;
+  }
+  result.correlation = correlation(problem.forward_view(0, result.T_cur_ref));
+  result.depth_agreement = problem.depth_agreement(result.T_cur_ref);
+}
+
+/// Brightness found on one level is where the next one starts.
+void carry_brightness(const std::vector<ResidualModel>& coarser, JointProblem& problem) {
+  std::vector<ResidualModel> models = problem.models();
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    models[i].brightness = coarser[i].brightness;
+  }
+  problem.set_models(std::move(models));
+}
+
+}  // namespace
+
+void AlignOptions::validate() const {
+  require(max_iterations >= 1, "align.max_iterations: expected at least 1, got ", max_iterations);
+  require(min_translation >= 0 && min_rotation_deg >= 0,
+          "align: expected step limits of at least 0");
+  require(step_limit_growth >= 1, "align.step_limit_growth: expected at least 1, got ",
+          step_limit_growth);
+  require(depth_term >= 0, "align.depth_term: expected at least 0, got ", depth_term);
+  require(step_retries >= 0, "align.step_retries: expected at least 0, got ", step_retries);
+  require(min_loss_scale > 0, "align.min_loss_scale: expected above 0, got ", min_loss_scale);
+  require(depth_noise >= 0, "align.depth_noise: expected at least 0, got ", depth_noise);
+  require(max_depth_ratio == 0 || max_depth_ratio > 1,
+          "align.max_depth_ratio: expected 0 or above 1, got ", max_depth_ratio);
+  require(readout >= 0 && readout <= 0.1, "align.readout: expected 0 to 0.1 s, got ", readout);
+  require(loss_scale > 0, "align.loss_scale: expected above 0, got ", loss_scale);
+  require(min_points > kDegreesOfFreedom, "align.min_points: expected more than ",
+          kDegreesOfFreedom, ", got ", min_points);
+}
+
+AlignResult align(std::span<const AlignReference> references, const AlignCurrent& current,
+                  const SE3& T_cur_ref_guess, const AlignOptions& options) {
+  AlignResult result;
+  result.T_cur_ref = T_cur_ref_guess;
+  std::vector<ResidualModel> models;
+  for (std::size_t l = current.frame.levels.size(); l-- > 0;) {
+    JointProblem problem(references, current, l, options);
+    if (models.empty()) {
+      problem.match_brightness(result.T_cur_ref);
+    } else {
+      carry_brightness(models, problem);
+    }
+    problem.estimate_scales(result.T_cur_ref);
+    const JointSystem system = LevelAlignment(problem, result).run();
+    models = problem.models();
+    if (l == 0) {
+      summarize(system, problem, result);
+    }
+  }
+  return result;
+}
+
+AlignResult align(const EdgePoints& reference, const FramePyramid& current,
+                  const SE3& T_cur_ref_guess, const AlignOptions& options) {
+  assert(reference.levels.size() == current.levels.size());
+  const std::array references{AlignReference{reference, SE3()}};
+  return align(references, AlignCurrent{current}, T_cur_ref_guess, options);
+}
+
+}  // namespace vo

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+
+#include "vo/alignment/align_result.h"
+#include "vo/alignment/joint_problem.h"
+#include "vo/geometry/se3.h"
+#include "vo/image/edge_points.h"
+#include "vo/image/pyramid.h"
+#include "vo/residuals/align_options.h"
+
+namespace vo {
+
+/// The pose that agrees best with all references: Gauss-Newton on SE(3), coarse to fine, steps that
+/// raise the cost undone. Pure: same input, same output.
+AlignResult align(std::span<const AlignReference> references, const AlignCurrent& current,
+                  const SE3& T_cur_ref_guess, const AlignOptions& options);
+
+/// The same with one reference.
+AlignResult align(const EdgePoints& reference, const FramePyramid& current,
+                  const SE3& T_cur_ref_guess, const AlignOptions& options);
+
+}  // namespace vo

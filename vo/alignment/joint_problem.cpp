@@ -1,0 +1,292 @@
+#include "vo/alignment/joint_problem.h"
+
+#include <algorithm>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "vo/residuals/rolling_shutter_moments.h"
+
+namespace vo {
+namespace {
+
+/// Takes gain and offset out of the normal equations (Schur complement).
+void eliminate_brightness(const LinearSystem& part, Matrix6d& H, Vector6d& b) {
+  const Eigen::Matrix<double, 6, 2> coupling = part.H.topRightCorner<6, 2>();
+  const Eigen::Matrix<double, 6, 2> eliminated = coupling * part.H_brightness().inverse();
+  H -= eliminated * coupling.transpose();
+  b -= eliminated * part.b.tail<2>();
+}
+
+/// Where a backward pair's points are in the current image: they are the current frame's own.
+void place_at_pixels(const std::vector<cv::Point>& pixels, PointScores& scores) {
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    scores.u[i] = static_cast<float>(pixels[i].x);
+    scores.v[i] = static_cast<float>(pixels[i].y);
+  }
+}
+
+/// Sums over points.
+struct CurvatureSums {
+  double weight = 0;
+  double curvature = 0;
+
+  void add(const PointScores& scores, const AlignOptions& options, double scale) {
+    for (std::size_t i = 0; i < scores.weight.size(); ++i) {
+      const auto w = static_cast<double>(scores.weight[i]);
+      const double share = curvature_share(options.loss, scores.residual[i], scale);
+      weight += w;
+      curvature += w * (options.squared_weights ? 2 * share - 1 : share);
+    }
+  }
+};
+
+}  // namespace
+
+FrameVelocity AlignCurrent::velocity(const SE3& T_cur_first) const {
+  if (!previous) {
+    return {};
+  }
+  const SE3 T_last_cur = previous->T_last_first * T_cur_first.inverse();
+  return velocity_at_end({T_last_cur.log() / previous->seconds_ago, previous->seconds_ago},
+                         previous->before);
+}
+
+LossByReadout ReadoutSystem::least_loss(const JointSystem& pose) const {
+  const Vector6d moved = pose.H.ldlt().solve(coupling);
+  return {.slope = 2 * (b - moved.dot(pose.b)), .curvature = 2 * (H - moved.dot(coupling))};
+}
+
+JointProblem::JointProblem(std::span<const AlignReference> references, const AlignCurrent& current,
+                           std::size_t level, const AlignOptions& options)
+    : current_(current), level_(level), options_(options) {
+  for (const AlignReference& reference : references) {
+    pairs_.push_back({&reference, /*backward=*/false});
+  }
+  for (const AlignReference& reference : references) {
+    if (reference.frame != nullptr && current.points != nullptr) {
+      pairs_.push_back({&reference, /*backward=*/true});
+    }
+  }
+  models_.resize(pairs_.size(), {options.loss_scale, {}});
+}
+
+PointView JointProblem::view(const ImagePair& pair, const SE3& T_cur_first) const {
+  const AlignReference& reference = *pair.reference;
+  const SE3 T_cur_ref = T_cur_first * reference.T_first_ref;
+  const RowMotion ref_motion(reference.velocity.twist, options_.readout);
+  const RowMotion cur_motion =
+      options_.readout != 0 ? RowMotion(current_.velocity(T_cur_first).twist, options_.readout)
+                            : RowMotion();
+  if (pair.backward) {
+    return {current_.points->levels[level_], reference.frame->levels[level_], T_cur_ref.inverse(),
+            cur_motion, ref_motion};
+  }
+  return {reference.points.levels[level_], current_.frame.levels[level_], T_cur_ref, ref_motion,
+          cur_motion};
+}
+
+PointView JointProblem::forward_view(std::size_t reference, const SE3& T_cur_first) const {
+  return view(pairs_[reference], T_cur_first);
+}
+
+/// d(left increment of the pair's transform) / d(left increment of T_cur_first). A backward pair's
+/// transform is the inverse: exp(-delta) on its right.
+Matrix6d JointProblem::increment_jacobian(const ImagePair& pair, const SE3& T_cur_first) const {
+  if (!pair.backward) {
+    return Matrix6d::Identity();
+  }
+  return -adjoint((T_cur_first * pair.reference->T_first_ref).inverse());
+}
+
+void JointProblem::add_part(std::size_t pair, const SE3& T_cur_first, JointSystem& system) const {
+  const LinearSystem& part = system.parts[pair];
+  Matrix6d H = part.H_pose();
+  Vector6d b = part.b_pose();
+  if (options_.brightness == BrightnessModel::affine) {
+    eliminate_brightness(part, H, b);
+  }
+  const double inverse_variance = 1 / (models_[pair].scale * models_[pair].scale);
+  const Matrix6d J = increment_jacobian(pairs_[pair], T_cur_first);
+  system.H += inverse_variance * J.transpose() * H * J;
+  system.b += inverse_variance * J.transpose() * b;
+  system.cost += inverse_variance * part.cost;
+  system.points += part.points;
+  system.total += part.total;
+}
+
+/// References stand beside each other, as the first pairs have them.
+std::size_t JointProblem::index_of(const ImagePair& pair) const {
+  return static_cast<std::size_t>(pair.reference - &first());
+}
+
+/// The first reference's surfaces in the current depth image.
+DepthView JointProblem::depth_view(const SE3& T_cur_first) const {
+  return {*first().surface, current_.frame.levels[surface_level(current_.frame)],
+          T_cur_first * first().T_first_ref};
+}
+
+double JointProblem::depth_agreement(const SE3& T_cur_first) const {
+  return first().surface != nullptr ? vo::depth_agreement(depth_view(T_cur_first)) : 1;
+}
+
+double JointProblem::depth_weight() const {
+  return options_.depth_term / (distance_scale_ * distance_scale_);
+}
+
+void JointProblem::add_depth(const SE3& T_cur_first, JointSystem& system) const {
+  if (!(distance_scale_ > 0)) {
+    return;
+  }
+  const DepthSystem depth = linearize_depth(depth_view(T_cur_first), distance_scale_);
+  const double weight = depth_weight();
+  system.H += weight * depth.H;
+  system.b += weight * depth.b;
+  system.cost += weight * depth.cost;
+}
+
+/// The same, taken apart. A pixel of the surfaces' level is several of the finest.
+void JointProblem::add_depth(const SE3& T_cur_first, CellScores& scores) const {
+  if (!(distance_scale_ > 0)) {
+    return;
+  }
+  const DepthView view = depth_view(T_cur_first);
+  const double pixels = static_cast<double>(camera().width) / view.image.camera.width;
+  for (const DepthScore& score : score_depth(view, distance_scale_)) {
+    scores.add(static_cast<float>(pixels * score.pixel.x()),
+               static_cast<float>(pixels * score.pixel.y()), depth_weight() * score.b);
+  }
+}
+
+JointSystem JointProblem::linearize(const SE3& T_cur_first) const {
+  JointSystem system;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    system.parts.push_back(vo::linearize(view(pairs_[i], T_cur_first), options_, models_[i]));
+    add_part(i, T_cur_first, system);
+  }
+  add_depth(T_cur_first, system);
+  system.cost /= static_cast<double>(std::max<std::size_t>(system.total, 1));
+  return system;
+}
+
+CellScores::Projection JointProblem::projection(std::size_t pair, const LinearSystem& part,
+                                                const SE3& T_cur_first) const {
+  CellScores::Projection eliminated = CellScores::Projection::Zero();
+  eliminated.leftCols<6>().setIdentity();
+  if (options_.brightness == BrightnessModel::affine) {
+    eliminated.rightCols<2>() = -part.H.topRightCorner<6, 2>() * part.H_brightness().inverse();
+  }
+  const Matrix6d J = increment_jacobian(pairs_[pair], T_cur_first);
+  return J.transpose() * eliminated / (models_[pair].scale * models_[pair].scale);
+}
+
+JointProblem::ScoredPair JointProblem::scored(std::size_t pair, const LinearSystem& part,
+                                              const SE3& T_cur_first, PointScores& scores) const {
+  const PointView seen = view(pairs_[pair], T_cur_first);
+  const ResidualModel& model = models_[pair];
+  score_points(seen, options_, model, scores);
+  return {.pair = pairs_[pair],
+          .part = part,
+          .seen = seen,
+          .scores = scores,
+          .to_pose = projection(pair, part, T_cur_first),
+          .inverse_variance = 1 / (model.scale * model.scale)};
+}
+
+/// To first order, with the points' weights as they are.
+void JointProblem::add_velocities(const ScoredPair& scored, JointScores& result) const {
+  if (options_.readout == 0) {
+    return;
+  }
+  const RowMoments moments = RowMoments::of(scored.seen, scored.scores);
+  const Matrix6d by_points =
+      options_.readout * scored.to_pose * moments.points * adjoint(scored.seen.T_cur_ref);
+  const Matrix6d by_image = -options_.readout * scored.to_pose * moments.image;
+  result.by_current_velocity += scored.pair.backward ? by_points : by_image;
+  result.by_reference_velocity[index_of(scored.pair)] +=
+      scored.pair.backward ? by_image : by_points;
+}
+
+/// Likewise; the pair's brightness is eliminated.
+void JointProblem::add_readout(const ScoredPair& scored, const SE3& T_cur_first,
+                               ReadoutSystem& system) const {
+  const Vector6d current = current_.velocity(T_cur_first).twist;
+  const Vector6d& reference = scored.pair.reference->velocity.twist;
+  const Vector6d& of_points = scored.pair.backward ? current : reference;
+  const Vector6d& of_image = scored.pair.backward ? reference : current;
+  const ReadoutMoments moments = ReadoutMoments::of(
+      scored.seen, scored.scores, adjoint(scored.seen.T_cur_ref) * of_points, of_image);
+  Eigen::Vector2d eliminated = Eigen::Vector2d::Zero();
+  if (options_.brightness == BrightnessModel::affine) {
+    eliminated = scored.part.H_brightness().inverse() * moments.coupling.tail<2>();
+  }
+  system.H +=
+      scored.inverse_variance * (moments.square - eliminated.dot(moments.coupling.tail<2>()));
+  system.b +=
+      scored.inverse_variance * (moments.by_residual - eliminated.dot(scored.part.b.tail<2>()));
+  system.coupling += scored.to_pose * moments.coupling;
+}
+
+JointScores JointProblem::scores(const JointSystem& system, const SE3& T_cur_first) const {
+  const std::size_t references = index_of(pairs_.back()) + 1;
+  JointScores result{.references = {references, CellScores(camera())},
+                     .by_reference_velocity = {references, Matrix6d::Zero()}};
+  CurvatureSums sums;
+  ReadoutSystem readout;
+  PointScores scores;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const ScoredPair pair = scored(i, system.parts[i], T_cur_first, scores);
+    add_velocities(pair, result);
+    add_readout(pair, T_cur_first, readout);
+    if (pair.pair.backward) {
+      place_at_pixels(pair.seen.points.pixel, pair.scores);
+    }
+    sums.add(pair.scores, options_, models_[i].scale);
+    result.references[index_of(pair.pair)].add(pair.scores, pair.to_pose);
+  }
+  add_depth(T_cur_first, result.references.front());
+  result.curvature_share = sums.curvature / sums.weight;
+  result.loss_by_readout = readout.least_loss(system);
+  return result;
+}
+
+void JointProblem::estimate_scales(const SE3& T_cur_first) {
+  constexpr double kMinDistanceScale = 5e-4;  // m
+  if (options_.depth_term > 0 && first().surface != nullptr) {
+    const double spread = distance_spread(depth_view(T_cur_first));
+    distance_scale_ = spread > 0 ? std::max(spread, kMinDistanceScale) : 0;
+  }
+  if (options_.scale == LossScale::fixed) {
+    return;
+  }
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    models_[i].scale = shown_scale(view(pairs_[i], T_cur_first), models_[i].brightness, options_);
+  }
+}
+
+void JointProblem::match_brightness(const SE3& T_cur_first) {
+  if (options_.brightness == BrightnessModel::same) {
+    return;
+  }
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    models_[i].brightness = matched_brightness(view(pairs_[i], T_cur_first));
+  }
+}
+
+void JointProblem::update_brightness(const JointSystem& system, const Vector6d& delta,
+                                     const SE3& T_cur_first) {
+  if (options_.brightness == BrightnessModel::same) {
+    return;
+  }
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const LinearSystem& part = system.parts[i];
+    const Vector6d pair_delta = increment_jacobian(pairs_[i], T_cur_first) * delta;
+    const Eigen::Vector2d right =
+        part.b.tail<2>() + part.H.topRightCorner<6, 2>().transpose() * pair_delta;
+    const Eigen::Vector2d step = -part.H_brightness().inverse() * right;
+    models_[i].brightness.gain += step[0];
+    models_[i].brightness.offset += step[1];
+  }
+}
+
+}  // namespace vo

@@ -1,0 +1,156 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "vo/alignment/align_result.h"
+#include "vo/residuals/cell_scores.h"
+#include "vo/residuals/depth_term.h"
+#include "vo/residuals/frame_velocity.h"
+#include "vo/residuals/linearize.h"
+
+namespace vo {
+
+/// A frame of known pose that the current one is aligned to.
+struct AlignReference {
+  const EdgePoints& points;
+  SE3 T_first_ref;                      ///< first: the first reference
+  const FramePyramid* frame = nullptr;  ///< where the current frame's points are looked up, if any
+  FrameVelocity velocity;
+  const SurfacePoints* surface = nullptr;  ///< where depth is compared, too: its own surfaces
+  Vignette vignette = {};                  ///< taken out of its intensities
+};
+
+/// Where the camera was one frame earlier: how fast it moves follows from the pose that is sought.
+struct PreviousFrame {
+  SE3 T_last_first;  ///< first: the first reference
+  double seconds_ago = 0;
+  std::optional<MeanVelocity> before;  ///< until then
+};
+
+/// The frame whose pose is sought.
+struct AlignCurrent {
+  const FramePyramid& frame;
+  const EdgePoints* points = nullptr;     ///< of its own edges, if references are looked up at them
+  std::optional<PreviousFrame> previous;  ///< for a rolling shutter
+
+  /// 0 when it is not known where the camera came from.
+  FrameVelocity velocity(const SE3& T_cur_first) const;
+};
+
+/// Normal equations of one left increment of T_cur_first, summed over pairs of images with the
+/// brightness of each eliminated. Each pair counts in squares of its own scale.
+struct JointSystem {
+  Matrix6d H = Matrix6d::Zero();
+  Vector6d b = Vector6d::Zero();
+  double cost = 0;                  ///< robust, per point
+  std::size_t points = 0;           ///< seen
+  std::size_t total = 0;            ///< seen or not
+  std::vector<LinearSystem> parts;  ///< of each pair: references forward, then backward
+};
+
+/// What the points add to the system's b, by the reference and the cell of the current image.
+struct JointScores {
+  std::vector<CellScores> references;
+  double curvature_share = 1;  ///< mean curvature of the loss over the mean weight
+
+  /// d b / d velocity, of the current frame's and of each reference's; 0 without a rolling shutter.
+  Matrix6d by_current_velocity = Matrix6d::Zero();
+  std::vector<Matrix6d> by_reference_velocity;
+
+  LossByReadout loss_by_readout;  ///< to first order of the residuals
+};
+
+/// Normal equations of the read-out time beside those of the pose, in squares of the pairs' scales.
+struct ReadoutSystem {
+  double H = 0;
+  double b = 0;
+  Vector6d coupling = Vector6d::Zero();  ///< H between pose and read-out time
+
+  /// The loss is twice what the equations are of. Being made of weights they overstate its
+  /// curvature, and so hold the time more firmly.
+  LossByReadout least_loss(const JointSystem& pose) const;
+};
+
+/// The current frame and all its references at one pyramid level: the references' points looked up
+/// in the current image and the current frame's points looked up in the references.
+class JointProblem {
+ public:
+  /// The arguments must outlive the problem.
+  JointProblem(std::span<const AlignReference> references, const AlignCurrent& current,
+               std::size_t level, const AlignOptions& options);
+
+  JointSystem linearize(const SE3& T_cur_first) const;
+
+  /// The system's b, linearized at this pose, taken apart.
+  JointScores scores(const JointSystem& system, const SE3& T_cur_first) const;
+
+  /// A reference's points in the current image; `models` has it at the same index.
+  PointView forward_view(std::size_t reference, const SE3& T_cur_first) const;
+
+  /// Of the first reference's surfaces with what is measured; 1 if they are not known.
+  double depth_agreement(const SE3& T_cur_first) const;
+
+  /// Scale and brightness of each pair as its images show them at this pose, where the options say
+  /// that they are estimated.
+  void estimate_scales(const SE3& T_cur_first);
+  void match_brightness(const SE3& T_cur_first);
+
+  /// Moves the brightness of each pair along with a pose increment of the system.
+  void update_brightness(const JointSystem& system, const Vector6d& delta, const SE3& T_cur_first);
+
+  const std::vector<ResidualModel>& models() const { return models_; }
+  void set_models(std::vector<ResidualModel> models) { models_ = std::move(models); }
+  const FrameVelocity& reference_velocity(std::size_t reference) const {
+    return pairs_[reference].reference->velocity;
+  }
+  FrameVelocity current_velocity(const SE3& T_cur_first) const {
+    return current_.velocity(T_cur_first);
+  }
+  const AlignOptions& options() const { return options_; }
+  std::size_t level() const { return level_; }
+  const PinholeCamera& camera() const { return current_.frame.levels[level_].camera; }
+
+ private:
+  /// Points of one frame looked up in the image of another.
+  struct ImagePair {
+    const AlignReference* reference;
+    bool backward;  ///< the points are the current frame's and the image is the reference's
+  };
+
+  /// A pair of images, point by point.
+  struct ScoredPair {
+    const ImagePair& pair;
+    const LinearSystem& part;
+    PointView seen;
+    PointScores& scores;
+    CellScores::Projection to_pose;
+    double inverse_variance;  ///< of the residuals
+  };
+
+  PointView view(const ImagePair& pair, const SE3& T_cur_first) const;
+  Matrix6d increment_jacobian(const ImagePair& pair, const SE3& T_cur_first) const;
+  void add_part(std::size_t pair, const SE3& T_cur_first, JointSystem& system) const;
+  const AlignReference& first() const { return *pairs_.front().reference; }
+  std::size_t index_of(const ImagePair& pair) const;
+  DepthView depth_view(const SE3& T_cur_first) const;
+  double depth_weight() const;
+  void add_depth(const SE3& T_cur_first, JointSystem& system) const;
+  void add_depth(const SE3& T_cur_first, CellScores& scores) const;
+  ScoredPair scored(std::size_t pair, const LinearSystem& part, const SE3& T_cur_first,
+                    PointScores& scores) const;
+  void add_velocities(const ScoredPair& scored, JointScores& result) const;
+  void add_readout(const ScoredPair& scored, const SE3& T_cur_first, ReadoutSystem& system) const;
+  CellScores::Projection projection(std::size_t pair, const LinearSystem& part,
+                                    const SE3& T_cur_first) const;
+
+  const AlignCurrent& current_;
+  std::size_t level_;
+  const AlignOptions& options_;
+  std::vector<ImagePair> pairs_;
+  std::vector<ResidualModel> models_;
+  double distance_scale_ = 0;  ///< m, of the distances from the first reference's surfaces
+};
+
+}  // namespace vo

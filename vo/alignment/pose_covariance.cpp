@@ -1,0 +1,115 @@
+#include "vo/alignment/pose_covariance.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <Eigen/Cholesky>
+
+namespace vo {
+namespace {
+
+constexpr double kBiasPx = 0.005;  // px, in u and in v
+constexpr int kParameters = 6;
+
+Vector6d total(const std::vector<Vector6d>& b) {
+  return std::accumulate(b.begin(), b.end(), Vector6d(Vector6d::Zero()));
+}
+
+Matrix6d scatter(const std::vector<Vector6d>& b) {
+  Matrix6d sum = Matrix6d::Zero();
+  for (const Vector6d& cell : b) {
+    sum += cell * cell.transpose();
+  }
+  return sum;
+}
+
+/// Too few cells do not tell how sure a reference is.
+bool is_known(const std::vector<Vector6d>& b) {
+  constexpr auto kMinCells = 4 * kParameters;
+  return std::count_if(b.begin(), b.end(), [](const Vector6d& cell) { return !cell.isZero(0); }) >=
+         kMinCells;
+}
+
+/// By how much the references disagree more than their cells explain, at least 1.
+double birge_factor(const std::vector<CellScores>& references) {
+  double chi2 = 0;
+  int count = 0;
+  for (const CellScores& reference : references) {
+    if (is_known(reference.b())) {
+      const Vector6d g = total(reference.b());
+      chi2 += g.dot(scatter(reference.b()).ldlt().solve(g));
+      ++count;
+    }
+  }
+  return count > 1 ? std::max(1.0, chi2 / (kParameters * (count - 1))) : 1;
+}
+
+std::vector<Vector6d> sum_of(const std::vector<CellScores>& references) {
+  std::vector<Vector6d> sum = references.front().b();
+  for (std::size_t r = 1; r < references.size(); ++r) {
+    for (std::size_t cell = 0; cell < sum.size(); ++cell) {
+      sum[cell] += references[r].b()[cell];
+    }
+  }
+  return sum;
+}
+
+/// Half the weighted sum of the squared gradients times the variance of a displacement. A rotation
+/// about x or y moves pixels by about the focal length per rad, so H holds the sum.
+double bias_variance(const Matrix6d& H, const PinholeCamera& camera) {
+  const double squared_gradients =
+      H(3, 3) / (camera.fy * camera.fy) + H(4, 4) / (camera.fx * camera.fx);
+  return kBiasPx * kBiasPx * squared_gradients / 2;
+}
+
+/// Of a velocity that is off in every direction alike, by as much as is in doubt.
+Matrix6d velocity_covariance(const FrameVelocity& velocity) {
+  Vector6d variance;
+  variance.head<3>().setConstant(velocity.doubt.head<3>().squaredNorm() / 3);
+  variance.tail<3>().setConstant(velocity.doubt.tail<3>().squaredNorm() / 3);
+  return variance.asDiagonal();
+}
+
+/// Of b, by the velocities that rows are moved with.
+Matrix6d shutter_scatter(const JointProblem& problem, const JointScores& scores,
+                         const SE3& T_cur_first) {
+  const Matrix6d& K = scores.by_current_velocity;
+  Matrix6d sum = K * velocity_covariance(problem.current_velocity(T_cur_first)) * K.transpose();
+  for (std::size_t r = 0; r < scores.by_reference_velocity.size(); ++r) {
+    const Matrix6d& K_ref = scores.by_reference_velocity[r];
+    sum += K_ref * velocity_covariance(problem.reference_velocity(r)) * K_ref.transpose();
+  }
+  return sum;
+}
+
+/// H^-1 S H^-1, the covariance of the increment that follows from that of b.
+Matrix6d propagated(const Matrix6d& H, const Matrix6d& scatter_of_b) {
+  const Matrix6d H_inverse = H.ldlt().solve(Matrix6d::Identity());
+  const Matrix6d covariance = H_inverse * scatter_of_b * H_inverse;
+  return (covariance + covariance.transpose()) / 2;
+}
+
+/// What differs from cell to cell.
+Matrix6d cell_covariance(const JointSystem& system, const JointScores& scores) {
+  constexpr double kMinCurvatureShare = 0.25;
+  const double share = std::max(scores.curvature_share, kMinCurvatureShare);
+  const double factor = birge_factor(scores.references) / (share * share);
+  return factor * propagated(system.H, scatter(sum_of(scores.references)));
+}
+
+}  // namespace
+
+Matrix6d sandwich_covariance(const JointProblem& problem, const JointSystem& system,
+                             const SE3& T_cur_first) {
+  return cell_covariance(system, problem.scores(system, T_cur_first));
+}
+
+Matrix6d pose_covariance(const JointProblem& problem, const JointSystem& system,
+                         const JointScores& scores, const SE3& T_cur_first) {
+  const Matrix6d H_inverse = system.H.ldlt().solve(Matrix6d::Identity());
+  return cell_covariance(system, scores) +
+         propagated(system.H, shutter_scatter(problem, scores, T_cur_first)) +
+         bias_variance(system.H, problem.camera()) * (H_inverse + H_inverse.transpose()) / 2;
+}
+
+}  // namespace vo

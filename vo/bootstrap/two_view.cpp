@@ -1,0 +1,203 @@
+#include "vo/bootstrap/two_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Cholesky>
+
+#include "vo/bootstrap/pair_terms.h"
+#include "vo/core/damped_descent.h"
+#include "vo/core/median.h"
+
+namespace vo {
+namespace {
+
+double total_loss(const std::vector<RayPair>& pairs, const SE3& T, const std::vector<double>& d,
+                  double scale) {
+  double sum = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    sum += pair_loss(pairs[i], T, d[i], scale);
+  }
+  return sum;
+}
+
+/// The normal equations of the pose, depths eliminated, and what gives their steps back.
+struct ReducedSystem {
+  Matrix6d H = Matrix6d::Zero();
+  Vector6d b = Vector6d::Zero();
+  std::vector<Vector6d> coupling;
+  std::vector<double> H_depth;
+  std::vector<double> b_depth;
+};
+
+ReducedSystem reduced_system(const std::vector<RayPair>& pairs, const SE3& T,
+                             const std::vector<double>& d, double scale) {
+  constexpr double kDepthPrior = 1e-9;
+  ReducedSystem system;
+  system.coupling.resize(pairs.size(), Vector6d::Zero());
+  system.H_depth.resize(pairs.size(), kDepthPrior);
+  system.b_depth.resize(pairs.size(), 0);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const PairTerms terms = terms_of(pairs[i], T, d[i]);
+    if (!terms.in_front) {
+      continue;
+    }
+    const double w = cauchy_weight(terms.r.squaredNorm(), scale);
+    system.coupling[i] = w * terms.by_pose.transpose() * terms.by_depth;
+    system.H_depth[i] += w * terms.by_depth.squaredNorm();
+    system.b_depth[i] = w * terms.by_depth.dot(terms.r);
+    system.H += w * terms.by_pose.transpose() * terms.by_pose -
+                system.coupling[i] * system.coupling[i].transpose() / system.H_depth[i];
+    system.b += w * terms.by_pose.transpose() * terms.r -
+                system.coupling[i] * system.b_depth[i] / system.H_depth[i];
+  }
+  return system;
+}
+
+/// The length of the translation is free: it stays what it is.
+Vector6d pose_step(const ReducedSystem& system, const SE3& T, double damping) {
+  Matrix6d H = system.H;
+  Vector6d along = Vector6d::Zero();
+  along.head<3>() = T.translation().normalized();
+  H += H.trace() * along * along.transpose();
+  H.diagonal() += damping * system.H.diagonal();
+  H.diagonal().array() += 1e-12;
+  return -H.ldlt().solve(system.b);
+}
+
+SE3 with_unit_translation(const SE3& T) {
+  return {T.rotation(), T.translation().normalized()};
+}
+
+/// A motion and the inverse depths of the pairs under it.
+struct MotionAndDepths {
+  SE3 T;
+  std::vector<double> d;
+};
+
+MotionAndDepths moved(const std::vector<RayPair>& pairs, const MotionAndDepths& from, double scale,
+                      double damping) {
+  const ReducedSystem system = reduced_system(pairs, from.T, from.d, scale);
+  const Vector6d step = pose_step(system, from.T, damping);
+  MotionAndDepths next{with_unit_translation(SE3::exp(step) * from.T),
+                       std::vector<double>(from.d.size())};
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    double& d = next.d[i];
+    d = from.d[i] - (system.b_depth[i] + system.coupling[i].dot(step)) / system.H_depth[i];
+    if (!(d > 0 && std::abs(d) < 1e3)) {
+      d = triangulate(pairs[i], next.T);
+    }
+  }
+  return next;
+}
+
+/// From one motion; the loss it ends with.
+double refine(const std::vector<RayPair>& pairs, double scale, int iterations,
+              MotionAndDepths& start) {
+  const auto step = [&](const MotionAndDepths& from, double damping) {
+    return moved(pairs, from, scale, damping);
+  };
+  const auto loss = [&](const MotionAndDepths& at) { return total_loss(pairs, at.T, at.d, scale); };
+  return descend(start, step, loss, {.iterations = iterations});
+}
+
+}  // namespace
+
+RotationFit fit_rotation(const std::vector<RayPair>& pairs) {
+  constexpr int kIterations = 15;
+  RotationFit fit;
+  for (int iteration = 0; iteration <= kIterations; ++iteration) {
+    std::vector<double> distances;
+    for (const RayPair& pair : pairs) {
+      distances.push_back(terms_of(pair, fit.T_second_first, 0).r.norm());
+    }
+    fit.parallax = upper_median(distances);
+    const double scale = std::max(1.5 * fit.parallax, 1e-5);
+    Eigen::Matrix3d H = 1e-12 * Eigen::Matrix3d::Identity();
+    Eigen::Vector3d b = Eigen::Vector3d::Zero();
+    for (const RayPair& pair : pairs) {
+      const PairTerms terms = terms_of(pair, fit.T_second_first, 0);
+      if (terms.in_front) {
+        const double w = cauchy_weight(terms.r.squaredNorm(), scale);
+        const Eigen::Matrix<double, 2, 3> J = terms.by_pose.rightCols<3>();
+        H += w * J.transpose() * J;
+        b += w * J.transpose() * terms.r;
+      }
+    }
+    Vector6d step = Vector6d::Zero();
+    step.tail<3>() = -H.ldlt().solve(b);
+    if (iteration < kIterations) {
+      fit.T_second_first = SE3::exp(step) * fit.T_second_first;
+    }
+  }
+  return fit;
+}
+
+double triangulate(const RayPair& pair, const SE3& T_second_first) {
+  constexpr double kFarthest = 1e-3;
+  const Eigen::Vector3d a = T_second_first.rotation() * pair.first.homogeneous();
+  const Eigen::Vector3d& t = T_second_first.translation();
+  // (a + d t) x second = 0, least squares over its first two components.
+  const Eigen::Vector2d at = a.head<2>() - pair.second * a.z();
+  const Eigen::Vector2d slope = t.head<2>() - pair.second * t.z();
+  const double norm2 = slope.squaredNorm();
+  return norm2 > 0 ? std::max(-at.dot(slope) / norm2, kFarthest) : kFarthest;
+}
+
+TwoViewFit fit_two_views(const std::vector<RayPair>& pairs, const SE3& T_rotation,
+                         double robust_scale) {
+  constexpr int kFirstIterations = 12;
+  constexpr int kLastIterations = 40;
+  MotionAndDepths found;
+  double least = 1e300;
+  for (int code = 0; code < 27; ++code) {
+    const Eigen::Vector3d direction(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
+    if (direction.isZero()) {
+      continue;
+    }
+    MotionAndDepths start{{T_rotation.rotation(), direction.normalized()}, {}};
+    for (const RayPair& pair : pairs) {
+      start.d.push_back(triangulate(pair, start.T));
+    }
+    const double loss = refine(pairs, robust_scale, kFirstIterations, start);
+    if (loss < least) {
+      least = loss;
+      found = std::move(start);
+    }
+  }
+  refine(pairs, robust_scale, kLastIterations, found);
+  TwoViewFit best{.T_second_first = found.T, .inverse_depth = std::move(found.d)};
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const double d = best.inverse_depth[i];
+    const PairTerms terms = terms_of(pairs[i], best.T_second_first, d);
+    const bool valid = terms.in_front && d > 2e-3;
+    best.in_front += valid ? 1.0 / static_cast<double>(pairs.size()) : 0;
+    distances.push_back(terms.in_front ? terms.r.norm() : 1);
+  }
+  best.residual = upper_median(distances);
+  return best;
+}
+
+SE3 fit_pose(const std::vector<RayPair>& pairs, const std::vector<double>& inverse_depth,
+             const SE3& T_second_first_guess, double robust_scale) {
+  constexpr int kIterations = 12;
+  SE3 T = T_second_first_guess;
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    Matrix6d H = 1e-12 * Matrix6d::Identity();
+    Vector6d b = Vector6d::Zero();
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const PairTerms terms = terms_of(pairs[i], T, inverse_depth[i]);
+      if (terms.in_front) {
+        const double w = cauchy_weight(terms.r.squaredNorm(), robust_scale);
+        H += w * terms.by_pose.transpose() * terms.by_pose;
+        b += w * terms.by_pose.transpose() * terms.r;
+      }
+    }
+    T = SE3::exp(-H.ldlt().solve(b)) * T;
+  }
+  return T;
+}
+
+}  // namespace vo

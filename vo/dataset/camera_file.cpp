@@ -1,0 +1,79 @@
+#include "vo/dataset/camera_file.h"
+
+#include <limits>
+
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+#include "vo/files/toml_file.h"
+
+namespace vo {
+namespace {
+
+RgbdCamera vga_camera(double fx, double fy, double cx, double cy, const Distortion& distortion = {},
+                      double depth_units_per_m = 5000) {
+  return {{640, 480, fx, fy, cx, cy, distortion}, depth_units_per_m};
+}
+
+}  // namespace
+
+const std::vector<CameraPreset>& camera_presets() {
+  static const std::vector<CameraPreset> presets = {
+      {"tum-fr1", "TUM RGB-D, freiburg1: calibrated colour camera with lens distortion",
+       vga_camera(517.306408, 516.469215, 318.643040, 255.313989,
+                  {0.262383, -0.953104, -0.005358, 0.002628, 1.163314})},
+      {"tum-fr2", "TUM RGB-D, freiburg2: calibrated colour camera with lens distortion",
+       vga_camera(520.908620, 521.007327, 325.141442, 249.701764,
+                  {0.231222, -0.784899, -0.003257, -0.000105, 0.917205})},
+      {"tum-fr3", "TUM RGB-D, freiburg3: images are undistorted already",
+       vga_camera(535.4, 539.2, 320.1, 247.6)},
+      {"tum-default", "the factory model by which all TUM depth was registered to colour",
+       vga_camera(525.0, 525.0, 319.5, 239.5)},
+      {"icl-nuim",
+       "ICL-NUIM as rendered: fy is negative because POV-Ray's camera has y up; its poses are in "
+       "that frame, so the sign must stay",
+       vga_camera(481.2, -480.0, 319.5, 239.5)},
+      {"7-scenes", "Microsoft 7-Scenes: depth in millimetres, 65535 is no measurement",
+       vga_camera(585.0, 585.0, 320.0, 240.0, {}, 1000)},
+  };
+  return presets;
+}
+
+RgbdCamera load_camera(const std::string& preset_or_path) {
+  std::vector<std::string> names;
+  std::string list;
+  for (const CameraPreset& preset : camera_presets()) {
+    if (preset.name == preset_or_path) {
+      return preset.camera;
+    }
+    names.push_back(preset.name);
+    list += (list.empty() ? "" : ", ") + preset.name;
+  }
+  if (std::filesystem::exists(preset_or_path)) {
+    return read_camera(preset_or_path);
+  }
+  const std::string nearest = nearest_key(preset_or_path, names);
+  fail("camera '", preset_or_path, "': neither a file nor a preset (", list, ")",
+       nearest.empty() ? "" : "; the nearest preset is ", nearest);
+}
+
+RgbdCamera read_camera(const std::filesystem::path& path) {
+  RgbdCamera camera;
+  camera.pinhole.cx =
+      std::numeric_limits<double>::quiet_NaN();  // no default is a guess worth taking
+  camera.pinhole.cy = camera.pinhole.cx;
+  std::vector<Field> fields = fields_of(camera);
+  assign_fields(read_toml(path), fields);
+  try {
+    camera.validate();
+  } catch (const Error& error) {
+    fail(path.string(), ": ", error.what());
+  }
+  return camera;
+}
+
+std::string format_camera(const RgbdCamera& camera) {
+  RgbdCamera copy = camera;
+  return format_toml(fields_of(copy));
+}
+
+}  // namespace vo

@@ -1,0 +1,131 @@
+#include "vo/dataset/convert_sequence.h"
+
+#include <string>
+#include <vector>
+
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+#include "vo/dataset/depth_units.h"
+#include "vo/dataset/euroc.h"
+#include "vo/dataset/icl_nuim.h"
+#include "vo/dataset/imu_file.h"
+#include "vo/dataset/sequence.h"
+#include "vo/dataset/trajectory_file.h"
+
+namespace vo {
+namespace {
+
+/// The file that tells a folder of the format from somebody else's.
+const char* marker_of(SequenceFormat format) {
+  switch (format) {
+    case SequenceFormat::tum:
+      return "rgb.txt";
+    case SequenceFormat::euroc:
+      return "mav0/cam0/data.csv";
+    case SequenceFormat::icl_nuim:
+      return "scene_00_0000.png";
+    case SequenceFormat::icl_tum:
+      return "associations.txt";
+  }
+  return "";
+}
+
+SE3 pose_of(const SequenceSource& source, const RgbdFrame& frame) {
+  const auto T_world_camera = pose_at(source.truth, frame.timestamp);
+  require(T_world_camera.has_value(), "ICL-NUIM: expected a pose of every frame, got none at ",
+          frame.timestamp, " s");
+  return *T_world_camera;
+}
+
+std::vector<NamedBytes> encode_frame(const SequenceSource& source, SequenceFormat format,
+                                     std::size_t index, const RgbdFrame& frame) {
+  switch (format) {
+    case SequenceFormat::tum:
+      return encode_frame({source.camera}, index, frame);
+    case SequenceFormat::euroc:
+      return encode_euroc_frame(source.camera, frame);
+    case SequenceFormat::icl_nuim:
+      return encode_icl_nuim_frame(source.camera, index, frame, pose_of(source, frame));
+    case SequenceFormat::icl_tum:
+      return encode_icl_tum_frame(source.camera, index, frame);
+  }
+  return {};
+}
+
+/// A TUM folder's lists have a line for each stamp; poses have their own.
+std::vector<NamedBytes> encode_tum_lists(const SequenceSource& source) {
+  Trajectory stamps;
+  for (const double timestamp : source.timestamps) {
+    stamps.push_back({timestamp, {}});
+  }
+  std::vector<NamedBytes> files;
+  for (NamedBytes& file : encode_lists({source.camera}, stamps)) {
+    if (file.name != "groundtruth.txt") {
+      files.push_back(std::move(file));
+    }
+  }
+  if (!source.truth.empty()) {
+    files.push_back({"groundtruth.txt", format_trajectory(source.truth)});
+  }
+  if (!source.imu.samples.empty()) {
+    files.push_back({"imu.csv", format_imu(source.imu.samples)});
+    files.push_back({"imu.toml", format_imu_noise(source.imu.noise)});
+  }
+  if (!source.imu.states.empty()) {
+    files.push_back({"truth/imu_states.csv", format_states(source.imu.states)});
+  }
+  return files;
+}
+
+std::vector<NamedBytes> encode_lists(const SequenceSource& source, SequenceFormat format,
+                                     bool has_depth) {
+  switch (format) {
+    case SequenceFormat::tum:
+      return encode_tum_lists(source);
+    case SequenceFormat::euroc:
+      return encode_euroc_lists(source, has_depth);
+    case SequenceFormat::icl_nuim:
+      return encode_icl_nuim_lists(source);
+    case SequenceFormat::icl_tum:
+      return encode_icl_tum_lists(source);
+  }
+  return {};
+}
+
+void write(const std::filesystem::path& folder, const std::vector<NamedBytes>& files) {
+  for (const auto& [name, bytes] : files) {
+    make_folders_of(folder, {name});
+    write_file(folder / name, bytes);
+  }
+}
+
+}  // namespace
+
+ConvertOutcome convert_sequence(const ConvertJob& job, ExistingOutput existing,
+                                const Progress& progress) {
+  ConvertOutcome outcome;
+  outcome.from = job.from ? *job.from : detect_format(job.in);
+  const SequenceSource source = open_sequence(job.in, outcome.from, job.camera);
+  OutputFolder output(job.out, marker_of(job.to), existing);
+  bool has_depth = false;
+  for (std::size_t i = 0; i < source.timestamps.size(); ++i) {
+    const RgbdFrame frame = source.read(i);
+    require(!frame.depth.empty() || job.to == SequenceFormat::euroc, job.in.string(),
+            ": has no depth, which ", to_string(job.to), " expects");
+    has_depth = !frame.depth.empty();
+    if (job.to != SequenceFormat::icl_nuim) {
+      outcome.depth_beyond_16_bit +=
+          count_beyond_16_bit(frame.depth, source.camera.depth_units_per_m);
+    }
+    write(output.partial(), encode_frame(source, job.to, i, frame));
+    progress(i + 1, source.timestamps.size());
+  }
+  write(output.partial(), encode_lists(source, job.to, has_depth));
+  output.commit();
+  outcome.frames = source.timestamps.size();
+  outcome.poses = source.truth.size();
+  outcome.imu_samples = source.imu.samples.size();
+  return outcome;
+}
+
+}  // namespace vo

@@ -1,0 +1,61 @@
+#include "vo/dataset/depth_units.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "vo/core/error.h"
+#include "vo/files/png.h"
+
+namespace vo {
+namespace {
+
+constexpr double kMaxUnits = 65534;
+
+/// 16-bit depth at its ceiling is a sensor's or a writer's mark for "beyond range", not a distance.
+constexpr std::uint16_t kSaturatedDepth = 65535;
+
+}  // namespace
+
+cv::Mat_<std::uint16_t> to_depth_units(const DepthImage& depth, double units_per_m) {
+  cv::Mat_<std::uint16_t> units(depth.size());
+  std::transform(depth.begin(), depth.end(), units.begin(), [&](float metres) {
+    const double value = std::round(metres * units_per_m);
+    return value >= 0 && value <= kMaxUnits ? static_cast<std::uint16_t>(value) : std::uint16_t{0};
+  });
+  return units;
+}
+
+double farthest_in_16_bit(double units_per_m) {
+  return kMaxUnits / units_per_m;
+}
+
+std::size_t count_beyond_16_bit(const DepthImage& depth, double units_per_m) {
+  return static_cast<std::size_t>(std::count_if(depth.begin(), depth.end(), [&](float metres) {
+    return std::round(metres * units_per_m) > kMaxUnits;
+  }));
+}
+
+DepthImage read_depth_png(const std::filesystem::path& path, const RgbdCamera& camera) {
+  cv::Mat_<std::uint16_t> raw;
+  {
+    const cv::Mat image = read_png(path);
+    require_size(image, camera.pinhole, path);
+    require(image.type() == CV_16UC1, path.string(),
+            ": expected depth of 16 bits in one channel, got ",
+            image.channels() == 3 ? "colour" : "8 bits");
+    raw = image;
+  }
+  raw.setTo(0, raw == kSaturatedDepth);
+  DepthImage depth;
+  raw.convertTo(depth, CV_32F, 1 / camera.depth_units_per_m);
+  return depth;
+}
+
+void require_size(const cv::Mat& image, const PinholeCamera& camera,
+                  const std::filesystem::path& path) {
+  require(image.cols == camera.width && image.rows == camera.height, path.string(), ": is ",
+          image.cols, "x", image.rows, " px, expected the camera's ", camera.width, "x",
+          camera.height);
+}
+
+}  // namespace vo

@@ -1,0 +1,289 @@
+#include "vo/dataset/euroc.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+#include "vo/dataset/depth_units.h"
+#include "vo/dataset/imu_file.h"
+#include "vo/dataset/trajectory_file.h"
+#include "vo/files/png.h"
+#include "vo/files/text_lines.h"
+
+namespace vo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kCamera = "mav0/cam0";
+constexpr const char* kDepth = "mav0/depth0";
+constexpr const char* kImu = "mav0/imu0";
+constexpr const char* kTruth = "mav0/state_groundtruth_estimate0";
+
+/// The value of `key: value` or of `key: [...]` over several lines; empty if absent.
+std::string yaml_value(const std::string& text, const std::string& key) {
+  std::size_t at = text.starts_with(key + ":") ? 0 : text.find("\n" + key + ":");
+  if (at == std::string::npos) {
+    at = text.find(" " + key + ":");
+  }
+  if (at == std::string::npos) {
+    return "";
+  }
+  const std::size_t begin = text.find(':', at) + 1;
+  const std::size_t line_end = std::min(text.find('\n', begin), text.size());
+  const std::size_t value_end = std::min(text.find('#', begin), line_end);
+  const std::size_t bracket = text.find('[', begin);
+  if (bracket > value_end) {
+    return text.substr(begin, value_end - begin);
+  }
+  return text.substr(bracket + 1, text.find(']', bracket) - bracket - 1);
+}
+
+std::vector<double> yaml_numbers(const fs::path& path, const std::string& text,
+                                 const std::string& key, std::size_t count) {
+  try {
+    std::string value = yaml_value(text, key);
+    std::replace(value.begin(), value.end(), '\n', ' ');
+    return parse_reals(value, count);
+  } catch (const Error& error) {
+    fail(path.string(), ": ", key, ": ", error.what());
+  }
+}
+
+RgbdCamera read_sensor(const fs::path& path, const std::string& text) {
+  const std::vector<double> size = yaml_numbers(path, text, "resolution", 2);
+  const std::vector<double> k = yaml_numbers(path, text, "intrinsics", 4);
+  const std::vector<double> d = yaml_numbers(path, text, "distortion_coefficients", 4);
+  const std::string model = yaml_value(text, "distortion_model");
+  const bool is_fisheye = model.find("equidistant") != std::string::npos;
+  require(is_fisheye || model.find("radial-tangential") != std::string::npos, path.string(),
+          ": distortion_model: expected radial-tangential or equidistant, got", model);
+  RgbdCamera camera{{static_cast<int>(size[0]), static_cast<int>(size[1]), k[0], k[1], k[2], k[3]}};
+  camera.pinhole.distortion = is_fisheye
+                                  ? Distortion{.k1 = d[0],
+                                               .k2 = d[1],
+                                               .k3 = d[2],
+                                               .k4 = d[3],
+                                               .model = DistortionModel::kannala_brandt}
+                                  : Distortion{.k1 = d[0], .k2 = d[1], .p1 = d[2], .p2 = d[3]};
+  camera.validate();
+  return camera;
+}
+
+SE3 read_extrinsics(const fs::path& path, const std::string& text) {
+  const std::size_t block = text.find("T_BS:");
+  require(block != std::string::npos, path.string(), ": expected T_BS");
+  const std::vector<double> m = yaml_numbers(path, text.substr(block), "data", 16);
+  Eigen::Matrix3d R;
+  R << m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10];
+  constexpr double kTolerance = 1e-3;
+  require(
+      (R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < kTolerance && R.determinant() > 0,
+      path.string(), ": T_BS: expected a rotation");
+  return {Eigen::Quaterniond(R), {m[3], m[7], m[11]}};
+}
+
+struct StampedFile {
+  std::int64_t nanoseconds = 0;
+  fs::path path;
+};
+
+std::vector<StampedFile> read_list(const fs::path& folder) {
+  std::vector<StampedFile> files;
+  for (const TextLine& line : read_text_lines(folder / "data.csv")) {
+    require(line.fields.size() == 2, line.place, ": expected `timestamp,filename`, got ",
+            line.fields.size(), " values");
+    try {
+      files.push_back({parse_integer(line.fields[0]), folder / "data" / line.fields[1]});
+    } catch (const Error& error) {
+      fail(line.place, ": ", error.what());
+    }
+    require(files.size() < 2 || files.back().nanoseconds > files[files.size() - 2].nanoseconds,
+            line.place, ": expected a stamp after the one before it");
+  }
+  require(!files.empty(), (folder / "data.csv").string(), ": lists no images");
+  return files;
+}
+
+std::string format_matrix(const SE3& T) {
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+  matrix.topLeftCorner<3, 3>() = T.rotation_matrix();
+  matrix.topRightCorner<3, 1>() = T.translation();
+  std::string text = "T_BS:\n  cols: 4\n  rows: 4\n  data: [";
+  for (int i = 0; i < 16; ++i) {
+    text += (i == 0 ? "" : ", ") + format_real(matrix(i / 4, i % 4));
+  }
+  return text + "]\n";
+}
+
+std::string format_lens(const Distortion& lens) {
+  const bool is_fisheye = lens.model == DistortionModel::kannala_brandt;
+  const std::array<double, 4> coefficients = is_fisheye
+                                                 ? std::array{lens.k1, lens.k2, lens.k3, lens.k4}
+                                                 : std::array{lens.k1, lens.k2, lens.p1, lens.p2};
+  std::string text = is_fisheye ? "distortion_model: equidistant\ndistortion_coefficients: ["
+                                : "distortion_model: radial-tangential\ndistortion_coefficients: [";
+  for (std::size_t i = 0; i < coefficients.size(); ++i) {
+    text += (i == 0 ? "" : ", ") + format_real(coefficients[i]);
+  }
+  return text + "]\n";
+}
+
+std::string format_sensor(const SequenceSource& source, const char* comment) {
+  const PinholeCamera& camera = source.camera.pinhole;
+  const double span = source.timestamps.back() - source.timestamps.front();
+  const double rate = span > 0 ? static_cast<double>(source.timestamps.size() - 1) / span : 0;
+  return concat("#Default camera model\nsensor_type: camera\ncomment: ", comment, "\n",
+                format_matrix(source.T_body_camera), "rate_hz: ", format_real(rate),
+                "\nresolution: [", camera.width, ", ", camera.height,
+                "]\ncamera_model: pinhole\nintrinsics: [", format_real(camera.fx), ", ",
+                format_real(camera.fy), ", ", format_real(camera.cx), ", ", format_real(camera.cy),
+                "] #fu, fv, cu, cv\n", format_lens(camera.distortion));
+}
+
+/// EuRoC's names of the noise and its units.
+struct NoiseKey {
+  const char* key;
+  const char* unit;
+  double ImuNoise::*value;
+};
+
+constexpr std::array kNoiseKeys = {
+    NoiseKey{"rate_hz", "Hz", &ImuNoise::rate},
+    NoiseKey{"gyroscope_noise_density", "rad/s/sqrt(Hz)", &ImuNoise::gyro_noise},
+    NoiseKey{"gyroscope_random_walk", "rad/s^2/sqrt(Hz)", &ImuNoise::gyro_bias_walk},
+    NoiseKey{"accelerometer_noise_density", "m/s^2/sqrt(Hz)", &ImuNoise::accel_noise},
+    NoiseKey{"accelerometer_random_walk", "m/s^3/sqrt(Hz)", &ImuNoise::accel_bias_walk}};
+
+std::string format_imu_sensor(const ImuNoise& noise) {
+  std::string text =
+      "#Default imu sensor yaml file\nsensor_type: imu\ncomment: body\n" + format_matrix({});
+  for (const NoiseKey& key : kNoiseKeys) {
+    text += concat(key.key, ": ", format_real(noise.*key.value), " # [", key.unit, "]\n");
+  }
+  return text;
+}
+
+/// What is not there is unknown.
+ImuNoise read_imu_sensor(const fs::path& path) {
+  ImuNoise noise;
+  if (!fs::exists(path)) {
+    return noise;
+  }
+  const std::string text = read_file(path);
+  for (const NoiseKey& key : kNoiseKeys) {
+    if (!yaml_value(text, key.key).empty()) {
+      noise.*key.value = yaml_numbers(path, text, key.key, 1)[0];
+    }
+  }
+  return noise;
+}
+
+std::string format_list(const std::vector<double>& timestamps) {
+  std::string text = "#timestamp [ns],filename\n";
+  for (const double timestamp : timestamps) {
+    const std::string ns = std::to_string(to_nanoseconds(timestamp));
+    text += ns + "," + ns + ".png\n";
+  }
+  return text;
+}
+
+/// Of the body; the states of an IMU have more than poses.
+std::string format_truth(const SequenceSource& source) {
+  if (!source.imu.states.empty()) {
+    return format_states(source.imu.states);
+  }
+  std::string text =
+      "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],"
+      "q_RS_z []\n";
+  const SE3 T_camera_body = source.T_body_camera.inverse();
+  for (const StampedPose& pose : source.truth) {
+    text += format_euroc_pose({pose.timestamp, pose.T_world_camera * T_camera_body}) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+SequenceSource open_euroc(const fs::path& folder, const std::optional<RgbdCamera>& camera) {
+  const fs::path sensor = folder / kCamera / "sensor.yaml";
+  SequenceSource source;
+  const std::string text = read_file(sensor);
+  source.camera = camera ? *camera : read_sensor(sensor, text);
+  source.T_body_camera = read_extrinsics(sensor, text);
+  const auto images = std::make_shared<const std::vector<StampedFile>>(read_list(folder / kCamera));
+  for (const StampedFile& image : *images) {
+    source.timestamps.push_back(1e-9 * static_cast<double>(image.nanoseconds));
+  }
+  const bool has_depth = fs::exists(folder / kDepth / "data.csv");
+  if (has_depth) {
+    const fs::path path = folder / kDepth / "sensor.yaml";
+    source.camera.depth_units_per_m =
+        yaml_numbers(path, read_file(path), "depth_units_per_m", 1)[0];
+  }
+  source.read = [=, camera = source.camera, timestamps = source.timestamps](std::size_t index) {
+    const StampedFile& image = images->at(index);
+    RgbdFrame frame{timestamps[index], read_png(image.path), {}};
+    require_size(frame.image, camera.pinhole, image.path);
+    if (has_depth) {
+      frame.depth = read_depth_png(folder / kDepth / "data" / image.path.filename(), camera);
+    }
+    return frame;
+  };
+  if (fs::exists(folder / kTruth / "data.csv")) {
+    for (const auto& [timestamp, T_world_body] :
+         read_euroc_trajectory(folder / kTruth / "data.csv")) {
+      source.truth.push_back({timestamp, T_world_body * source.T_body_camera});
+    }
+  }
+  if (fs::exists(folder / kImu / "data.csv")) {
+    source.imu.samples = read_imu(folder / kImu / "data.csv");
+    source.imu.noise = read_imu_sensor(folder / kImu / "sensor.yaml");
+    source.imu.states = read_states(folder / kTruth / "data.csv");
+  }
+  return source;
+}
+
+std::vector<NamedBytes> encode_euroc_frame(const RgbdCamera& camera, const RgbdFrame& frame) {
+  const std::string name = "/data/" + std::to_string(to_nanoseconds(frame.timestamp)) + ".png";
+  std::vector<NamedBytes> files = {{kCamera + name, encode_png(frame.image)}};
+  if (!frame.depth.empty()) {
+    files.push_back(
+        {kDepth + name, encode_png(to_depth_units(frame.depth, camera.depth_units_per_m))});
+  }
+  return files;
+}
+
+std::vector<NamedBytes> encode_euroc_lists(const SequenceSource& source, bool has_depth) {
+  const Distortion& lens = source.camera.pinhole.distortion;
+  require(
+      lens.model == DistortionModel::kannala_brandt || lens.k3 == 0,
+      "EuRoC's sensor.yaml holds k1, k2, p1, p2, expected a lens without k3, got k3 = ", lens.k3);
+  const std::string camera = kCamera;
+  const std::string list = format_list(source.timestamps);
+  std::vector<NamedBytes> files = {{camera + "/data.csv", list},
+                                   {camera + "/sensor.yaml", format_sensor(source, "camera")}};
+  if (has_depth) {
+    files.push_back({std::string(kDepth) + "/data.csv", list});
+    files.push_back(
+        {std::string(kDepth) + "/sensor.yaml",
+         format_sensor(source, "planar depth, 16 bit, 0 = none") +
+             concat("depth_units_per_m: ", format_real(source.camera.depth_units_per_m), "\n")});
+  }
+  if (!source.truth.empty()) {
+    files.push_back({std::string(kTruth) + "/data.csv", format_truth(source)});
+    files.push_back({std::string(kTruth) + "/sensor.yaml",
+                     "sensor_type: visual-inertial\ncomment: exact\n" + format_matrix({})});
+  }
+  if (!source.imu.samples.empty()) {
+    files.push_back({std::string(kImu) + "/data.csv", format_imu(source.imu.samples)});
+    files.push_back({std::string(kImu) + "/sensor.yaml", format_imu_sensor(source.imu.noise)});
+  }
+  return files;
+}
+
+}  // namespace vo

@@ -1,0 +1,96 @@
+#include <array>
+#include <cstdio>
+#include <utility>
+
+#include "vo/core/error.h"
+#include "vo/dataset/camera_file.h"
+#include "vo/dataset/depth_units.h"
+#include "vo/dataset/sequence.h"
+#include "vo/dataset/trajectory_file.h"
+#include "vo/files/npy.h"
+#include "vo/files/output.h"
+#include "vo/files/png.h"
+
+namespace vo {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string format_list(const char* title, const char* folder, const char* extension,
+                        const Trajectory& truth, double delay) {
+  std::string text = concat("# ", title, "\n# timestamp filename\n");
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    text += format_timestamp(truth[i].timestamp + delay) + " " + frame_file(folder, i, extension) +
+            "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string format_timestamp(double timestamp) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.6f", timestamp);
+  return text.data();
+}
+
+std::string frame_file(const std::string& folder, std::size_t index, const std::string& extension) {
+  std::array<char, 32> number{};
+  std::snprintf(number.data(), number.size(), "%06zu", index);
+  return folder + "/" + number.data() + "." + extension;
+}
+
+std::vector<std::string> frame_files(const SequenceLayout& layout, std::size_t index) {
+  std::vector<std::string> files = {frame_file("rgb", index, "png"),
+                                    frame_file("depth", index, "png")};
+  if (layout.float_depth == FloatDepth::npy) {
+    files.push_back(frame_file("depth_float", index, "npy"));
+  }
+  return files;
+}
+
+std::vector<NamedBytes> encode_frame(const SequenceLayout& layout, std::size_t index,
+                                     const RgbdFrame& frame) {
+  const std::vector<std::string> names = frame_files(layout, index);
+  std::vector<NamedBytes> files = {
+      {names[0], encode_png(frame.image)},
+      {names[1], encode_png(to_depth_units(frame.depth, layout.camera.depth_units_per_m))}};
+  if (layout.float_depth == FloatDepth::npy) {
+    files.push_back({names[2], encode_npy(frame.depth)});
+  }
+  return files;
+}
+
+std::vector<NamedBytes> encode_lists(const SequenceLayout& layout, const Trajectory& truth) {
+  std::vector<NamedBytes> files = {
+      {"rgb.txt", format_list("colour images, sRGB", "rgb", "png", truth, 0)},
+      {"depth.txt", format_list("planar depth at pixel centres, 16 bit", "depth", "png", truth,
+                                layout.depth_delay)}};
+  if (layout.float_depth == FloatDepth::npy) {
+    files.push_back(
+        {"depth_float.txt", format_list("planar depth at pixel centres, m", "depth_float", "npy",
+                                        truth, layout.depth_delay)});
+  }
+  files.push_back({"groundtruth.txt", format_trajectory(truth)});
+  files.push_back({"camera.toml", format_camera(layout.camera)});
+  return files;
+}
+
+SequenceWriter::SequenceWriter(fs::path folder, const RgbdCamera& camera, FloatDepth float_depth)
+    : folder_(std::move(folder)), layout_{camera, float_depth} {
+  make_folders_of(folder_, frame_files(layout_, 0));
+}
+
+void SequenceWriter::write_frame(std::size_t index, const RgbdFrame& frame) const {
+  for (const auto& [name, bytes] : encode_frame(layout_, index, frame)) {
+    write_file(folder_ / name, bytes);
+  }
+}
+
+void SequenceWriter::finish(const Trajectory& truth) const {
+  for (const auto& [name, bytes] : encode_lists(layout_, truth)) {
+    write_file(folder_ / name, bytes);
+  }
+}
+
+}  // namespace vo

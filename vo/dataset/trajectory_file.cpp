@@ -1,0 +1,102 @@
+#include "vo/dataset/trajectory_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "vo/core/error.h"
+#include "vo/files/text_lines.h"
+
+namespace vo {
+namespace {
+
+constexpr std::size_t kValues = 8;
+constexpr double kMaxSeconds = 1e12;
+constexpr double kMaxMetres = 1e9;
+constexpr double kUnitTolerance = 0.01;  // of a quaternion's norm; files carry 4 decimals
+
+using Values = std::array<double, kValues>;
+
+Values first_values(const TextLine& line) {
+  Values v{};
+  for (std::size_t i = 0; i < kValues; ++i) {
+    v.at(i) = parse_number(line, i);
+  }
+  return v;
+}
+
+/// Of a stamp in units of `unit_s` seconds, the position and the quaternion, w last.
+StampedPose checked_pose(const TextLine& line, const Values& v, double unit_s) {
+  const double timestamp = v[0] * unit_s;
+  require(std::abs(timestamp) < kMaxSeconds, line.place, ": expected seconds below 1e12, got ",
+          timestamp);
+  require(std::max({std::abs(v[1]), std::abs(v[2]), std::abs(v[3])}) < kMaxMetres, line.place,
+          ": expected a position within 1e9 m of the origin");
+  const Eigen::Quaterniond rotation(v[7], v[4], v[5], v[6]);
+  require(std::abs(rotation.norm() - 1) < kUnitTolerance, line.place,
+          ": expected a quaternion of length 1, got length ", rotation.norm());
+  return {timestamp, SE3(rotation, {v[1], v[2], v[3]})};
+}
+
+StampedPose parse_pose(const TextLine& line) {
+  require(line.fields.size() == kValues, line.place,
+          ": expected 8 values (timestamp tx ty tz qx qy qz qw), got ", line.fields.size());
+  return checked_pose(line, first_values(line), 1);
+}
+
+StampedPose parse_euroc_pose(const TextLine& line) {
+  require(line.fields.size() >= kValues, line.place,
+          ": expected at least 8 values (timestamp px py pz qw qx qy qz), got ",
+          line.fields.size());
+  const auto [ns, x, y, z, qw, qx, qy, qz] = first_values(line);
+  return checked_pose(line, {ns, x, y, z, qx, qy, qz, qw}, 1e-9);
+}
+
+template <typename ParsePose>
+Trajectory read_poses(const std::filesystem::path& path, ParsePose parse) {
+  Trajectory trajectory;
+  for (const TextLine& line : read_text_lines(path)) {
+    const StampedPose pose = parse(line);
+    require(trajectory.empty() || pose.timestamp > trajectory.back().timestamp, line.place,
+            ": expected a stamp after the one before it, got ", line.fields[0]);
+    trajectory.push_back(pose);
+  }
+  require(!trajectory.empty(), path.string(), ": holds no poses");
+  return trajectory;
+}
+
+}  // namespace
+
+Trajectory read_trajectory(const std::filesystem::path& path) {
+  return read_poses(path, parse_pose);
+}
+
+Trajectory read_euroc_trajectory(const std::filesystem::path& path) {
+  return read_poses(path, parse_euroc_pose);
+}
+
+std::string format_euroc_pose(const StampedPose& pose) {
+  const Eigen::Vector3d& t = pose.T_world_camera.translation();
+  const Eigen::Quaterniond& q = pose.T_world_camera.rotation();
+  std::array<char, 256> line{};
+  std::snprintf(line.data(), line.size(), "%lld,%.12g,%.12g,%.12g,%.12g,%.12g,%.12g,%.12g",
+                std::llround(pose.timestamp * 1e9), t.x(), t.y(), t.z(), q.w(), q.x(), q.y(),
+                q.z());
+  return line.data();
+}
+
+std::string format_trajectory(const Trajectory& trajectory) {
+  std::string text = "# timestamp tx ty tz qx qy qz qw\n";
+  for (const StampedPose& pose : trajectory) {
+    const Eigen::Vector3d& t = pose.T_world_camera.translation();
+    const Eigen::Quaterniond& q = pose.T_world_camera.rotation();
+    std::array<char, 256> line{};
+    std::snprintf(line.data(), line.size(), "%.6f %.9f %.9f %.9f %.9f %.9f %.9f %.9f\n",
+                  pose.timestamp, t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w());
+    text += line.data();
+  }
+  return text;
+}
+
+}  // namespace vo

@@ -1,0 +1,49 @@
+#include "vo/files/flow_file.h"
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+
+#include "vo/core/error.h"
+#include "vo/files/output.h"
+
+namespace vo {
+namespace {
+
+constexpr std::string_view kFlowMagic = "PIEH";  // 202021.25 as a float
+constexpr std::size_t kHeaderBytes = 12;         // and width, height
+
+}  // namespace
+
+std::string encode_flow(const cv::Mat_<cv::Vec2f>& flow) {
+  std::string bytes(kFlowMagic);
+  for (const std::int32_t size : {flow.cols, flow.rows}) {
+    std::array<char, sizeof(size)> text{};
+    std::memcpy(text.data(), &size, sizeof(size));
+    bytes.append(text.data(), text.size());
+  }
+  for (int v = 0; v < flow.rows; ++v) {
+    bytes.append(flow.ptr<char>(v), static_cast<std::size_t>(flow.cols) * sizeof(cv::Vec2f));
+  }
+  return bytes;
+}
+
+cv::Mat_<cv::Vec2f> read_flow(const std::filesystem::path& path) {
+  constexpr std::int32_t kMaxSize = 16384;  // px
+  const std::string bytes = read_file(path);
+  std::array<std::int32_t, 2> size{};
+  require(bytes.size() > kHeaderBytes && bytes.starts_with(kFlowMagic), path.string(),
+          ": expected a .flo file of optical flow");
+  std::memcpy(size.data(), bytes.data() + kFlowMagic.size(), sizeof(size));
+  const auto [cols, rows] = size;
+  require(cols > 0 && rows > 0 && cols <= kMaxSize && rows <= kMaxSize, path.string(),
+          ": expected a size of up to ", kMaxSize, " px, got ", cols, "x", rows);
+  cv::Mat_<cv::Vec2f> flow(rows, cols);
+  const std::size_t pixels = flow.total() * sizeof(cv::Vec2f);
+  require(bytes.size() == kHeaderBytes + pixels, path.string(), ": expected ",
+          kHeaderBytes + pixels, " bytes, got ", bytes.size());
+  std::memcpy(flow.data, bytes.data() + kHeaderBytes, pixels);
+  return flow;
+}
+
+}  // namespace vo

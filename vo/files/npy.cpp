@@ -1,0 +1,64 @@
+#include "vo/files/npy.h"
+
+#include <cstdio>
+#include <cstring>
+
+#include "vo/core/error.h"
+#include "vo/files/output.h"
+
+namespace vo {
+namespace {
+
+constexpr std::string_view kNpyMagic("\x93NUMPY\x01\x00", 8);
+constexpr std::size_t kAlignment = 64;  // bytes, of the data's start
+
+}  // namespace
+
+std::string encode_npy(const cv::Mat& image) {
+  CV_Assert(image.depth() == CV_32F && (image.channels() == 1 || image.channels() == 3));
+  std::string header = concat("{'descr': '<f4', 'fortran_order': False, 'shape': (", image.rows,
+                              ", ", image.cols, image.channels() == 3 ? ", 3" : "", "), }");
+  const std::size_t used = kNpyMagic.size() + 2 + header.size() + 1;
+  header.append((kAlignment - used % kAlignment) % kAlignment, ' ');
+  header.push_back('\n');
+
+  std::string bytes(kNpyMagic);
+  bytes.push_back(static_cast<char>(header.size() & 0xff));
+  bytes.push_back(static_cast<char>(header.size() >> 8));
+  bytes += header;
+  for (int v = 0; v < image.rows; ++v) {
+    bytes.append(image.ptr<char>(v), static_cast<std::size_t>(image.cols) * image.elemSize());
+  }
+  return bytes;
+}
+
+cv::Mat read_npy(const std::filesystem::path& path) {
+  const std::string bytes = read_file(path);
+  const std::string expected = concat(path.string(), ": expected a version 1.0 .npy file of '<f4'");
+  require(bytes.size() > kNpyMagic.size() + 2 && bytes.starts_with(kNpyMagic), expected);
+  const std::size_t header_size =
+      static_cast<unsigned char>(bytes[8]) +
+      256 * static_cast<std::size_t>(static_cast<unsigned char>(bytes[9]));
+  const std::string header = bytes.substr(kNpyMagic.size() + 2, header_size);
+  const std::size_t shape = header.find("'shape': (");
+  int rows = 0;
+  int cols = 0;
+  int channels = 1;
+  const int values = shape == std::string::npos
+                         ? 0
+                         : std::sscanf(header.c_str() + shape, "'shape': (%5d, %5d, %1d)", &rows,
+                                       &cols, &channels);
+  require(header.find("'<f4'") != std::string::npos &&
+              header.find("'fortran_order': False") != std::string::npos && values >= 2 &&
+              rows > 0 && cols > 0 && (channels == 1 || channels == 3),
+          expected, " with two dimensions, or a third of 3");
+  cv::Mat image(rows, cols, channels == 1 ? CV_32FC1 : CV_32FC3);
+  const std::size_t size = image.total() * image.elemSize();
+  const std::size_t start = kNpyMagic.size() + 2 + header_size;
+  require(bytes.size() == start + size, path.string(), ": expected ", start + size, " bytes, got ",
+          bytes.size());
+  std::memcpy(image.data, bytes.data() + start, size);
+  return image;
+}
+
+}  // namespace vo

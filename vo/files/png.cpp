@@ -1,0 +1,195 @@
+#include "vo/files/png.h"
+
+#include <array>
+#include <csetjmp>
+#include <cstring>
+#include <vector>
+
+#include <png.h>
+
+#include "vo/core/error.h"
+#include "vo/files/output.h"
+
+namespace vo {
+namespace {
+
+constexpr int kSignatureBytes = 8;
+constexpr png_uint_32 kMaxSize = 16384;  // px
+constexpr int kCompressionLevel = 3;     // beyond it: half the speed for 5 % fewer bytes
+
+/// What libpng's callbacks see. libpng reports an error by calling `on_error`, which must not
+/// return: it leaves by longjmp to the setjmp of the function that called libpng. Those functions
+/// hold no object with a destructor.
+struct PngError {
+  std::array<char, 128> message{};
+};
+
+struct ByteSource {
+  const std::string* bytes;
+  std::size_t position = 0;
+};
+
+void on_error(png_structp png, png_const_charp message) {
+  auto* error = static_cast<PngError*>(png_get_error_ptr(png));
+  std::strncpy(error->message.data(), message, error->message.size() - 1);
+  png_longjmp(png, 1);
+}
+
+void on_warning(png_structp /*png*/, png_const_charp /*message*/) {}
+
+void read_bytes(png_structp png, png_bytep target, std::size_t count) {
+  auto* source = static_cast<ByteSource*>(png_get_io_ptr(png));
+  if (source->bytes->size() - source->position < count) {
+    png_error(png, "it is truncated");
+  }
+  std::memcpy(target, source->bytes->data() + source->position, count);
+  source->position += count;
+}
+
+void append_bytes(png_structp png, png_bytep bytes, std::size_t count) {
+  auto* target = static_cast<std::string*>(png_get_io_ptr(png));
+  target->append(reinterpret_cast<const char*>(bytes), count);
+}
+
+void flush_nothing(png_structp /*png*/) {}
+
+/// Owns libpng's state for reading.
+class PngReadState {
+ public:
+  explicit PngReadState(PngError& error)
+      : png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &error, on_error, on_warning)),
+        info_(png_create_info_struct(png_)) {}
+  ~PngReadState() { png_destroy_read_struct(&png_, &info_, nullptr); }
+  PngReadState(const PngReadState&) = delete;
+  PngReadState& operator=(const PngReadState&) = delete;
+  PngReadState(PngReadState&&) = delete;
+  PngReadState& operator=(PngReadState&&) = delete;
+
+  png_structp png() const { return png_; }
+  png_infop info() const { return info_; }
+
+ private:
+  png_structp png_;
+  png_infop info_;
+};
+
+/// Owns libpng's state for writing.
+class PngWriteState {
+ public:
+  explicit PngWriteState(PngError& error)
+      : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, &error, on_error, on_warning)),
+        info_(png_create_info_struct(png_)) {}
+  ~PngWriteState() { png_destroy_write_struct(&png_, &info_); }
+  PngWriteState(const PngWriteState&) = delete;
+  PngWriteState& operator=(const PngWriteState&) = delete;
+  PngWriteState(PngWriteState&&) = delete;
+  PngWriteState& operator=(PngWriteState&&) = delete;
+
+  png_structp png() const { return png_; }
+  png_infop info() const { return info_; }
+
+ private:
+  png_structp png_;
+  png_infop info_;
+};
+
+/// Reads the header and asks libpng for one of the three kinds of image; false on error.
+bool read_header(png_structp png, png_infop info, ByteSource* source) {
+  if (setjmp(png_jmpbuf(png)) != 0) {  // NOLINT(cert-err52-cpp)
+    return false;
+  }
+  png_set_read_fn(png, source, read_bytes);
+  png_set_user_limits(png, kMaxSize, kMaxSize);
+  png_read_info(png, info);
+  const bool is_gray = (png_get_color_type(png, info) & PNG_COLOR_MASK_COLOR) == 0;
+  if (png_get_bit_depth(png, info) == 16 && is_gray) {
+    png_set_swap(png);
+  } else {
+    png_set_scale_16(png);
+  }
+  png_set_expand(png);
+  png_set_strip_alpha(png);
+  png_set_bgr(png);
+  png_set_interlace_handling(png);
+  png_read_update_info(png, info);
+  return true;
+}
+
+bool read_rows(png_structp png, png_bytepp rows) {
+  if (setjmp(png_jmpbuf(png)) != 0) {  // NOLINT(cert-err52-cpp)
+    return false;
+  }
+  png_read_image(png, rows);
+  png_read_end(png, nullptr);
+  return true;
+}
+
+bool write_rows(png_structp png, png_infop info, const cv::Mat& image, png_bytepp rows,
+                std::string* target) {
+  if (setjmp(png_jmpbuf(png)) != 0) {  // NOLINT(cert-err52-cpp)
+    return false;
+  }
+  png_set_write_fn(png, target, append_bytes, flush_nothing);
+  png_set_compression_level(png, kCompressionLevel);
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB | PNG_FILTER_UP);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(image.cols),
+               static_cast<png_uint_32>(image.rows), image.depth() == CV_16U ? 16 : 8,
+               image.channels() == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_write_info(png, info);
+  if (image.depth() == CV_16U) {
+    png_set_swap(png);
+  }
+  png_set_bgr(png);
+  png_write_image(png, rows);
+  png_write_end(png, nullptr);
+  return true;
+}
+
+std::vector<png_bytep> row_pointers(const cv::Mat& image) {
+  std::vector<png_bytep> rows;
+  for (int v = 0; v < image.rows; ++v) {
+    rows.push_back(const_cast<png_bytep>(image.ptr(v)));
+  }
+  return rows;
+}
+
+int image_type(png_structp png, png_infop info) {
+  if (png_get_channels(png, info) == 3) {
+    return CV_8UC3;
+  }
+  return png_get_bit_depth(png, info) == 16 ? CV_16UC1 : CV_8UC1;
+}
+
+}  // namespace
+
+cv::Mat read_png(const std::filesystem::path& path) {
+  const std::string bytes = read_file(path);
+  require(bytes.size() >= kSignatureBytes &&
+              png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, kSignatureBytes) == 0,
+          path.string(), ": is not a PNG image");
+  PngError error;
+  const PngReadState state(error);
+  ByteSource source{&bytes};
+  require(read_header(state.png(), state.info(), &source), path.string(),
+          ": cannot be decoded: ", error.message.data());
+  cv::Mat image(static_cast<int>(png_get_image_height(state.png(), state.info())),
+                static_cast<int>(png_get_image_width(state.png(), state.info())),
+                image_type(state.png(), state.info()));
+  std::vector<png_bytep> rows = row_pointers(image);
+  require(read_rows(state.png(), rows.data()), path.string(),
+          ": cannot be decoded: ", error.message.data());
+  return image;
+}
+
+std::string encode_png(const cv::Mat& image) {
+  PngError error;
+  const PngWriteState state(error);
+  std::vector<png_bytep> rows = row_pointers(image);
+  std::string bytes;
+  require(write_rows(state.png(), state.info(), image, rows.data(), &bytes),
+          "an image cannot be encoded as PNG: ", error.message.data());
+  return bytes;
+}
+
+}  // namespace vo

@@ -1,0 +1,152 @@
+#include "vo/files/toml_file.h"
+
+#include <toml++/toml.h>
+
+#include "vo/core/error.h"
+
+namespace vo {
+namespace {
+
+using Path = std::filesystem::path;
+
+/// The text and type of a TOML value that is no table.
+class ValueReader {
+ public:
+  ValueReader(std::string key, std::string place)
+      : key_(std::move(key)), place_(std::move(place)) {}
+
+  TomlValue read(const toml::node& node) const {
+    if (const auto* value = node.as_boolean()) {
+      return make(value->get() ? "true" : "false", FieldType::boolean);
+    }
+    if (const auto* value = node.as_integer()) {
+      return make(std::to_string(value->get()), FieldType::integer);
+    }
+    if (const auto* value = node.as_floating_point()) {
+      return make(format_real(value->get()), FieldType::real);
+    }
+    if (const auto* value = node.as_string()) {
+      return make(value->get(), FieldType::text);
+    }
+    if (const auto* array = node.as_array()) {
+      return make(numbers(*array), FieldType::reals);
+    }
+    fail(place_, ": ", key_, ": expected a truth value, a number, a text or an array of numbers");
+  }
+
+ private:
+  TomlValue make(std::string text, FieldType type) const {
+    return {key_, std::move(text), type, place_};
+  }
+
+  /// Numbers, or points as arrays of numbers, one after the other.
+  std::string numbers(const toml::array& array) const {
+    std::string text;
+    for (const toml::node& element : array) {
+      const auto* nested = element.as_array();
+      const auto number = element.value<double>();
+      require(nested != nullptr || (element.is_number() && number.has_value()), place_, ": ", key_,
+              ": expected an array of numbers");
+      text +=
+          (text.empty() ? "" : ",") + (nested != nullptr ? numbers(*nested) : format_real(*number));
+    }
+    return text;
+  }
+
+  std::string key_;
+  std::string place_;
+};
+
+void flatten(const toml::table& table, const std::string& prefix, const Path& path,
+             std::vector<TomlValue>& values) {
+  for (const auto& [name, node] : table) {
+    const std::string key = prefix + std::string(name.str());
+    if (const auto* nested = node.as_table()) {
+      flatten(*nested, key + ".", path, values);
+    } else {
+      values.push_back(
+          ValueReader(key, concat(path.string(), ":", node.source().begin.line)).read(node));
+    }
+  }
+}
+
+/// TOML's integers are numbers too, and a text stands for any type only where the field is text.
+bool is_accepted(FieldType field, FieldType value) {
+  return field == value || (field == FieldType::real && value == FieldType::integer);
+}
+
+std::string_view expectation(FieldType type) {
+  switch (type) {
+    case FieldType::boolean:
+      return "true or false";
+    case FieldType::integer:
+      return "a whole number";
+    case FieldType::real:
+      return "a number";
+    case FieldType::text:
+      return "a text in quotes";
+    case FieldType::reals:
+      return "an array of numbers";
+  }
+  return "";
+}
+
+std::string toml_text(const Field& field) {
+  std::string value = field.get();
+  switch (field.type) {
+    case FieldType::text:
+      return quoted_toml(value);
+    case FieldType::reals:
+      return "[" + value + "]";
+    case FieldType::real:
+      return value.find_first_of(".e") == std::string::npos ? value + ".0" : value;
+    default:
+      return value;
+  }
+}
+
+}  // namespace
+
+std::string quoted_toml(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+  }
+  return result + "\"";
+}
+
+std::vector<TomlValue> read_toml(const Path& path) {
+  require(std::filesystem::is_regular_file(path), path.string(), ": there is no such file");
+  std::vector<TomlValue> values;
+  try {
+    flatten(toml::parse_file(path.string()), "", path, values);
+  } catch (const toml::parse_error& error) {
+    fail(path.string(), ":", error.source().begin.line, ":", error.source().begin.column, ": ",
+         error.description());
+  }
+  return values;
+}
+
+void assign_fields(const std::vector<TomlValue>& values, std::vector<Field>& fields) {
+  for (const TomlValue& value : values) {
+    try {
+      const Field& field = find_field(fields, value.key);
+      require(is_accepted(field.type, value.type), value.key, ": expected ",
+              expectation(field.type), ", got ",
+              value.type == FieldType::text ? quoted_toml(value.text) : value.text);
+      set_field(fields, value.key, value.text);
+    } catch (const Error& error) {
+      throw Error(concat(value.place, ": ", error.what()), error.kind());
+    }
+  }
+}
+
+std::string format_toml(const std::vector<Field>& fields) {
+  std::string text;
+  for (const Field& field : fields) {
+    text += concat(field.key, " = ", toml_text(field), "\n");
+  }
+  return text;
+}
+
+}  // namespace vo

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "vo/geometry/lens.h"
+
+namespace vo {
+
+/// Pinhole camera with lens distortion. Frame: x right, y down, z forward. Pixel (0, 0) is the
+/// CENTRE of the top-left pixel, so the image spans [-0.5, width - 0.5) x [-0.5, height - 0.5).
+/// A negative fy means a frame with y up (ICL-NUIM); nothing here takes its absolute value.
+struct PinholeCamera {
+  int width = 0;   ///< px
+  int height = 0;  ///< px
+  double fx = 0;   ///< px
+  double fy = 0;   ///< px
+  double cx = 0;   ///< px
+  double cy = 0;   ///< px
+  Distortion distortion;
+
+  /// Square pixels, principal point in the middle. Throws Error unless 0 < fov_deg < 180.
+  static PinholeCamera from_horizontal_fov(int width, int height, double fov_deg);
+
+  Eigen::Vector2d project(const Eigen::Vector3d& p_camera) const;  ///< needs p_camera.z() > 0
+
+  /// Depth along z, m. Not a number where the lens sees nothing.
+  Eigen::Vector3d unproject(const Eigen::Vector2d& pixel, double depth) const;
+  bool contains(const Eigen::Vector2d& pixel, double border_px = 0) const;
+
+  PinholeCamera halved() const;              ///< the next pyramid level: cx' = (cx + 0.5) / 2 - 0.5
+  PinholeCamera without_distortion() const;  ///< the same intrinsics, a perfect lens
+
+  void validate() const;  ///< throws Error
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, PinholeCamera& camera) {
+  visit("width", camera.width, "px");
+  visit("height", camera.height, "px");
+  visit("fx", camera.fx, "focal length, px");
+  visit("fy", camera.fy, "focal length, px; negative where the camera's y axis points up");
+  visit("cx", camera.cx, "principal point, px; the centre of the top-left pixel is 0");
+  visit("cy", camera.cy, "principal point, px; the centre of the top-left pixel is 0");
+  visit("distortion", camera.distortion, "of the lens");
+}
+
+/// A colour camera with a depth image registered to it.
+struct RgbdCamera {
+  PinholeCamera pinhole;
+  double depth_units_per_m = 5000;  ///< a 16-bit depth pixel divided by this is metres
+
+  void validate() const;  ///< throws Error
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, RgbdCamera& camera) {
+  visit_fields(visit, camera.pinhole);
+  visit("depth_units_per_m", camera.depth_units_per_m, "value of a 16-bit depth pixel at 1 m");
+}
+
+}  // namespace vo

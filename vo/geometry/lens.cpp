@@ -1,0 +1,78 @@
+#include "vo/geometry/lens.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include <Eigen/LU>
+
+#include "vo/core/error.h"
+
+namespace vo {
+namespace {
+
+constexpr int kMaxIterations = 20;
+constexpr double kConverged = 1e-14;
+constexpr double kWidest = 85 * std::numbers::pi / 180;  // rad off the axis
+
+Eigen::Vector2d remove_brown_conrady(const Distortion& lens, const Eigen::Vector2d& distorted) {
+  Eigen::Vector2d ideal = distorted;
+  for (int i = 0; i < kMaxIterations; ++i) {
+    const DistortedPoint<double> imaged = distort_brown_conrady(lens, ideal.x(), ideal.y());
+    const Eigen::Vector2d error = Eigen::Vector2d(imaged.x, imaged.y) - distorted;
+    if (error.norm() < kConverged) {
+      break;
+    }
+    Eigen::Matrix2d J;
+    J << imaged.dx_dx, imaged.dx_dy, imaged.dx_dy, imaged.dy_dy;
+    ideal -= J.inverse() * error;
+  }
+  return ideal;
+}
+
+Eigen::Vector2d remove_kannala_brandt(const Distortion& lens, const Eigen::Vector2d& distorted) {
+  const double radius = distorted.norm();
+  if (radius < kConverged) {
+    return distorted;
+  }
+  double angle = std::min(radius, kWidest);
+  for (int i = 0; i < kMaxIterations; ++i) {
+    const ImagedAngle<double> imaged = image_angle(lens, angle);
+    const double step = (imaged.radius - radius) / imaged.slope;
+    angle -= step;
+    if (std::abs(step) < kConverged) {
+      break;
+    }
+  }
+  if (!(angle > 0 && angle < kWidest)) {
+    return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+  }
+  return std::tan(angle) / radius * distorted;
+}
+
+}  // namespace
+
+Eigen::Vector2d Distortion::remove(const Eigen::Vector2d& distorted) const {
+  return model == DistortionModel::kannala_brandt ? remove_kannala_brandt(*this, distorted)
+                                                  : remove_brown_conrady(*this, distorted);
+}
+
+void Distortion::validate(double image_radius) const {
+  if (model == DistortionModel::brown_conrady) {
+    require(k4 == 0, "camera.distortion: brown_conrady has no k4, expected 0, got ", k4);
+    return;
+  }
+  require(p1 == 0 && p2 == 0,
+          "camera.distortion: kannala_brandt has no p1 and p2, expected 0, got ", p1, ", ", p2);
+  constexpr int kAngles = 170;
+  for (int i = 1; i <= kAngles; ++i) {
+    const ImagedAngle<double> imaged = image_angle(*this, kWidest * i / kAngles);
+    require(imaged.slope > 0 || imaged.radius > image_radius,
+            "camera.distortion: kannala_brandt folds over inside the image, ", 0.5 * i,
+            " deg off the axis, expected coefficients that can be inverted up to its corners");
+    if (imaged.radius > image_radius) {
+      return;
+    }
+  }
+}
+
+}  // namespace vo

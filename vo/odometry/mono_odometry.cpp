@@ -1,0 +1,284 @@
+#include "vo/odometry/mono_odometry.h"
+
+#include <cmath>
+#include <utility>
+
+#include "vo/core/error.h"
+#include "vo/core/stopwatch.h"
+#include "vo/tracking/tracker.h"
+
+namespace vo {
+namespace {
+
+/// A start that corners gave is this uncertain between them, relative.
+constexpr double kInterpolatedSigma = 0.25;
+
+bool needs_depth(MonoBootstrap bootstrap) {
+  return bootstrap == MonoBootstrap::rgbd || bootstrap == MonoBootstrap::file;
+}
+
+bool is_guess(MonoBootstrap bootstrap) {
+  return bootstrap == MonoBootstrap::flat || bootstrap == MonoBootstrap::random;
+}
+
+}  // namespace
+
+void MonoOptions::validate() const {
+  require(start_depth > 0 && start_sigma > 0,
+          "mono: expected start_depth and start_sigma above 0, got ", start_depth, " and ",
+          start_sigma);
+  require(min_confident >= 1, "mono.min_confident: expected at least 1, got ", min_confident);
+  require(max_lost_frames >= 1, "mono.max_lost_frames: expected at least 1, got ", max_lost_frames);
+  require(parallax_px > 0, "mono.parallax_px: expected above 0, got ", parallax_px);
+  require(wanted_parallax_px >= parallax_px,
+          "mono.wanted_parallax_px: expected at least parallax_px, ", parallax_px, ", got ",
+          wanted_parallax_px);
+  require(!tracker.symmetric,
+          "mono.symmetric: expected false, the current frame's points have no depth of their own");
+  require(tracker.points.source == EdgeSource::reference &&
+              tracker.points.selection == PointSelection::edges,
+          "mono.points: expected source = reference and selection = edges, the map's points");
+  require(tracker.vignette == VignetteModel::ignore,
+          "mono.vignette: expected ignore, the map looks edges up in images as they are");
+  require(tracker.window.adjust == WindowAdjustment::none,
+          "mono.window.adjust: expected none, the map finds the depths of its points");
+  require(tracker.align.max_depth_ratio == 0,
+          "mono.align.max_depth_ratio: expected 0, there is no current depth to test against");
+  tracker.validate();
+  map.validate();
+}
+
+MonoOptions mono_options() {
+  MonoOptions options;
+  options.tracker = preset_options(TrackerPreset::best_measured);
+  options.tracker.symmetric = false;
+  options.tracker.shutter = ShutterModel::given;
+  options.tracker.vignette = VignetteModel::ignore;
+  options.tracker.points.min_depth = 1e-3;
+  options.tracker.points.max_depth = 1e3;
+  options.tracker.points.discontinuity_radius = 0;
+  options.tracker.align.depth_noise = 1;
+  options.tracker.align.min_translation = 5e-5;  // finer steps than depths of a map are worth
+  options.tracker.align.min_rotation_deg = 2e-3;
+  options.tracker.align.step_limit_growth = 2;
+  options.tracker.map.references = 6;
+  return options;
+}
+
+MonoOdometry::MonoOdometry(const PinholeCamera& camera, const MonoOptions& options,
+                           const SE3& T_world_first)
+    : camera_(tracked_camera(camera, options.tracker.lens)),
+      options_(options),
+      pyramid_builder_(camera_, options.tracker.pyramid),
+      edge_finder_(options.tracker.edges),
+      tracker_(std::make_unique<Tracker>(options.tracker, T_world_first)),
+      map_(options.map),
+      start_depth_(options.start_depth),
+      T_world_anchor_(T_world_first) {
+  options_.validate();
+}
+
+MonoOdometry::MonoOdometry(MonoOdometry&& other) noexcept = default;
+MonoOdometry& MonoOdometry::operator=(MonoOdometry&& other) noexcept = default;
+MonoOdometry::~MonoOdometry() = default;
+
+MonoResult MonoOdometry::track(const RgbdFrame& frame) {
+  require(frame.image.size() == cv::Size(camera_.width, camera_.height),
+          "mono: expected an image of the camera's ", camera_.width, "x", camera_.height, " px");
+  Stopwatch timer;
+  pyramid_builder_.build({frame.timestamp, frame.image, {}}, {}, current_);
+  stage_times_ = {.pyramid_ms = timer.lap_ms()};
+  add_edges(current_, edge_finder_);
+  stage_times_.edges_ms = timer.lap_ms();
+  MonoResult result;
+  result.tracking.timestamp = frame.timestamp;
+  result.tracking.T_world_camera = T_world_anchor_;
+  const bool depth_is_due = needs_depth(options_.bootstrap) && (!frame.depth.empty() || is_first_);
+  is_first_ = false;
+  if (state_ == MonoState::initialising && depth_is_due) {
+    start_from_depth(frame.depth, result);
+  } else if (state_ == MonoState::initialising && is_guess(options_.bootstrap)) {
+    start_from_guesses(result);
+  } else if (state_ == MonoState::initialising || state_ == MonoState::reinitialising) {
+    initialise(result);
+  } else {
+    follow(result);
+  }
+  report_state(result);
+  return result;
+}
+
+std::optional<MonoResult> MonoOdometry::finish() {
+  if (initialiser_ == nullptr) {
+    return std::nullopt;
+  }
+  MonoResult result;
+  result.tracking.timestamp = current_.timestamp;
+  result.tracking.T_world_camera = T_world_anchor_;
+  result.initialiser = initialiser_->finish();
+  if (result.initialiser.verdict != InitialiserVerdict::solved) {
+    return std::nullopt;
+  }
+  start_from(*std::exchange(initialiser_, nullptr), result);
+  report_state(result);
+  return result;
+}
+
+void MonoOdometry::report_state(MonoResult& result) const {
+  result.state = state_;
+  result.hypotheses = map_.hypotheses().size();
+  result.confident = map_.confident();
+}
+
+void MonoOdometry::begin_tracking(const FramePyramid& anchor, Guesses guesses, MonoResult& result) {
+  guesses_ = guesses;
+  tracker_ = std::make_unique<Tracker>(options_.tracker, T_world_anchor_);
+  tracker_->set_keyframe(anchor, T_world_anchor_, tracked_points());
+  state_ = MonoState::tracking;
+  lost_frames_ = 0;
+  result.tracking.status = TrackingStatus::initialized;
+  result.tracking.T_world_camera = T_world_anchor_;
+  result.tracking.is_keyframe = true;
+}
+
+void MonoOdometry::start_from_depth(const DepthImage& depth, MonoResult& result) {
+  require(depth.size() == cv::Size(camera_.width, camera_.height),
+          "mono: expected the first frame's depth image with the camera's ", camera_.width, "x",
+          camera_.height, " px for the bootstrap, got ", depth.cols, "x", depth.rows, " px");
+  map_.start(current_, options_.start_depth);
+  map_.take_depth(depth, options_.start_sigma);
+  if (map_.confident() < static_cast<std::size_t>(options_.min_confident)) {
+    result.tracking.reason = LostReason::too_few_points;
+    return;
+  }
+  begin_tracking(current_, Guesses::left_out, result);
+  trajectory_.push_back({current_.timestamp, T_world_anchor_});
+}
+
+void MonoOdometry::start_from_guesses(MonoResult& result) {
+  map_.start(current_, options_.start_depth);
+  if (options_.bootstrap == MonoBootstrap::random) {
+    map_.guess_random(options_.seed);
+  }
+  if (map_.hypotheses().size() < static_cast<std::size_t>(options_.min_confident)) {
+    result.tracking.reason = LostReason::too_few_points;
+    return;
+  }
+  begin_tracking(current_, Guesses::included, result);
+  trajectory_.push_back({current_.timestamp, T_world_anchor_});
+}
+
+void MonoOdometry::initialise(MonoResult& result) {
+  if (initialiser_ == nullptr || initialiser_->is_exhausted()) {
+    const double scale = camera_.width / 640.0;
+    const StartParallax parallax{scale * options_.parallax_px, scale * options_.wanted_parallax_px};
+    initialiser_ = std::make_unique<MonoInitialiser>(current_, parallax, start_depth_);
+    result.tracking.reason = LostReason::undetermined;
+    return;
+  }
+  result.initialiser = initialiser_->add(current_);
+  result.tracking.reason = LostReason::undetermined;
+  if (result.initialiser.verdict != InitialiserVerdict::solved) {
+    return;
+  }
+  start_from(*std::exchange(initialiser_, nullptr), result);
+}
+
+void MonoOdometry::start_from(const MonoInitialiser& solved, MonoResult& result) {
+  map_first_frame(solved);
+  if (map_.confident() < static_cast<std::size_t>(options_.min_confident)) {
+    result.tracking.reason = LostReason::too_few_points;
+    return;
+  }
+  begin_tracking(solved.frames().front().pyramid, Guesses::left_out, result);
+  track_again(solved, result);
+}
+
+/// Looks for the held frame's edges in all frames of the start.
+void MonoOdometry::map_first_frame(const MonoInitialiser& solved) {
+  const std::vector<StartFrame>& frames = solved.frames();
+  map_.start(frames.front().pyramid, start_depth_);
+  map_.take_depth(solved.depth_at_edges(), kInterpolatedSigma);
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    map_.observe(frames[i].pyramid, {frames[i].T_frame_first});
+  }
+  map_.regularise();
+}
+
+/// Follows the frames of the start on the map that they gave.
+void MonoOdometry::track_again(const MonoInitialiser& solved, MonoResult& result) {
+  const std::vector<StartFrame>& frames = solved.frames();
+  if (trajectory_.empty() || trajectory_.back().timestamp < frames.front().pyramid.timestamp) {
+    trajectory_.push_back({frames.front().pyramid.timestamp, T_world_anchor_});
+  }
+  for (std::size_t i = 1; i < frames.size() && state_ == MonoState::tracking; ++i) {
+    current_ = frames[i].pyramid;
+    follow(result);
+  }
+}
+
+void MonoOdometry::follow(MonoResult& result) {
+  Stopwatch timer;
+  result.tracking = tracker_->track(current_);
+  stage_times_.alignment_ms = timer.lap_ms();
+  if (result.tracking.status == TrackingStatus::lost) {
+    state_ = MonoState::lost;
+    if (++lost_frames_ >= options_.max_lost_frames) {
+      reinitialise();
+    }
+    return;
+  }
+  state_ = MonoState::tracking;
+  lost_frames_ = 0;
+  update_map(result);
+  stage_times_.mapping_ms = timer.lap_ms();
+  trajectory_.push_back({current_.timestamp, result.tracking.T_world_camera});
+}
+
+FrameRelation MonoOdometry::relation_to_anchor(const TrackingResult& tracked) const {
+  FrameRelation relation{tracked.T_world_camera.inverse() * T_world_anchor_,
+                         tracked.alignment.covariance};
+  if (tracked.reference_timestamp == map_.anchor().timestamp) {
+    relation.gain = tracked.alignment.gain;
+    relation.offset = tracked.alignment.offset;
+  }
+  return relation;
+}
+
+void MonoOdometry::update_map(MonoResult& result) {
+  const FrameRelation relation = relation_to_anchor(result.tracking);
+  result.observations = map_.observe(current_, relation);
+  map_.regularise();
+  if (guesses_ == Guesses::included && 2 * map_.confident() > map_.hypotheses().size()) {
+    guesses_ = Guesses::left_out;
+  }
+  if (map_.needs_new_anchor(current_, relation.T_cur_anchor)) {
+    tracker_->update_keyframe(tracked_points());
+    map_.propagate(current_, relation);
+    map_.regularise();
+    T_world_anchor_ = result.tracking.T_world_camera;
+    tracker_->set_keyframe(current_, T_world_anchor_, tracked_points());
+    result.tracking.is_keyframe = true;
+  } else {
+    tracker_->update_keyframe(tracked_points());
+  }
+  if (guesses_ == Guesses::left_out &&
+      map_.confident() < static_cast<std::size_t>(options_.min_confident)) {
+    state_ = MonoState::lost;
+    reinitialise();
+  }
+}
+
+std::shared_ptr<const EdgePoints> MonoOdometry::tracked_points() const {
+  return std::make_shared<const EdgePoints>(map_.points(options_.tracker.points, guesses_));
+}
+
+/// A new map from where the camera was last seen, at the scale that the last one had.
+void MonoOdometry::reinitialise() {
+  start_depth_ = 1 / median_inverse_depth(map_.hypotheses(), static_cast<float>(1 / start_depth_));
+  T_world_anchor_ = trajectory_.empty() ? T_world_anchor_ : trajectory_.back().T_world_camera;
+  initialiser_.reset();
+  state_ = MonoState::reinitialising;
+}
+
+}  // namespace vo

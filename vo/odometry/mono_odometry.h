@@ -1,0 +1,97 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "vo/bootstrap/mono_initialiser.h"
+#include "vo/core/image.h"
+#include "vo/geometry/camera.h"
+#include "vo/geometry/trajectory.h"
+#include "vo/mapping/depth_map.h"
+#include "vo/odometry/mono_options.h"
+#include "vo/odometry/rgbd_odometry.h"
+
+namespace vo {
+
+enum class MonoState { initialising, tracking, lost, reinitialising };
+
+constexpr auto enum_names(MonoState) {
+  return std::array{std::pair{MonoState::initialising, "initialising"},
+                    std::pair{MonoState::tracking, "tracking"}, std::pair{MonoState::lost, "lost"},
+                    std::pair{MonoState::reinitialising, "reinitialising"}};
+}
+
+/// What one frame gave.
+struct MonoResult {
+  TrackingResult tracking;
+  MonoState state = MonoState::initialising;  ///< after the frame
+  InitialiserReport initialiser;              ///< parallax meter; while initialising
+  std::size_t hypotheses = 0;
+  std::size_t confident = 0;
+  ObservationCounts observations;
+};
+
+/// Monocular edge-direct odometry: the tracker of the RGB-D odometry on an inverse-depth map that
+/// is kept, observed with each frame and propagated.
+class MonoOdometry {
+ public:
+  explicit MonoOdometry(const PinholeCamera& camera, const MonoOptions& options = mono_options(),
+                        const SE3& T_world_first = {});
+  MonoOdometry(MonoOdometry&& other) noexcept;
+  MonoOdometry& operator=(MonoOdometry&& other) noexcept;
+  ~MonoOdometry();
+
+  /// The frame's depth is read once, for a bootstrap that asks for it, and never again; later
+  /// frames need none. Throws Error when an image has another size than the camera, or the first
+  /// frame lacks the depth that the bootstrap needs.
+  MonoResult track(const RgbdFrame& frame);
+
+  /// The sequence has ended. Where an unknown start still waited for more parallax than it needs,
+  /// it is made with what there is, its frames are tracked, and this is what `track` should have
+  /// returned for the last one; else nothing, and nothing changes.
+  std::optional<MonoResult> finish();
+
+  const Trajectory& trajectory() const { return trajectory_; }  ///< frames that are not lost
+  const StageTimes& stage_times() const { return stage_times_; }
+  const DepthMap& map() const { return map_; }
+  const SE3& T_world_anchor() const { return T_world_anchor_; }
+  const FramePyramid& current() const { return current_; }
+  const Tracker& tracker() const { return *tracker_; }
+
+ private:
+  void start_from_depth(const DepthImage& depth, MonoResult& result);
+  void start_from_guesses(MonoResult& result);
+  void initialise(MonoResult& result);
+  void start_from(const MonoInitialiser& solved, MonoResult& result);
+  void map_first_frame(const MonoInitialiser& solved);
+  void track_again(const MonoInitialiser& solved, MonoResult& result);
+  void begin_tracking(const FramePyramid& anchor, Guesses guesses, MonoResult& result);
+  void follow(MonoResult& result);
+  FrameRelation relation_to_anchor(const TrackingResult& tracked) const;
+  void update_map(MonoResult& result);
+  void reinitialise();
+  void report_state(MonoResult& result) const;
+  std::shared_ptr<const EdgePoints> tracked_points() const;
+
+  PinholeCamera camera_;
+  MonoOptions options_;
+  PyramidBuilder pyramid_builder_;
+  EdgeFinder edge_finder_;
+  std::unique_ptr<Tracker> tracker_;
+  std::unique_ptr<MonoInitialiser> initialiser_;  ///< while initialising
+  DepthMap map_;
+  Guesses guesses_ = Guesses::left_out;  ///< whether they are tracked with, too
+  double start_depth_ = 1;               ///< m, median depth of an unknown start
+  SE3 T_world_anchor_;
+  FramePyramid current_;
+  MonoState state_ = MonoState::initialising;
+  bool is_first_ = true;
+  int lost_frames_ = 0;
+  Trajectory trajectory_;
+  StageTimes stage_times_;
+};
+
+}  // namespace vo

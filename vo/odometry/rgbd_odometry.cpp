@@ -1,0 +1,120 @@
+#include "vo/odometry/rgbd_odometry.h"
+
+#include <numbers>
+
+#include "vo/core/error.h"
+#include "vo/core/stopwatch.h"
+#include "vo/tracking/tracker.h"
+
+namespace vo {
+namespace {
+
+TrackerOptions paper_options() {
+  TrackerOptions options;
+  options.pyramid.levels = 3;
+  options.edges.threshold = EdgeThreshold::otsu;
+  options.points.source = EdgeSource::current;
+  options.keyframes.every = 1;
+  options.map.max_keyframes = 1;
+  options.lens = LensModel::ignore;
+  return options;
+}
+
+/// Read in github.com/kevinchristensen1/EdgeDirectVO: their weights enter the normal equations
+/// squared, a step that raised the error is kept, the principal point is halved without the half
+/// pixel, depth is resized across its holes, and every third frame is a keyframe.
+TrackerOptions authors_options() {
+  TrackerOptions options = paper_options();
+  options.pyramid.principal_point = HalvedPrincipalPoint::plain;
+  options.pyramid.depth = HalvedDepth::cubic;
+  options.align.squared_weights = true;
+  options.align.keep_worse_step = true;
+  options.align.max_iterations = 20;
+  options.align.min_translation = 1e-4;
+  options.align.min_rotation_deg = 1e-4 * 180 / std::numbers::pi;
+  options.keyframes.every = 3;
+  return options;
+}
+
+/// docs/results.md shows what each of these is worth.
+TrackerOptions best_options() {
+  TrackerOptions options;
+  options.pyramid.levels = 5;
+  options.points.max_points = 2000;
+  options.points.coarser_share = 0.7;
+  options.points.discontinuity_radius = 1;
+  options.align.step_limit_growth = 5;
+  options.align.formulation = Formulation::esm;
+  options.align.loss = RobustLoss::student_t;
+  options.align.scale = LossScale::residuals;
+  options.align.brightness = BrightnessModel::affine;
+  options.align.depth_term = 0.4;
+  options.keyframes = {.every = 0, .max_flow = 0.06, .min_overlap = 0.75, .min_sharpness = 0.85};
+  options.map.references = 4;
+  options.lost = {.min_depth_agreement = 0.45, .recover = true};
+  options.symmetric = true;
+  options.motion_model = MotionModel::best;
+  options.shutter = ShutterModel::estimated;
+  options.vignette = VignetteModel::estimated;
+  return options;
+}
+
+}  // namespace
+
+PinholeCamera tracked_camera(const PinholeCamera& camera, LensModel lens) {
+  constexpr int kMinSize = 4;  // px, of the neighbourhood that intensities are looked up in
+  camera.validate();
+  require(camera.width >= kMinSize && camera.height >= kMinSize,
+          "odometry: expected a camera of at least ", kMinSize, "x", kMinSize, " px, got ",
+          camera.width, "x", camera.height);
+  return lens == LensModel::ignore ? camera.without_distortion() : camera;
+}
+
+TrackerOptions preset_options(TrackerPreset preset) {
+  switch (preset) {
+    case TrackerPreset::paper:
+      return paper_options();
+    case TrackerPreset::authors:
+      return authors_options();
+    default:
+      return best_options();
+  }
+}
+
+RgbdOdometry::RgbdOdometry(const PinholeCamera& camera, const TrackerOptions& options,
+                           const SE3& T_world_first)
+    : camera_(tracked_camera(camera, options.lens)),
+      options_(options),
+      pyramid_builder_(camera_, options.pyramid),
+      edge_finder_(options.edges),
+      tracker_(std::make_unique<Tracker>(options, T_world_first)) {}
+
+RgbdOdometry::RgbdOdometry(RgbdOdometry&& other) noexcept = default;
+RgbdOdometry& RgbdOdometry::operator=(RgbdOdometry&& other) noexcept = default;
+RgbdOdometry::~RgbdOdometry() = default;
+
+TrackingResult RgbdOdometry::track(const RgbdFrame& frame) {
+  const cv::Size expected(camera_.width, camera_.height);
+  require(frame.image.size() == expected && frame.depth.size() == expected,
+          "odometry: expected image and depth of the camera's ", camera_.width, "x", camera_.height,
+          " px");
+  Stopwatch watch;
+  pyramid_builder_.build(frame, tracker_->vignette(), current_);
+  stage_times_.pyramid_ms = watch.lap_ms();
+  add_edges(current_, edge_finder_);
+  stage_times_.edges_ms = watch.lap_ms();
+
+  TrackingResult result = tracker_->track(current_);
+  stage_times_.alignment_ms = watch.lap_ms();
+  if (tracker_->needs_keyframe(current_, result)) {
+    tracker_->set_keyframe(current_, result.T_world_camera);
+    result.T_world_camera = tracker_->map().last()->T_world_keyframe;
+    result.is_keyframe = true;
+  }
+  if (result.status != TrackingStatus::lost) {
+    trajectory_.push_back({frame.timestamp, result.T_world_camera});
+  }
+  return result;
+}
+
+}  // namespace vo

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "vo/core/image.h"
+#include "vo/edges/edges.h"
+#include "vo/geometry/camera.h"
+#include "vo/geometry/trajectory.h"
+#include "vo/image/pyramid.h"
+#include "vo/tracking/tracker_options.h"
+#include "vo/tracking/tracking_result.h"
+
+namespace vo {
+
+class Tracker;
+
+/// Option values under one name; no code path asks which preset it was.
+enum class TrackerPreset {
+  paper,         ///< Christensen & Hebert, "Edge-Direct Visual Odometry", frame to frame
+  authors,       ///< their released code where it deviates from the paper
+  best_measured  ///< what measured best
+};
+
+constexpr auto enum_names(TrackerPreset) {
+  return std::array{std::pair{TrackerPreset::paper, "paper"},
+                    std::pair{TrackerPreset::authors, "authors"},
+                    std::pair{TrackerPreset::best_measured, "default"}};
+}
+
+TrackerOptions preset_options(TrackerPreset preset);
+
+/// The camera as the warp sees it. Throws Error where images are too small to be tracked.
+PinholeCamera tracked_camera(const PinholeCamera& camera, LensModel lens);
+
+/// Wall-clock time of one frame's stages. Diagnostic: no result depends on it.
+struct StageTimes {
+  double pyramid_ms = 0;
+  double edges_ms = 0;
+  double alignment_ms = 0;  ///< choice of the points included
+  double mapping_ms = 0;    ///< monocular only
+
+  double total_ms() const { return pyramid_ms + edges_ms + alignment_ms + mapping_ms; }
+};
+
+/// RGB-D edge-direct odometry: one call per frame.
+class RgbdOdometry {
+ public:
+  explicit RgbdOdometry(const PinholeCamera& camera, const TrackerOptions& options = {},
+                        const SE3& T_world_first = {});
+  RgbdOdometry(RgbdOdometry&& other) noexcept;
+  RgbdOdometry& operator=(RgbdOdometry&& other) noexcept;
+  ~RgbdOdometry();
+
+  /// Throws Error when image or depth have another size than the camera.
+  TrackingResult track(const RgbdFrame& frame);
+
+  const Trajectory& trajectory() const { return trajectory_; }    ///< frames that are not lost
+  const StageTimes& stage_times() const { return stage_times_; }  ///< of the last frame
+  const FramePyramid& current() const { return current_; }        ///< the last frame
+  const Tracker& tracker() const { return *tracker_; }
+
+ private:
+  PinholeCamera camera_;
+  TrackerOptions options_;
+  PyramidBuilder pyramid_builder_;
+  EdgeFinder edge_finder_;
+  std::unique_ptr<Tracker> tracker_;
+  FramePyramid current_;
+  Trajectory trajectory_;
+  StageTimes stage_times_;
+};
+
+}  // namespace vo

@@ -1,0 +1,152 @@
+#include "vo/odometry/track_mono.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+#include "vo/files/npy.h"
+#include "vo/files/png.h"
+
+namespace vo {
+namespace {
+
+namespace fs = std::filesystem;
+
+DepthImage read_depth_file(const fs::path& path, const RgbdCamera& camera) {
+  if (path.extension() == ".npy") {
+    const cv::Mat depth = read_npy(path);
+    require(depth.type() == CV_32FC1, path.string(), ": expected one channel, metres");
+    return depth;
+  }
+  const cv::Mat image = read_png(path);
+  require(image.type() == CV_16UC1, path.string(),
+          ": expected depth of 16 bits in one channel, or a .npy file in metres");
+  DepthImage depth;
+  image.convertTo(depth, CV_32F, 1 / camera.depth_units_per_m);
+  return depth;
+}
+
+/// Another size or another unit than expected is told from the values.
+void check_depth(const fs::path& path, const DepthImage& depth, const PinholeCamera& camera) {
+  constexpr double kNearest = 0.05;  // m
+  constexpr double kFarthest = 200;  // m
+  require(depth.cols == camera.width && depth.rows == camera.height, path.string(), ": is ",
+          depth.cols, "x", depth.rows, " px, expected the camera's ", camera.width, "x",
+          camera.height);
+  std::vector<double> values;
+  for (const float value : depth) {
+    if (std::isfinite(value) && has_depth(value)) {
+      values.push_back(value);
+    }
+  }
+  const double median = percentile(values, 0.5);
+  require(median >= kNearest && median <= kFarthest, path.string(), ": has a median depth of ",
+          median, " m, expected ", kNearest, " to ", kFarthest,
+          " m; a PNG is in units of the camera's depth_units_per_m");
+}
+
+}  // namespace
+
+double MonoSequenceResult::tracked_fraction() const {
+  return frames.empty()
+             ? 0
+             : static_cast<double>(trajectory.size()) / static_cast<double>(frames.size());
+}
+
+std::size_t MonoSequenceResult::keyframes() const {
+  return static_cast<std::size_t>(
+      std::count_if(frames.begin(), frames.end(),
+                    [](const MonoResult& frame) { return frame.tracking.is_keyframe; }));
+}
+
+MonoFrames::MonoFrames(const MonoInput& input, MonoBootstrap bootstrap)
+    : sequence_(input.folder, input.camera, input.max_time_difference, SequenceContent::colour) {
+  if (bootstrap == MonoBootstrap::file) {
+    require(!input.depth_file.empty(), "mono: expected --depth-file FILE with --bootstrap file");
+    first_depth_ = read_depth_file(input.depth_file, sequence_.camera());
+    check_depth(input.depth_file, first_depth_, sequence_.camera().pinhole);
+  } else if (bootstrap == MonoBootstrap::rgbd) {
+    const SequenceReader paired(input.folder, input.camera, input.max_time_difference);
+    const RgbdFrame first = paired.read(0);
+    first_depth_ = first.depth;
+    while (sequence_.timestamp(first_index_) < first.timestamp) {
+      ++first_index_;
+    }
+  }
+  next_index_ = first_index_;
+}
+
+std::optional<RgbdFrame> MonoFrames::next() {
+  if (next_index_ >= sequence_.size()) {
+    return std::nullopt;
+  }
+  RgbdFrame frame = sequence_.read(next_index_);
+  if (next_index_ == first_index_) {
+    frame.depth = first_depth_;
+  }
+  ++next_index_;
+  return frame;
+}
+
+MonoSequenceResult track_mono_images(const MonoImages& images, const MonoOptions& options,
+                                     const MonoObserver& observe, const Progress& progress) {
+  MonoOdometry odometry(images.camera, options, images.T_world_first);
+  MonoSequenceResult result;
+  std::optional<RgbdFrame> next = images.next();
+  while (next) {
+    const std::optional<RgbdFrame> frame = std::exchange(next, images.next());
+    result.frames.push_back(odometry.track(*frame));
+    if (!next) {
+      result.frames.back() = odometry.finish().value_or(result.frames.back());
+    }
+    result.times.push_back(odometry.stage_times());
+    if (observe) {
+      observe(*frame, odometry, result.frames.back());
+    }
+    progress(result.frames.size(), images.size);
+  }
+  result.trajectory = odometry.trajectory();
+  return result;
+}
+
+MonoSequenceResult track_mono_sequence(const MonoInput& input, const MonoOptions& options,
+                                       const MonoObserver& observe, const Progress& progress) {
+  MonoFrames frames(input, options.bootstrap);
+  return track_mono_images({.camera = frames.sequence().camera().pinhole,
+                            .T_world_first = {},
+                            .size = frames.size(),
+                            .next = [&] { return frames.next(); }},
+                           options, observe, progress);
+}
+
+std::string format_mono_log(const std::vector<MonoResult>& frames) {
+  std::string text =
+      "timestamp,state,status,reason,keyframe,start_verdict,start_flow_px,start_parallax_px,"
+      "hypotheses,confident,found,inconsistent,out_of_view,unobservable,ambiguous,no_match,"
+      "visible_fraction,correlation,cost\n";
+  for (const MonoResult& frame : frames) {
+    const TrackingResult& tracking = frame.tracking;
+    const ObservationCounts& seen = frame.observations;
+    text += concat(format_timestamp(tracking.timestamp), ",", to_string(frame.state), ",",
+                   to_string(tracking.status), ",", to_string(tracking.reason), ",",
+                   tracking.is_keyframe ? 1 : 0, ",", to_string(frame.initialiser.verdict));
+    for (const double value : {frame.initialiser.flow_px, frame.initialiser.parallax_px}) {
+      text += "," + format_real(value);
+    }
+    for (const std::size_t count :
+         {frame.hypotheses, frame.confident, seen.found, seen.inconsistent, seen.out_of_view,
+          seen.unobservable, seen.ambiguous, seen.no_match}) {
+      text += "," + std::to_string(count);
+    }
+    for (const double value : {tracking.alignment.visible_fraction, tracking.alignment.correlation,
+                               tracking.alignment.cost}) {
+      text += "," + format_real(value);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace vo

@@ -1,0 +1,112 @@
+#include "vo/odometry/track_sequence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+
+namespace vo {
+namespace {
+
+template <typename Stage>
+std::vector<double> stage(const std::vector<StageTimes>& times, Stage select) {
+  std::vector<double> values;
+  for (const StageTimes& time : times) {
+    values.push_back(select(time));
+  }
+  return values;
+}
+
+std::string frame_log_header() {
+  std::string text =
+      "timestamp,status,reason,keyframe,termination,iterations,points,visible_fraction,correlation,"
+      "depth_agreement,cost,conditioning,readout_s,vignette_2,vignette_4";
+  const std::array names{"tx", "ty", "tz", "rx", "ry", "rz"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    for (std::size_t j = i; j < names.size(); ++j) {
+      text += concat(",covariance_", names.at(i), "_", names.at(j));
+    }
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+double percentile(std::vector<double> values, double fraction) {
+  if (values.empty()) {
+    return 0;
+  }
+  std::sort(values.begin(), values.end());
+  const double rank = std::ceil(fraction * static_cast<double>(values.size()));
+  return values[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+}
+
+double SequenceResult::tracked_fraction() const {
+  return frames.empty()
+             ? 0
+             : static_cast<double>(trajectory.size()) / static_cast<double>(frames.size());
+}
+
+std::size_t SequenceResult::keyframes() const {
+  return static_cast<std::size_t>(std::count_if(
+      frames.begin(), frames.end(), [](const TrackingResult& f) { return f.is_keyframe; }));
+}
+
+SequenceResult track_sequence(const SequenceReader& sequence, const TrackerOptions& options,
+                              const SE3& T_world_first, const FrameObserver& observe,
+                              const Progress& progress) {
+  RgbdOdometry odometry(sequence.camera().pinhole, options, T_world_first);
+  FrameStream stream(sequence);
+  SequenceResult result;
+  while (const std::optional<RgbdFrame> frame = stream.next()) {
+    result.frames.push_back(odometry.track(*frame));
+    result.times.push_back(odometry.stage_times());
+    if (observe) {
+      observe(*frame, odometry.current(), odometry.tracker(), result.frames.back());
+    }
+    progress(result.frames.size(), sequence.size());
+  }
+  result.trajectory = odometry.trajectory();
+  return result;
+}
+
+TimeSummary summarize(const std::vector<StageTimes>& times) {
+  const std::vector<double> totals = stage(times, [](const StageTimes& t) { return t.total_ms(); });
+  return {
+      .median_ms = percentile(totals, 0.5),
+      .p90_ms = percentile(totals, 0.9),
+      .pyramid_ms = percentile(stage(times, [](const StageTimes& t) { return t.pyramid_ms; }), 0.5),
+      .edges_ms = percentile(stage(times, [](const StageTimes& t) { return t.edges_ms; }), 0.5),
+      .alignment_ms =
+          percentile(stage(times, [](const StageTimes& t) { return t.alignment_ms; }), 0.5),
+  };
+}
+
+std::string format_frame_log(const std::vector<TrackingResult>& frames) {
+  std::string text = frame_log_header();
+  for (const TrackingResult& frame : frames) {
+    const AlignResult& alignment = frame.alignment;
+    const bool aligned = frame.status != TrackingStatus::initialized;
+    text += concat(format_timestamp(frame.timestamp), ",", to_string(frame.status), ",",
+                   to_string(frame.reason), ",", frame.is_keyframe ? 1 : 0, ",",
+                   aligned ? to_string(alignment.termination) : "none", ",", alignment.iterations,
+                   ",", alignment.points);
+    for (const double value :
+         {alignment.visible_fraction, alignment.correlation, alignment.depth_agreement,
+          alignment.cost, alignment.conditioning, frame.readout_s, frame.vignette.coefficients[0],
+          frame.vignette.coefficients[1]}) {
+      text += "," + format_real(value);
+    }
+    for (int i = 0; i < alignment.covariance.rows(); ++i) {
+      for (int j = i; j < alignment.covariance.cols(); ++j) {
+        text += "," + format_real(alignment.covariance(i, j));
+      }
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace vo

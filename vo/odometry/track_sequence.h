@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "vo/core/progress.h"
+#include "vo/dataset/sequence.h"
+#include "vo/odometry/rgbd_odometry.h"
+
+namespace vo {
+
+/// What tracking a whole sequence gave, frame by frame.
+struct SequenceResult {
+  std::vector<TrackingResult> frames;
+  std::vector<StageTimes> times;  ///< diagnostic, differs from run to run
+  Trajectory trajectory;          ///< without the lost frames
+
+  double tracked_fraction() const;  ///< of all frames, the first one counted as tracked
+  std::size_t keyframes() const;
+};
+
+/// Told after each frame, before the next one is read: for pictures.
+using FrameObserver = std::function<void(const RgbdFrame& frame, const FramePyramid& pyramid,
+                                         const Tracker& tracker, const TrackingResult& result)>;
+
+SequenceResult track_sequence(const SequenceReader& sequence, const TrackerOptions& options,
+                              const SE3& T_world_first, const FrameObserver& observe,
+                              const Progress& progress);
+
+/// The nearest-rank percentile of a fraction 0..1; 0 without values.
+double percentile(std::vector<double> values, double fraction);
+
+/// Median and 90th percentile over the frames, ms.
+struct TimeSummary {
+  double median_ms = 0;
+  double p90_ms = 0;
+  double pyramid_ms = 0;    ///< median
+  double edges_ms = 0;      ///< median
+  double alignment_ms = 0;  ///< median
+};
+
+TimeSummary summarize(const std::vector<StageTimes>& times);
+
+/// CSV with one line per frame: stamp, status, why it is lost, why the alignment ended, iterations,
+/// points, visible fraction, correlation, depth agreement, cost, conditioning, read-out time,
+/// vignette and the upper triangle of the covariance row by row ([translation; rotation], m and
+/// rad).
+std::string format_frame_log(const std::vector<TrackingResult>& frames);
+
+}  // namespace vo

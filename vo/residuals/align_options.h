@@ -1,0 +1,97 @@
+#pragma once
+
+#include <array>
+#include <utility>
+
+#include "vo/residuals/robust.h"
+
+namespace vo {
+
+/// Whose gradient the Jacobian is made of (Baker & Matthews, "Lucas-Kanade 20 Years On", IJCV 2004;
+/// Malis, "Improving vision-based control using efficient second-order minimization", ICRA 2004).
+enum class Formulation {
+  forward,  ///< the current image's at the warped point: the paper, Eq. 12
+  inverse,  ///< the reference's at the point
+  esm,      ///< the mean of both
+};
+
+constexpr auto enum_names(Formulation) {
+  return std::array{std::pair{Formulation::forward, "forward"},
+                    std::pair{Formulation::inverse, "inverse"}, std::pair{Formulation::esm, "esm"}};
+}
+
+/// Where the scale of the robust loss comes from.
+enum class LossScale {
+  fixed,      ///< given
+  residuals,  ///< 1.4826 times the median |r|, anew for each pair of images and level
+};
+
+constexpr auto enum_names(LossScale) {
+  return std::array{std::pair{LossScale::fixed, "fixed"},
+                    std::pair{LossScale::residuals, "residuals"}};
+}
+
+/// How the brightness of two images may differ.
+enum class BrightnessModel {
+  same,    ///< not at all
+  affine,  ///< by a gain and an offset, estimated with the pose
+};
+
+constexpr auto enum_names(BrightnessModel) {
+  return std::array{std::pair{BrightnessModel::same, "same"},
+                    std::pair{BrightnessModel::affine, "affine"}};
+}
+
+struct AlignOptions {
+  int max_iterations = 30;         ///< per pyramid level
+  double min_translation = 1e-5;   ///< m; a step below it and below min_rotation_deg is not taken
+  double min_rotation_deg = 5e-4;  ///< deg
+  double step_limit_growth = 1;    ///< of both limits, with each coarser level
+  int step_retries = 0;            ///< shorter steps tried after one that raised the cost
+  bool keep_worse_step = false;    ///< a step that raised the cost: the paper's authors keep it
+  Formulation formulation = Formulation::forward;
+  RobustLoss loss = RobustLoss::huber;
+  LossScale scale = LossScale::fixed;
+  double loss_scale = 5.0 / 255;      ///< intensity; five grey levels, the paper's
+  double min_loss_scale = 1.5 / 255;  ///< intensity; less is noise, for `residuals`
+  bool squared_weights = false;       ///< weights enter squared, as the paper's authors have it
+  BrightnessModel brightness = BrightnessModel::same;
+  double depth_noise = 0;  ///< times a structured-light sensor's noise, in the weights; 0 is off
+  double readout = 0;      ///< s, from the first to the last row: a rolling shutter
+  double max_depth_ratio = 0;  ///< the z-test, against the current depth; 0 is off
+  double depth_term = 0;       ///< weight of the point-to-plane distances; 0 is off
+  int min_points = 100;        ///< fewer visible edge points are not a fit
+
+  void validate() const;  ///< throws Error
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, AlignOptions& options) {
+  visit("max_iterations", options.max_iterations, "per pyramid level");
+  visit("min_translation", options.min_translation, "a smaller step is not taken: converged, m");
+  visit("min_rotation_deg", options.min_rotation_deg,
+        "a smaller step is not taken: converged, deg");
+  visit("step_limit_growth", options.step_limit_growth,
+        "factor of both limits with each coarser level");
+  visit("step_retries", options.step_retries, "shorter steps tried after one that raised the cost");
+  visit("keep_worse_step", options.keep_worse_step,
+        "whether a step that raised the cost is kept, as the paper's authors do");
+  visit("formulation", options.formulation, "whose gradient the Jacobian is made of");
+  visit("loss", options.loss, "robust loss of a residual");
+  visit("scale", options.scale, "where the scale of the robust loss comes from");
+  visit("loss_scale", options.loss_scale, "of the robust loss, intensity 0..1 (fixed)");
+  visit("min_loss_scale", options.min_loss_scale, "least scale, intensity 0..1 (residuals)");
+  visit("squared_weights", options.squared_weights,
+        "whether weights enter squared, as the paper's authors have it");
+  visit("brightness", options.brightness, "how the brightness of two images may differ");
+  visit("depth_noise", options.depth_noise,
+        "times a structured-light sensor's depth noise, in the weights; 0 is off");
+  visit("readout", options.readout, "time from the first to the last row, s: a rolling shutter");
+  visit("max_depth_ratio", options.max_depth_ratio,
+        "points whose depth differs more from the current depth image are not used; 0 is off");
+  visit("depth_term", options.depth_term,
+        "weight of the distances from the first reference's surfaces; 0 is off");
+  visit("min_points", options.min_points, "fewer visible points are not a fit");
+}
+
+}  // namespace vo

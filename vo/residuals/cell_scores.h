@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "vo/geometry/camera.h"
+#include "vo/geometry/se3.h"
+#include "vo/residuals/point_pass.h"
+
+namespace vo {
+
+/// Sums of points' terms of b by the cell of an image they lie in, 16 cells to a row of the image.
+/// Errors of neighbouring pixels are alike (a displaced edge, interpolation, wrong depth); those of
+/// different cells are taken as independent.
+class CellScores {
+ public:
+  /// Takes a pair's b of pose, gain and offset to the pose's.
+  using Projection = Eigen::Matrix<double, 6, 8>;
+
+  explicit CellScores(const PinholeCamera& camera);
+
+  void add(const PointScores& scores, const Projection& projection);
+  void add(float u, float v, const Vector6d& b);  ///< px
+
+  const std::vector<Vector6d>& b() const { return b_; }  ///< row by row; 0 where no point is
+
+ private:
+  std::size_t cell_of(float u, float v) const;
+
+  float cell_px_;
+  std::vector<Vector6d> b_;
+};
+
+}  // namespace vo

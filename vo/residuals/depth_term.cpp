@@ -1,0 +1,201 @@
+#include "vo/residuals/depth_term.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "vo/core/median.h"
+#include "vo/residuals/lane_sums.h"
+#include "vo/residuals/warp.h"
+
+namespace vo {
+namespace {
+
+using detail::Block;
+using detail::BlockRow;
+using detail::kBlock;
+using detail::LaneSums;
+using detail::PassWarp;
+
+/// What surface points are compared with.
+struct alignas(64) Planes {
+  BlockRow nx, ny, nz;                          // the points' normals in the current frame
+  BlockRow measured_x, measured_y, measured_z;  // m, where the current image sees a surface
+};
+
+void load_surface(const SurfacePoints& surface, std::size_t first, std::size_t count, Block& block,
+                  Planes& planes) {
+  block.z_ref.fill(1);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Vector3f& position = surface.position[first + i];
+    const Eigen::Vector3f& normal = surface.normal[first + i];
+    block.x_ref[i] = position.x();
+    block.y_ref[i] = position.y();
+    block.z_ref[i] = position.z();
+    planes.nx[i] = normal.x();
+    planes.ny[i] = normal.y();
+    planes.nz[i] = normal.z();
+  }
+}
+
+/// Looks up the nearest pixel, because depth is never interpolated.
+EDVO_INLINE void measure(const PyramidLevel& image, std::size_t count, const Block& block,
+                         Planes& planes) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto u = static_cast<int>(std::floor(block.u[i] + 0.5F));
+    const auto v = static_cast<int>(std::floor(block.v[i] + 0.5F));
+    const cv::Vec2f& ray = image.rays(v, u);
+    const float depth = image.depth(v, u);
+    planes.measured_x[i] = depth * ray[0];
+    planes.measured_y[i] = depth * ray[1];
+    planes.measured_z[i] = depth;
+  }
+}
+
+/// Normals are turned to the current frame, distances are what a pass calls intensity. Points are
+/// not seen where no depth is measured, or one of another surface.
+EDVO_INLINE void compare(const PassWarp& warp, Block& block, Planes& planes) {
+  constexpr float kMaxStep = 0.1F;  // of the depth
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float x = planes.nx[i];
+    const float y = planes.ny[i];
+    const float z = planes.nz[i];
+    planes.nx[i] = warp.R[0] * x + warp.R[1] * y + warp.R[2] * z;
+    planes.ny[i] = warp.R[3] * x + warp.R[4] * y + warp.R[5] * z;
+    planes.nz[i] = warp.R[6] * x + warp.R[7] * y + warp.R[8] * z;
+    const float depth = planes.measured_z[i];
+    const float step = depth - block.z[i];
+    const float limit = kMaxStep * block.z[i];
+    const float measured = depth > 0 ? block.seen[i] : 0;
+    block.seen[i] = step <= limit && -step <= limit ? measured : 0;
+    block.intensity[i] = planes.nx[i] * (block.x[i] - planes.measured_x[i]) +
+                         planes.ny[i] * (block.y[i] - planes.measured_y[i]) - planes.nz[i] * step;
+  }
+}
+
+/// [n; p x n]
+EDVO_INLINE void differentiate(const Planes& planes, Block& block) {
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    block.J[0][i] = planes.nx[i];
+    block.J[1][i] = planes.ny[i];
+    block.J[2][i] = planes.nz[i];
+    block.J[3][i] = block.y[i] * planes.nz[i] - block.z[i] * planes.ny[i];
+    block.J[4][i] = block.z[i] * planes.nx[i] - block.x[i] * planes.nz[i];
+    block.J[5][i] = block.x[i] * planes.ny[i] - block.y[i] * planes.nx[i];
+  }
+}
+
+/// Points from `first` on: their distances, Jacobians and weights.
+EDVO_INLINE void linearize_block(const DepthView& view, const PassWarp& warp,
+                                 const PassOptions& options, std::size_t first, Block& block) {
+  const std::size_t count = std::min(kBlock, view.surface.size() - first);
+  Planes planes{};
+  load_surface(view.surface, first, count, block, planes);
+  warp_block(warp, count, block);
+  measure(view.image, count, block, planes);
+  compare(warp, block, planes);
+  differentiate(planes, block);
+  weigh_by_loss(options, block);
+}
+
+EDVO_TARGET_AVX2 void linearize_avx2(const DepthView& view, const PassWarp& warp,
+                                     const PassOptions& options, std::size_t first, Block& block) {
+  linearize_block(view, warp, options, first, block);
+}
+
+void linearize_baseline(const DepthView& view, const PassWarp& warp, const PassOptions& options,
+                        std::size_t first, Block& block) {
+  linearize_block(view, warp, options, first, block);
+}
+
+/// Distances are compared with nothing: no reference's intensity, no offset.
+PassOptions pass_options(double scale) {
+  return {.loss = RobustLoss::student_t, .loss_scale = static_cast<float>(scale), .gain = 0};
+}
+
+/// Calls `visit(block, count)` for all points, 64 at a time.
+template <typename Visit>
+void for_each_block(const DepthView& view, const PassOptions& options, Visit visit) {
+  const PassWarp warp(view.image.camera, view.T_cur_ref);
+  const bool is_baseline = available_instruction_set() == InstructionSet::baseline;
+  const auto linearize = is_baseline ? linearize_baseline : linearize_avx2;
+  Block block{};
+  for (std::size_t first = 0; first < view.surface.size(); first += kBlock) {
+    linearize(view, warp, options, first, block);
+    visit(block, std::min(kBlock, view.surface.size() - first));
+  }
+}
+
+DepthScore score_of(const Block& block, std::size_t i) {
+  DepthScore score{{block.u[i], block.v[i]}, {}};
+  for (std::size_t p = 0; p < kPoseParameters; ++p) {
+    score.b[static_cast<Eigen::Index>(p)] = block.weight[i] * block.residual[i] * block.J[p][i];
+  }
+  return score;
+}
+
+}  // namespace
+
+DepthSystem linearize_depth(const DepthView& view, double scale) {
+  const PassOptions options = pass_options(scale);
+  PassSums sums;
+  for_each_block(view, options, [&](Block& block, std::size_t count) {
+    LaneSums lanes;
+    lanes.add(kPoseParameters, block);
+    lanes.flush_into(sums);
+    for (std::size_t i = 0; i < count; ++i) {
+      sums.seen += block.seen[i] > 0 ? 1 : 0;
+    }
+  });
+  const auto unseen = static_cast<double>(view.surface.size() - sums.seen);
+  const RobustValue at_scale = robust_value(options.loss, options.loss_scale, options.loss_scale);
+  return {sums.matrix().topLeftCorner<6, 6>(), sums.right_side().head<6>(),
+          sums.loss + unseen * at_scale.loss};
+}
+
+std::vector<DepthScore> score_depth(const DepthView& view, double scale) {
+  std::vector<DepthScore> scores;
+  for_each_block(view, pass_options(scale), [&](const Block& block, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (block.seen[i] > 0) {
+        scores.push_back(score_of(block, i));
+      }
+    }
+  });
+  return scores;
+}
+
+double distance_spread(const DepthView& view) {
+  std::vector<float> magnitudes;
+  for_each_block(view, pass_options(1), [&](const Block& block, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (block.seen[i] > 0) {
+        magnitudes.push_back(std::abs(block.residual[i]));
+      }
+    }
+  });
+  return robust_sigma(std::move(magnitudes));
+}
+
+double depth_agreement(const DepthView& view) {
+  constexpr float kMaxStep = 0.05F;  // of the depth
+  constexpr int kEnoughPoints = 20;
+  const PinholeCamera& camera = view.image.camera;
+  const Warp<float> warp(camera, view.T_cur_ref);
+  int measured = 0;
+  int agreeing = 0;
+  for (const Eigen::Vector3f& position : view.surface.position) {
+    const WarpedPoint<float> point = warp_point<float>(warp, position);
+    if (!is_seen(point, camera)) {
+      continue;
+    }
+    const float depth = view.image.depth(cvRound(point.v), cvRound(point.u));
+    if (has_depth(depth)) {
+      ++measured;
+      agreeing += std::abs(depth - point.p_cur.z()) <= kMaxStep * point.p_cur.z() ? 1 : 0;
+    }
+  }
+  return measured >= kEnoughPoints ? static_cast<double>(agreeing) / measured : 1;
+}
+
+}  // namespace vo

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+
+#include "vo/geometry/se3.h"
+
+namespace vo {
+
+/// Mean velocity between two frames, m/s and rad/s, in the camera's own frame.
+struct MeanVelocity {
+  Vector6d twist = Vector6d::Zero();
+  double seconds = 0;  ///< between the frames
+};
+
+/// Velocity while a frame is taken, m/s and rad/s, in the camera's own frame.
+struct FrameVelocity {
+  Vector6d twist = Vector6d::Zero();
+  /// As far as it may be off; linear and angular part each in any direction.
+  Vector6d doubt = Vector6d::Zero();
+};
+
+/// A mean velocity is that of the middle of its interval. At its end the camera is as much faster
+/// as a steady acceleration since the interval before makes it. As much again is in doubt, because
+/// a hand's acceleration changes from frame to frame: at 30 Hz a shake of 4 Hz is off by 0.6 times
+/// that gain, one of 8 Hz by 1.2 times.
+inline FrameVelocity velocity_at_end(const MeanVelocity& last,
+                                     const std::optional<MeanVelocity>& before) {
+  if (!before) {
+    return {last.twist, Vector6d::Zero()};
+  }
+  const double share = last.seconds / (last.seconds + before->seconds);
+  const Vector6d gain = share * (last.twist - before->twist);
+  return {last.twist + gain, gain};
+}
+
+}  // namespace vo

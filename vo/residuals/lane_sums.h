@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "vo/residuals/point_block.h"
+
+/// Sums over blocks of points, lane by lane: the same bits with every instruction set.
+namespace vo::detail {
+
+inline constexpr std::size_t kLanes = 16;  // floats of the widest register
+inline constexpr std::size_t kFlushPeriod =
+    8;  // blocks summed in float before they are added in double
+
+using Lanes = std::array<float, kLanes>;
+
+EDVO_INLINE void add_products(const BlockRow& a, const BlockRow& b, Lanes& sum) {
+  for (std::size_t start = 0; start < kBlock; start += kLanes) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      sum[lane] += a[start + lane] * b[start + lane];
+    }
+  }
+}
+
+EDVO_INLINE void add_values(const BlockRow& a, Lanes& sum) {
+  for (std::size_t start = 0; start < kBlock; start += kLanes) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      sum[lane] += a[start + lane];
+    }
+  }
+}
+
+/// Sums of some blocks, lane by lane.
+struct alignas(64) LaneSums {
+  std::array<Lanes, kPassPairs> H{};
+  std::array<Lanes, kPassParameters> b{};
+  Lanes loss{};
+
+  EDVO_INLINE void add(std::size_t parameters, Block& block) {
+    for (std::size_t p = 0; p < parameters; ++p) {
+      for (std::size_t i = 0; i < kBlock; ++i) {
+        block.J_weighted[p][i] = block.weight[i] * block.J[p][i];
+      }
+    }
+    std::size_t pair = 0;
+    for (std::size_t p = 0; p < kPassParameters; ++p) {
+      for (std::size_t q = p; q < kPassParameters; ++q, ++pair) {
+        if (q < parameters) {
+          add_products(block.J_weighted[p], block.J[q], H[pair]);
+        }
+      }
+      if (p < parameters) {
+        add_products(block.J_weighted[p], block.residual, b[p]);
+      }
+    }
+    add_values(block.loss, loss);
+  }
+
+  void flush_into(PassSums& sums) {
+    for (std::size_t pair = 0; pair < kPassPairs; ++pair) {
+      sums.H[pair] += total(H[pair]);
+    }
+    for (std::size_t p = 0; p < kPassParameters; ++p) {
+      sums.b[p] += total(b[p]);
+    }
+    sums.loss += total(loss);
+    *this = {};
+  }
+
+ private:
+  static double total(const Lanes& lanes) {
+    double sum = 0;
+    for (const float value : lanes) {
+      sum += static_cast<double>(value);
+    }
+    return sum;
+  }
+};
+
+}  // namespace vo::detail

@@ -1,0 +1,145 @@
+#include "vo/residuals/linearize.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "vo/core/median.h"
+
+namespace vo {
+namespace {
+
+PassOptions pass_options(const AlignOptions& options, const ResidualModel& model) {
+  const float reference_share = options.formulation == Formulation::forward   ? 0.0F
+                                : options.formulation == Formulation::inverse ? 1.0F
+                                                                              : 0.5F;
+  return {.loss = options.loss,
+          .loss_scale = static_cast<float>(model.scale),
+          .squared_weights = options.squared_weights,
+          .gain = static_cast<float>(model.brightness.gain),
+          .offset = static_cast<float>(model.brightness.offset),
+          .current_share = 1 - reference_share,
+          .reference_share = reference_share,
+          .inverse_variance = static_cast<float>(options.depth_noise * options.depth_noise /
+                                                 (model.scale * model.scale)),
+          .max_depth_ratio = static_cast<float>(options.max_depth_ratio),
+          .brightness = options.brightness == BrightnessModel::affine};
+}
+
+/// First and second moments of pairs (reference, current).
+struct Moments {
+  double n = 0;
+  double ref = 0;
+  double cur = 0;
+  double ref_ref = 0;
+  double cur_cur = 0;
+  double ref_cur = 0;
+
+  Moments(const std::vector<float>& reference, const std::vector<float>& current) {
+    for (std::size_t i = 0; i < reference.size(); ++i) {
+      if (std::isnan(current[i])) {
+        continue;
+      }
+      const double r = reference[i];
+      const double c = current[i];
+      n += 1;
+      ref += r;
+      cur += c;
+      ref_ref += r * r;
+      cur_cur += c * c;
+      ref_cur += r * c;
+    }
+  }
+
+  double ref_variance() const { return n * ref_ref - ref * ref; }  ///< times n^2
+  double cur_variance() const { return n * cur_cur - cur * cur; }
+  double covariance() const { return n * ref_cur - ref * cur; }
+};
+
+/// 1.4826 median |r|, the standard deviation of Gaussian residuals, whatever the outliers;
+/// intensity.
+double residual_spread(const PointView& view, const Brightness& brightness) {
+  constexpr std::size_t kEnoughPoints = 600;
+  const auto gain = static_cast<float>(brightness.gain);
+  const auto offset = static_cast<float>(brightness.offset);
+  std::vector<float> magnitudes;
+  sample_points(view, 1 + view.points.size() / kEnoughPoints, available_instruction_set(),
+                magnitudes);
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < magnitudes.size(); ++i) {
+    if (!std::isnan(magnitudes[i])) {
+      magnitudes[seen++] = std::abs(magnitudes[i] - (gain * view.points.intensity[i] + offset));
+    }
+  }
+  magnitudes.resize(seen);
+  return robust_sigma(std::move(magnitudes));
+}
+
+}  // namespace
+
+Eigen::Matrix2d LinearSystem::H_brightness() const {
+  constexpr double kPrior = 1e-3;  // times the points
+  return H.bottomRightCorner<2, 2>() +
+         kPrior * static_cast<double>(points + 1) * Eigen::Matrix2d::Identity();
+}
+
+LinearSystem linearize(const PointView& view, const AlignOptions& options,
+                       const ResidualModel& model) {
+  const PassOptions pass = pass_options(options, model);
+  const PassSums sums = sum_points(view, pass, available_instruction_set());
+  LinearSystem system;
+  system.H = sums.matrix();
+  system.b = sums.right_side();
+  system.points = sums.seen;
+  system.total = view.points.size();
+  const auto unseen = static_cast<double>(system.total - system.points);
+  system.cost =
+      sums.loss + unseen * robust_value(options.loss, pass.loss_scale, pass.loss_scale).loss;
+  return system;
+}
+
+void score_points(const PointView& view, const AlignOptions& options, const ResidualModel& model,
+                  PointScores& scores) {
+  score_points(view, pass_options(options, model), available_instruction_set(), scores);
+}
+
+std::vector<float> sampled_intensities(const PointView& view) {
+  std::vector<float> intensities;
+  sample_points(view, 1, available_instruction_set(), intensities);
+  return intensities;
+}
+
+std::vector<std::optional<float>> residuals(const EdgePointLevel& reference,
+                                            const PyramidLevel& current, const SE3& T_cur_ref) {
+  const std::vector<float> seen = sampled_intensities({reference, current, T_cur_ref, {}, {}});
+  std::vector<std::optional<float>> result(seen.size());
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (!std::isnan(seen[i])) {
+      result[i] = seen[i] - reference.intensity[i];
+    }
+  }
+  return result;
+}
+
+double correlation(const PointView& view) {
+  const Moments m(view.points.intensity, sampled_intensities(view));
+  const double variances = m.ref_variance() * m.cur_variance();
+  return variances > 0 ? m.covariance() / std::sqrt(variances) : 0;
+}
+
+Brightness matched_brightness(const PointView& view) {
+  const Moments m(view.points.intensity, sampled_intensities(view));
+  if (!(m.ref_variance() > 0) || !(m.cur_variance() > 0)) {
+    return {};
+  }
+  const double gain = std::sqrt(m.cur_variance() / m.ref_variance());
+  return {gain, (m.cur - gain * m.ref) / m.n};
+}
+
+double shown_scale(const PointView& view, const Brightness& brightness,
+                   const AlignOptions& options) {
+  return std::max(efficient_scale(options.loss) * residual_spread(view, brightness),
+                  options.min_loss_scale);
+}
+
+}  // namespace vo

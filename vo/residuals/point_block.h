@@ -1,0 +1,336 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <vector>
+
+#include "vo/geometry/lens_dispatch.h"
+#include "vo/residuals/point_pass.h"
+
+/// What point_pass.cpp does with 64 points at a time, inlined into it once per instruction set.
+namespace vo::detail {
+
+inline constexpr float kMinDepth = 0.05F;  // m; nearer points are behind the lens or about to be
+inline constexpr std::size_t kBlock = 64;  // points
+
+using BlockRow = std::array<float, kBlock>;
+
+/// The points of one block: where they are, where they are seen, and what is seen there.
+struct alignas(64) Block {
+  BlockRow x_ref, y_ref, z_ref, intensity_ref;  // m, 0..1
+  BlockRow dI_dx, dI_dy, dI_dz;                 // of the reference, 1/m
+  BlockRow depth_sigma;                         // m
+  BlockRow x, y, z, inverse_z;                  // in the current camera's frame, m
+  BlockRow du_dx, du_dy, dv_dx, dv_dy;          // px by image coordinates X / Z, Y / Z
+  BlockRow u, v, seen;                          // px; 1 where seen, else 0
+  BlockRow intensity, gradient_u, gradient_v;   // of the current image
+  BlockRow weight, residual, loss;
+  std::array<BlockRow, kPassParameters> J, J_weighted;
+};
+
+/// A pose and a camera in single precision.
+struct PassWarp {
+  std::array<float, 9> R;
+  std::array<float, 3> t;
+  float fx, fy, cx, cy;
+  Distortion lens;
+  float max_u, max_v;  // px; the 4x4 neighbourhood must be inside
+  RowMotion ref_motion, cur_motion;
+  float inverse_height;  // 1/px
+
+  explicit PassWarp(const PointView& view) : PassWarp(view.image.camera, view.T_cur_ref) {
+    ref_motion = view.points_motion;
+    cur_motion = view.image_motion;
+  }
+
+  PassWarp(const PinholeCamera& camera, const SE3& T_cur_ref)
+      : fx(static_cast<float>(camera.fx)),
+        fy(static_cast<float>(camera.fy)),
+        cx(static_cast<float>(camera.cx)),
+        cy(static_cast<float>(camera.cy)),
+        lens(camera.distortion),
+        max_u(static_cast<float>(camera.width - 2)),
+        max_v(static_cast<float>(camera.height - 2)),
+        inverse_height(1 / static_cast<float>(camera.height)) {
+    const Eigen::Matrix3d R_cur_ref = T_cur_ref.rotation_matrix();
+    Eigen::Map<Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(R.data()) = R_cur_ref.cast<float>();
+    Eigen::Map<Eigen::Vector3f>(t.data()) = T_cur_ref.translation().cast<float>();
+  }
+};
+
+/// A whole block is copied in vector registers, only the last one by its length.
+EDVO_INLINE void copy_values(const float* from, std::size_t count, float* to) {
+  if (count == kBlock) {
+    std::memcpy(to, from, kBlock * sizeof(float));
+  } else {
+    std::memcpy(to, from, count * sizeof(float));
+  }
+}
+
+EDVO_INLINE void load_row(const std::vector<float>& values, std::size_t first, std::size_t count,
+                          BlockRow& row) {
+  copy_values(values.data() + first, count, row.data());
+}
+
+EDVO_INLINE void store_row(const BlockRow& row, std::size_t first, std::size_t count,
+                           std::vector<float>& values) {
+  copy_values(row.data(), count, values.data() + first);
+}
+
+EDVO_INLINE void load_points(const EdgePointLevel& points, std::size_t first, std::size_t count,
+                             Block& block) {
+  if (count < kBlock) {
+    block.z_ref.fill(1);
+  }
+  load_row(points.x_ref, first, count, block.x_ref);
+  load_row(points.y_ref, first, count, block.y_ref);
+  load_row(points.z_ref, first, count, block.z_ref);
+  load_row(points.intensity, first, count, block.intensity_ref);
+}
+
+/// `distort` is the lens's.
+template <typename Distort>
+EDVO_INLINE void distort_block(const PassWarp& warp, const Distort& distort, Block& block) {
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const DistortedPoint<float> imaged =
+        distort(warp.lens, block.x[i] * block.inverse_z[i], block.y[i] * block.inverse_z[i]);
+    block.u[i] = warp.fx * imaged.x + warp.cx;
+    block.v[i] = warp.fy * imaged.y + warp.cy;
+    block.du_dx[i] = warp.fx * imaged.dx_dx;
+    block.du_dy[i] = warp.fx * imaged.dx_dy;
+    block.dv_dx[i] = warp.fy * imaged.dx_dy;
+    block.dv_dy[i] = warp.fy * imaged.dy_dy;
+  }
+}
+
+/// Moves points by `share` of the motion at the row that sees them: 1 from their row to the middle
+/// one, -1 back.
+EDVO_INLINE void roll_points(const PassWarp& warp, const RowMotion& motion, float share,
+                             BlockRow& xs, BlockRow& ys, BlockRow& zs) {
+  const Eigen::Vector3f w = motion.angular;
+  const Eigen::Vector3f v = motion.linear;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float x = xs[i];
+    const float y = ys[i];
+    const float z = zs[i];
+    const float row = warp.fy * (y / z) + warp.cy;
+    const float below = share * below_middle(row, warp.inverse_height);
+    xs[i] = x + below * (w[1] * z - w[2] * y + v[0]);
+    ys[i] = y + below * (w[2] * x - w[0] * z + v[1]);
+    zs[i] = z + below * (w[0] * y - w[1] * x + v[2]);
+  }
+}
+
+EDVO_INLINE void warp_block(const PassWarp& warp, std::size_t count, Block& block) {
+  if (!warp.ref_motion.is_zero()) {
+    roll_points(warp, warp.ref_motion, 1, block.x_ref, block.y_ref, block.z_ref);
+  }
+  BlockRow front;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float x = block.x_ref[i];
+    const float y = block.y_ref[i];
+    const float z = block.z_ref[i];
+    const float z_cur = warp.R[6] * x + warp.R[7] * y + warp.R[8] * z + warp.t[2];
+    const bool in_front = z_cur > kMinDepth;
+    block.x[i] = warp.R[0] * x + warp.R[1] * y + warp.R[2] * z + warp.t[0];
+    block.y[i] = warp.R[3] * x + warp.R[4] * y + warp.R[5] * z + warp.t[1];
+    block.z[i] = in_front ? z_cur : 1;
+    front[i] = in_front ? 1 : 0;
+  }
+  if (!warp.cur_motion.is_zero()) {
+    roll_points(warp, warp.cur_motion, -1, block.x, block.y, block.z);
+  }
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    block.inverse_z[i] = 1 / block.z[i];
+  }
+  visit_lens(warp.lens, [&](const auto& distort) { distort_block(warp, distort, block); });
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float u = block.u[i];
+    const float v = block.v[i];
+    const float inside_u = u >= 1 && u < warp.max_u ? 1 : 0;
+    const float inside_v = v >= 1 && v < warp.max_v ? 1 : 0;
+    const float seen = front[i] * inside_u * inside_v;
+    block.seen[i] = seen;
+    block.u[i] = seen > 0 ? u : 1;
+    block.v[i] = seen > 0 ? v : 1;
+  }
+  for (std::size_t i = count; i < kBlock; ++i) {
+    block.seen[i] = 0;
+    block.u[i] = 1;
+    block.v[i] = 1;
+  }
+}
+
+/// Four neighbours in a row of the image.
+using Quad = float __attribute__((vector_size(16)));
+
+EDVO_INLINE Quad load_quad(const float* pixels) {
+  Quad quad;
+  std::memcpy(&quad, pixels, sizeof(quad));
+  return quad;
+}
+
+/// Rows of four pixels around each point, interpolated in v: intensities and their differences.
+struct alignas(64) BlockQuads {
+  std::array<Quad, kBlock> value;
+  std::array<Quad, kBlock> slope;
+};
+
+EDVO_INLINE void load_quads(const GrayImage& image, const Block& block, BlockQuads& quads) {
+  const auto* pixels = reinterpret_cast<const float*>(image.data);
+  const auto stride = static_cast<std::ptrdiff_t>(image.step1());
+  std::array<int, kBlock> corners;  // where each point's first pixel is
+  BlockRow above_v;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const int u0 = static_cast<int>(block.u[i]);
+    const int v0 = static_cast<int>(block.v[i]);
+    corners[i] = (v0 - 1) * static_cast<int>(stride) + (u0 - 1);
+    above_v[i] = block.v[i] - static_cast<float>(v0);
+  }
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float* corner = pixels + corners[i];
+    const float dv = above_v[i];
+    const Quad row0 = load_quad(corner);
+    const Quad row1 = load_quad(corner + stride);
+    const Quad row2 = load_quad(corner + 2 * stride);
+    const Quad row3 = load_quad(corner + 3 * stride);
+    const Quad upper = row2 - row0;
+    quads.value[i] = row1 + (row2 - row1) * dv;
+    quads.slope[i] = upper + ((row3 - row1) - upper) * dv;
+  }
+}
+
+/// Intensity and its central differences, both interpolated bilinearly.
+EDVO_INLINE void sample_block(const GrayImage& image, Block& block) {
+  BlockQuads quads;
+  load_quads(image, block, quads);
+  const auto* value = reinterpret_cast<const float*>(quads.value.data());
+  const auto* slope = reinterpret_cast<const float*>(quads.slope.data());
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float du = block.u[i] - static_cast<float>(static_cast<int>(block.u[i]));
+    const float v0 = value[4 * i];
+    const float v1 = value[4 * i + 1];
+    const float v2 = value[4 * i + 2];
+    const float v3 = value[4 * i + 3];
+    const float s1 = slope[4 * i + 1];
+    const float s2 = slope[4 * i + 2];
+    const float left = v2 - v0;
+    block.intensity[i] = v1 + (v2 - v1) * du;
+    block.gradient_u[i] = 0.5F * (left + ((v3 - v1) - left) * du);
+    block.gradient_v[i] = 0.5F * (s1 + (s2 - s1) * du);
+  }
+}
+
+/// Hides points from the current camera that lie behind, or float before, the surface it measured.
+EDVO_INLINE void test_depth(const DepthImage& depth, float max_ratio, std::size_t count,
+                            Block& block) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const float measured =
+        depth(static_cast<int>(std::lround(block.v[i])), static_cast<int>(std::lround(block.u[i])));
+    const bool hidden = has_depth(measured) &&
+                        (block.z[i] > measured * max_ratio || block.z[i] * max_ratio < measured);
+    block.seen[i] = hidden ? 0 : block.seen[i];
+  }
+}
+
+/// Rows of the Jacobian. The derivative q by the point's position gives that by the pose increment:
+/// [q; p x q] (paper, Eq. 12).
+EDVO_INLINE void differentiate_block(const PassWarp& warp, const PassOptions& options,
+                                     Block& block) {
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float a = (block.gradient_u[i] * block.du_dx[i] + block.gradient_v[i] * block.dv_dx[i]) *
+                    block.inverse_z[i];
+    const float b = (block.gradient_u[i] * block.du_dy[i] + block.gradient_v[i] * block.dv_dy[i]) *
+                    block.inverse_z[i];
+    block.J[0][i] = options.current_share * a;
+    block.J[1][i] = options.current_share * b;
+    block.J[2][i] =
+        options.current_share * (-(a * block.x[i] + b * block.y[i]) * block.inverse_z[i]);
+  }
+  if (options.reference_share > 0) {
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      const float x = options.reference_share * block.dI_dx[i];
+      const float y = options.reference_share * block.dI_dy[i];
+      const float z = options.reference_share * block.dI_dz[i];
+      block.J[0][i] += warp.R[0] * x + warp.R[1] * y + warp.R[2] * z;
+      block.J[1][i] += warp.R[3] * x + warp.R[4] * y + warp.R[5] * z;
+      block.J[2][i] += warp.R[6] * x + warp.R[7] * y + warp.R[8] * z;
+    }
+  }
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float qx = block.J[0][i];
+    const float qy = block.J[1][i];
+    const float qz = block.J[2][i];
+    block.J[3][i] = block.y[i] * qz - block.z[i] * qy;
+    block.J[4][i] = block.z[i] * qx - block.x[i] * qz;
+    block.J[5][i] = block.x[i] * qy - block.y[i] * qx;
+    block.J[6][i] = -block.intensity_ref[i];
+    block.J[7][i] = -1;
+  }
+}
+
+/// How much a residual is believed given how well its point's depth is known: moving the point
+/// along its ray by sigma changes the residual by q . (p - t) / z_ref sigma.
+EDVO_INLINE void weigh_by_depth(const PassWarp& warp, const PassOptions& options, Block& block) {
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float along_ray = block.J[0][i] * (block.x[i] - warp.t[0]) +
+                            block.J[1][i] * (block.y[i] - warp.t[1]) +
+                            block.J[2][i] * (block.z[i] - warp.t[2]);
+    const float sigma = along_ray / block.z_ref[i] * block.depth_sigma[i];
+    block.seen[i] = block.seen[i] / (1 + sigma * sigma * options.inverse_variance);
+  }
+}
+
+template <RobustLoss kLoss>
+EDVO_INLINE void weigh_block(const PassOptions& options, Block& block) {
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float r = block.intensity[i] - (options.gain * block.intensity_ref[i] + options.offset);
+    const RobustValue robust = robust_value<kLoss>(r, options.loss_scale);
+    block.residual[i] = r;
+    block.weight[i] =
+        block.seen[i] * (options.squared_weights ? robust.weight * robust.weight : robust.weight);
+    block.loss[i] = block.seen[i] * robust.loss;
+  }
+}
+
+EDVO_INLINE void weigh_by_loss(const PassOptions& options, Block& block) {
+  switch (options.loss) {
+    case RobustLoss::huber:
+      return weigh_block<RobustLoss::huber>(options, block);
+    case RobustLoss::tukey:
+      return weigh_block<RobustLoss::tukey>(options, block);
+    case RobustLoss::student_t:
+      return weigh_block<RobustLoss::student_t>(options, block);
+    default:
+      return weigh_block<RobustLoss::none>(options, block);
+  }
+}
+
+/// Residuals, weights and Jacobians of the points from `first` on.
+EDVO_INLINE void linearize_block(const PointView& view, const PassOptions& options,
+                                 const PassWarp& warp, std::size_t first, std::size_t count,
+                                 Block& block) {
+  const EdgePointLevel& points = view.points;
+  load_points(points, first, count, block);
+  warp_block(warp, count, block);
+  sample_block(view.image.intensity, block);
+  if (options.max_depth_ratio > 0) {
+    test_depth(view.image.depth, options.max_depth_ratio, count, block);
+  }
+  if (options.reference_share > 0) {
+    load_row(points.dI_dx, first, count, block.dI_dx);
+    load_row(points.dI_dy, first, count, block.dI_dy);
+    load_row(points.dI_dz, first, count, block.dI_dz);
+  }
+  differentiate_block(warp, options, block);
+  if (options.inverse_variance > 0) {
+    load_row(points.depth_sigma, first, count, block.depth_sigma);
+    weigh_by_depth(warp, options, block);
+  }
+  weigh_by_loss(options, block);
+}
+
+}  // namespace vo::detail

@@ -1,0 +1,166 @@
+#include "vo/residuals/point_pass.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "vo/residuals/lane_sums.h"
+#include "vo/residuals/point_block.h"
+
+namespace vo {
+namespace {
+
+using detail::Block;
+using detail::kBlock;
+using detail::kFlushPeriod;
+using detail::LaneSums;
+using detail::PassWarp;
+using detail::store_row;
+
+constexpr float kUnseen = std::numeric_limits<float>::quiet_NaN();
+
+EDVO_INLINE void sum_blocks(const PointView& view, const PassOptions& options, PassSums& sums) {
+  Block block{};
+  LaneSums lanes;
+  const std::size_t parameters = options.brightness ? kPassParameters : kPoseParameters;
+  const PassWarp warp(view);
+  for (std::size_t first = 0; first < view.points.size(); first += kBlock) {
+    const std::size_t count = std::min(kBlock, view.points.size() - first);
+    linearize_block(view, options, warp, first, count, block);
+    for (std::size_t i = 0; i < count; ++i) {
+      sums.seen += block.seen[i] > 0 ? 1 : 0;
+    }
+    lanes.add(parameters, block);
+    if ((first / kBlock) % kFlushPeriod == kFlushPeriod - 1) {
+      lanes.flush_into(sums);
+    }
+  }
+  lanes.flush_into(sums);
+}
+
+EDVO_INLINE void score_blocks(const PointView& view, const PassOptions& options,
+                              PointScores& scores) {
+  Block block{};
+  const PassWarp warp(view);
+  for (std::size_t first = 0; first < view.points.size(); first += kBlock) {
+    const std::size_t count = std::min(kBlock, view.points.size() - first);
+    linearize_block(view, options, warp, first, count, block);
+    for (std::size_t p = 0; p < kPassParameters; ++p) {
+      store_row(block.J[p], first, count, scores.J[p]);
+    }
+    store_row(block.u, first, count, scores.u);
+    store_row(block.v, first, count, scores.v);
+    store_row(block.weight, first, count, scores.weight);
+    store_row(block.residual, first, count, scores.residual);
+  }
+}
+
+EDVO_INLINE void sample_blocks(const PointView& view, std::size_t stride,
+                               std::vector<float>& intensities) {
+  Block block{};
+  const EdgePointLevel& points = view.points;
+  const PassWarp warp(view);
+  for (std::size_t first = 0; first < points.size(); first += stride * kBlock) {
+    const std::size_t count = std::min(kBlock, points.size() - first);
+    load_points(points, first, count, block);
+    warp_block(warp, count, block);
+    sample_block(view.image.intensity, block);
+    for (std::size_t i = 0; i < count; ++i) {
+      intensities[first + i] = block.seen[i] > 0 ? block.intensity[i] : kUnseen;
+    }
+  }
+}
+
+void sum_baseline(const PointView& view, const PassOptions& options, PassSums& sums) {
+  sum_blocks(view, options, sums);
+}
+
+EDVO_TARGET_AVX2 void sum_avx2(const PointView& view, const PassOptions& options, PassSums& sums) {
+  sum_blocks(view, options, sums);
+}
+
+EDVO_TARGET_AVX512 void sum_avx512(const PointView& view, const PassOptions& options,
+                                   PassSums& sums) {
+  sum_blocks(view, options, sums);
+}
+
+void score_baseline(const PointView& view, const PassOptions& options, PointScores& scores) {
+  score_blocks(view, options, scores);
+}
+
+EDVO_TARGET_AVX2 void score_avx2(const PointView& view, const PassOptions& options,
+                                 PointScores& scores) {
+  score_blocks(view, options, scores);
+}
+
+void sample_baseline(const PointView& view, std::size_t stride, std::vector<float>& intensities) {
+  sample_blocks(view, stride, intensities);
+}
+
+EDVO_TARGET_AVX2 void sample_avx2(const PointView& view, std::size_t stride,
+                                  std::vector<float>& intensities) {
+  sample_blocks(view, stride, intensities);
+}
+
+}  // namespace
+
+void PointScores::resize(std::size_t points) {
+  for (std::vector<float>* values : {&weight, &residual, &u, &v}) {
+    values->resize(points);
+  }
+  for (std::vector<float>& column : J) {
+    column.resize(points);
+  }
+}
+
+Eigen::Matrix<double, kPassParameters, kPassParameters> PassSums::matrix() const {
+  Eigen::Matrix<double, kPassParameters, kPassParameters> result;
+  std::size_t pair = 0;
+  for (Eigen::Index p = 0; p < result.rows(); ++p) {
+    for (Eigen::Index q = p; q < result.cols(); ++q, ++pair) {
+      result(p, q) = H[pair];
+      result(q, p) = H[pair];
+    }
+  }
+  return result;
+}
+
+Eigen::Matrix<double, kPassParameters, 1> PassSums::right_side() const {
+  return Eigen::Map<const Eigen::Matrix<double, kPassParameters, 1>>(b.data());
+}
+
+PassSums sum_points(const PointView& view, const PassOptions& options, InstructionSet set) {
+  PassSums sums;
+  switch (set) {
+    case InstructionSet::avx512:
+      sum_avx512(view, options, sums);
+      break;
+    case InstructionSet::avx2:
+      sum_avx2(view, options, sums);
+      break;
+    default:
+      sum_baseline(view, options, sums);
+  }
+  return sums;
+}
+
+void score_points(const PointView& view, const PassOptions& options, InstructionSet set,
+                  PointScores& scores) {
+  scores.resize(view.points.size());
+  if (set == InstructionSet::baseline) {
+    score_baseline(view, options, scores);
+  } else {
+    score_avx2(view, options, scores);
+  }
+}
+
+void sample_points(const PointView& view, std::size_t stride, InstructionSet set,
+                   std::vector<float>& intensities) {
+  intensities.assign(view.points.size(), kUnseen);
+  if (set == InstructionSet::baseline) {
+    sample_baseline(view, stride, intensities);
+  } else {
+    sample_avx2(view, stride, intensities);
+  }
+}
+
+}  // namespace vo

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "vo/structured_forest/structured_forest.h"
+
+namespace vo {
+
+/// Reads a model in the format of OpenCV's ximgproc::createStructuredEdgeDetection: .yml, .xml or
+/// .json, and each with .gz. Throws Error naming the file, the element and what was expected.
+StructuredForest read_structured_forest(const std::filesystem::path& path);
+
+/// The same as the text of a .yml file.
+std::string structured_forest_yaml(const StructuredForest& forest);
+
+}  // namespace vo
