@@ -12,8 +12,8 @@ namespace synth {
 /// out of their ranges.
 std::unique_ptr<Renderer> make_renderer(const Scene& scene, const RenderOptions& options);
 
-/// The ray tracer has moving things move while a shot is taken; lights stay as they are `now`. The
-/// rasterizer, which takes shots of an instant alone, has all things as they are `now`.
+/// The ray tracer has moving things move while a capture is taken; lights stay as they are `now`.
+/// The rasterizer, which takes captures of an instant alone, has all things as they are `now`.
 std::unique_ptr<Renderer> make_renderer(const SceneDuring& during, const RenderOptions& options);
 
 }  // namespace synth

@@ -16,11 +16,11 @@ DepthView seen_by_depth_camera(const RenderedFrame& frame) {
   return {frame.depth, frame.normal};
 }
 
-/// When the shot's rows are exposed, in the scene's time.
-TimeSpan span_of(const Shot& shot) {
-  const int height = shot.camera.height;
-  return {shot.scene_time + shot.shutter.time_in_row(0, 0, height),
-          shot.scene_time + shot.shutter.time_in_row(height - 1, 1, height)};
+/// When the capture's rows are exposed, in the scene's time.
+TimeSpan span_of(const Capture& capture) {
+  const int height = capture.camera.height;
+  return {capture.scene_time + capture.shutter.time_in_row(0, 0, height),
+          capture.scene_time + capture.shutter.time_in_row(height - 1, 1, height)};
 }
 
 }  // namespace
@@ -124,57 +124,57 @@ void RgbdSensor::follow_balance(const std::vector<Metering>& metered) {
   }
 }
 
-Shot RgbdSensor::color_shot(std::size_t index) const {
+Capture RgbdSensor::color_capture(std::size_t index) const {
   const auto& [stamp, T_world_camera] = motion_.truth[index];
-  Shot shot = still(camera_, T_world_camera);
-  shot.shutter = options_.shutter;
-  shot.shutter.exposure_time = settings_[index].exposure_time;
-  shot.seed = vo::mixed(options_.noise.seed) + index;
-  shot.scene_time = scene_time(motion_.truth, stamp);
-  if (shot.shutter.exposure_time > 0 || shot.shutter.readout_time > 0) {
-    shot.motion = [this, t = stamp](double time) { return motion_.path(t + time); };
+  Capture capture = still(camera_, T_world_camera);
+  capture.shutter = options_.shutter;
+  capture.shutter.exposure_time = settings_[index].exposure_time;
+  capture.seed = vo::mixed(options_.noise.seed) + index;
+  capture.scene_time = scene_time(motion_.truth, stamp);
+  if (capture.shutter.exposure_time > 0 || capture.shutter.readout_time > 0) {
+    capture.motion = [this, t = stamp](double time) { return motion_.path(t + time); };
   }
-  return shot;
+  return capture;
 }
 
-Shot RgbdSensor::depth_shot(std::size_t index) const {
+Capture RgbdSensor::depth_capture(std::size_t index) const {
   const DepthSensorOptions& depth = options_.depth;
-  Shot shot = color_shot(index);
-  shot.channels = {.color = false, .depth = true, .normal = true};
+  Capture capture = color_capture(index);
+  capture.channels = {.color = false, .depth = true, .normal = true};
   if (!depth.offset.isZero(0)) {
-    shot.camera = camera_.without_distortion();
+    capture.camera = camera_.without_distortion();
   }
   const double stamp = motion_.truth[index].timestamp + depth.delay;
-  shot.scene_time += depth.delay;
+  capture.scene_time += depth.delay;
   const vo::SE3 T_color_depth(Eigen::Quaterniond::Identity(), depth.offset);
-  shot.motion = [this, stamp, T_color_depth](double time) {
+  capture.motion = [this, stamp, T_color_depth](double time) {
     return motion_.path(stamp + time) * T_color_depth;
   };
-  shot.shutter.exposure_time = 0;
+  capture.shutter.exposure_time = 0;
   if (depth.shutter == DepthShutter::global) {
-    shot.shutter.readout_time = 0;
+    capture.shutter.readout_time = 0;
   }
-  return shot;
+  return capture;
 }
 
 TimeSpan RgbdSensor::span(std::size_t index) const {
-  const TimeSpan color = span_of(color_shot(index));
-  const TimeSpan depth = span_of(depth_shot(index));
+  const TimeSpan color = span_of(color_capture(index));
+  const TimeSpan depth = span_of(depth_capture(index));
   return {std::min(color.begin, depth.begin), std::max(color.end, depth.end)};
 }
 
 vo::RgbdFrame RgbdSensor::take(std::size_t index, const Renderer& now) const {
   const bool apart = options_.depth.is_apart();
-  Shot shot = color_shot(index);
-  shot.channels = {.color = true, .depth = !apart, .normal = !apart};
-  const RenderedFrame color = now.render(shot);
+  Capture capture = color_capture(index);
+  capture.channels = {.color = true, .depth = !apart, .normal = !apart};
+  const RenderedFrame color = now.render(capture);
   vo::RgbdFrame frame{.timestamp = motion_.truth[index].timestamp,
                       .image = develop(color.radiance, camera_, options_, settings_[index])};
   if (apart) {
-    shot = depth_shot(index);
+    capture = depth_capture(index);
   }
-  const DepthView view = seen_by_depth_camera(apart ? now.render(shot) : color);
-  frame.depth = measure_depth(view, shot.camera, options_, index);
+  const DepthView view = seen_by_depth_camera(apart ? now.render(capture) : color);
+  frame.depth = measure_depth(view, capture.camera, options_, index);
   if (!options_.depth.offset.isZero(0)) {
     frame.depth = registered(frame.depth, camera_, options_.depth.offset);
   }

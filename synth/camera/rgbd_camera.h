@@ -51,8 +51,8 @@ class RgbdSensor {
   std::vector<Metering> meter_frames() const;
   std::shared_ptr<const Renderer> renderer_at(std::size_t index) const;
   std::vector<double> stamps() const;
-  Shot color_shot(std::size_t index) const;
-  Shot depth_shot(std::size_t index) const;
+  Capture color_capture(std::size_t index) const;
+  Capture depth_capture(std::size_t index) const;
 
   const RenderersOverTime& renderers_;
   const vo::PinholeCamera& camera_;

@@ -205,7 +205,7 @@ class SceneReader {
     return entry->second;
   }
 
-  /// Each node has meshes of its own, as each may bend in its own way.
+  /// Each node has meshes of its own, as each may deform in its own way.
   void add_bending(const tinygltf::Node& node, int moved_by, int stands_at) {
     const auto& primitives = model_.content.meshes[at(node.mesh)].primitives;
     for (std::size_t i = 0; i < primitives.size(); ++i) {
@@ -214,23 +214,23 @@ class SceneReader {
         continue;
       }
       geometry->mesh.material = materials_.material(primitives[i].material);
-      BendingMesh bending;
-      bending.instance = static_cast<int>(scene_.instances.size());
-      bending.node = moved_by;
-      bending.skin = node.skin == kNone ? kNone : skin(node.skin);
-      VertexJoints joints = joints_of(primitives[i], bending.skin, place_of(node.mesh, i));
+      DeformableMesh deforming;
+      deforming.instance = static_cast<int>(scene_.instances.size());
+      deforming.node = moved_by;
+      deforming.skin = node.skin == kNone ? kNone : skin(node.skin);
+      VertexJoints joints = joints_of(primitives[i], deforming.skin, place_of(node.mesh, i));
       if (joints.sets == 0) {
-        bending.skin = kNone;
+        deforming.skin = kNone;
       }
       const Mesh& mesh = geometry->mesh;
-      bending.shape = static_cast<int>(scene_.motion.shapes.size());
+      deforming.shape = static_cast<int>(scene_.motion.shapes.size());
       scene_.motion.shapes.push_back({.positions = mesh.positions,
                                       .normals = mesh.normals,
                                       .tangents = mesh.tangents,
                                       .targets = std::move(geometry->targets),
                                       .followed = std::move(joints)});
       add_instance({add_mesh(std::move(geometry->mesh)), T_world_node_[at(stands_at)]}, stands_at);
-      scene_.motion.bending.push_back(bending);
+      scene_.motion.deforming.push_back(deforming);
     }
   }
 
@@ -279,7 +279,7 @@ class SceneReader {
   }
 
   Scene at_rest() const {
-    if (scene_.motion.bending.empty()) {
+    if (scene_.motion.deforming.empty()) {
       Scene scene = scene_;
       scene.motion = {};
       return scene;

@@ -88,9 +88,10 @@ std::vector<Vector3d> find_way(const FreeSpace& space, const ExploredRegion& reg
   return resampled(points, plan.spacing, plan.controls);
 }
 
-/// A gaze for each point: planned for some, straight between them.
-std::vector<Gaze> find_gazes(const SurfaceTracer& tracer, const std::vector<Vector3d>& points,
-                             const Plan& plan, double turn_deg) {
+/// A view for each point: planned for some, straight between them.
+std::vector<PlannedView> find_gazes(const SurfaceTracer& tracer,
+                                    const std::vector<Vector3d>& points, const Plan& plan,
+                                    double turn_deg) {
   constexpr double kLookAgain = 0.5;  // s at least
   const double turn_rate = turn_deg * std::numbers::pi / 180;
   const double interval = std::max(kLookAgain, least_turn() / turn_rate);
@@ -101,16 +102,16 @@ std::vector<Gaze> find_gazes(const SurfaceTracer& tracer, const std::vector<Vect
   }
   const double max_turn = turn_rate * plan.step * static_cast<double>(stride);
   constexpr double kReach = 2.5;  // scales
-  const std::vector<Gaze> keys =
-      plan_gazes(tracer, places, {.reach = kReach * plan.scale, .max_turn = max_turn});
-  std::vector<Gaze> gazes;
+  const std::vector<PlannedView> keys =
+      plan_views(tracer, places, {.reach = kReach * plan.scale, .max_turn = max_turn});
+  std::vector<PlannedView> views;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Gaze& a = keys[i / stride];
-    const Gaze& b = keys[i / stride + 1];
+    const PlannedView& a = keys[i / stride];
+    const PlannedView& b = keys[i / stride + 1];
     const double share = static_cast<double>(i % stride) / static_cast<double>(stride);
-    gazes.push_back({a.yaw + share * (b.yaw - a.yaw), a.pitch + share * (b.pitch - a.pitch)});
+    views.push_back({a.yaw + share * (b.yaw - a.yaw), a.pitch + share * (b.pitch - a.pitch)});
   }
-  return gazes;
+  return views;
 }
 
 /// The least along the path, m.
@@ -144,11 +145,11 @@ ExploredPath explore(const SurfaceTracer& tracer, double duration_s,
   const ExploredRegion region = find_region(space, options.seed);
   const Plan plan = make_plan(options, region.scale, duration_s);
   const std::vector<Vector3d> points = find_way(space, region, plan, options.seed);
-  const std::vector<Gaze> gazes = find_gazes(tracer, points, plan, options.turn_deg);
+  const std::vector<PlannedView> views = find_gazes(tracer, points, plan, options.turn_deg);
   std::vector<Vector5d> controls;
   for (std::size_t i = 0; i < points.size(); ++i) {
     controls.emplace_back();
-    controls.back() << points[i], gazes[i].yaw, gazes[i].pitch;
+    controls.back() << points[i], views[i].yaw, views[i].pitch;
   }
   const RestSpline<5> spline(controls, plan.step);
   const double clearance = least_clearance(space, spline, plan);
@@ -158,8 +159,8 @@ ExploredPath explore(const SurfaceTracer& tracer, double duration_s,
               [spline](double time) {
                 const Vector5d state = spline.at(time);
                 const Vector3d eye = state.head<3>();
-                const Gaze gaze{state[3], state[4]};
-                return vo::look_at(eye, eye + gaze.direction(), Vector3d::UnitY());
+                const PlannedView view{state[3], state[4]};
+                return vo::look_at(eye, eye + view.direction(), Vector3d::UnitY());
               },
           .duration = spline.duration(),
           .speed = plan.spacing / plan.step,

@@ -37,13 +37,13 @@ FreeSpace::FreeSpace(const SurfaceTracer& tracer)
       bounds_(tracer.bounds()),
       triangles_before_{0},
       directions_(even_directions(kDirections)) {
-  for (const FlatMesh& mesh : tracer.flat().meshes) {
+  for (const FlatMesh& mesh : tracer.world().meshes) {
     triangles_before_.push_back(triangles_before_.back() + mesh.mesh->triangles.size());
   }
 }
 
 double FreeSpace::clearance(const Eigen::Vector3d& p_world, double reach) const {
-  return distance_to_surface(tracer_.embree(), tracer_.flat(), flat_point(p_world),
+  return distance_to_surface(tracer_.embree(), tracer_.world(), flat_point(p_world),
                              static_cast<float>(reach));
 }
 
@@ -68,7 +68,7 @@ bool FreeSpace::is_crossed(const Eigen::Vector3d& from, const Eigen::Vector3d& t
 
 double FreeSpace::distance_along(const Eigen::Vector3d& p_world,
                                  const Eigen::Vector3d& direction) const {
-  return probe(tracer_.embree(), tracer_.flat(), flat_point(p_world), {direction.cast<float>()})
+  return probe(tracer_.embree(), tracer_.world(), flat_point(p_world), {direction.cast<float>()})
       .front()
       .distance;
 }
@@ -78,7 +78,7 @@ Eigen::Vector3d FreeSpace::beside_surface(const Eigen::Vector4d& shares) const {
       static_cast<std::size_t>(shares[0] * static_cast<double>(triangles_before_.back()));
   const auto next = std::upper_bound(triangles_before_.begin(), triangles_before_.end(), index);
   const auto mesh_index = static_cast<std::size_t>(next - triangles_before_.begin()) - 1;
-  const FlatMesh& mesh = tracer_.flat().meshes[mesh_index];
+  const FlatMesh& mesh = tracer_.world().meshes[mesh_index];
   const std::array<Eigen::Vector3f, 3> corners =
       corners_of(mesh, static_cast<int>(index - triangles_before_[mesh_index]));
   const double root = std::sqrt(shares[1]);  // evenly over the triangle
@@ -86,7 +86,7 @@ Eigen::Vector3d FreeSpace::beside_surface(const Eigen::Vector4d& shares) const {
   const Eigen::Vector3d ab = corners[1].cast<double>() - a;
   const Eigen::Vector3d ac = corners[2].cast<double>() - a;
   const Eigen::Vector3d point =
-      tracer_.flat().origin + a + root * ((1 - shares[2]) * ab + shares[2] * ac);
+      tracer_.world().origin + a + root * ((1 - shares[2]) * ab + shares[2] * ac);
   Eigen::Vector3d normal = ab.cross(ac).normalized();
   if (mesh.T_world_mesh.linear().determinant() < 0) {
     normal *= -1;
@@ -99,7 +99,7 @@ Eigen::Vector3d FreeSpace::beside_surface(const Eigen::Vector4d& shares) const {
 
 Surroundings FreeSpace::look_around(const Eigen::Vector3d& p_world) const {
   const std::vector<ProbeHit> hits =
-      probe(tracer_.embree(), tracer_.flat(), flat_point(p_world), directions_);
+      probe(tracer_.embree(), tracer_.world(), flat_point(p_world), directions_);
   std::vector<float> distances;
   std::size_t fronts = 0;
   std::size_t level = 0;
@@ -125,7 +125,7 @@ Surroundings FreeSpace::look_around(const Eigen::Vector3d& p_world) const {
 }
 
 Eigen::Vector3f FreeSpace::flat_point(const Eigen::Vector3d& p_world) const {
-  return (p_world - tracer_.flat().origin).cast<float>();
+  return (p_world - tracer_.world().origin).cast<float>();
 }
 
 }  // namespace synth

@@ -22,7 +22,7 @@ constexpr double kYawStep = 2 * std::numbers::pi / kYaws;
 constexpr double kAlongTheWay = 0.1;  // what looking ahead is worth, in shares of texture
 constexpr double kTurning = 0.03;     // what a turn by the limit costs
 
-Gaze gaze_of(int index) {
+PlannedView gaze_of(int index) {
   return {kYawStep * (index % kYaws),
           kPitchesDeg.at(static_cast<std::size_t>(index / kYaws)) * std::numbers::pi / 180};
 }
@@ -32,17 +32,17 @@ double wrapped(double angle) {
   return std::remainder(angle, 2 * std::numbers::pi);
 }
 
-double turn_between(const Gaze& a, const Gaze& b) {
+double turn_between(const PlannedView& a, const PlannedView& b) {
   return std::hypot(wrapped(b.yaw - a.yaw), b.pitch - a.pitch);
 }
 
 using Scores = std::array<double, kGazes>;
 
-double texture_in(const SurfaceTracer& tracer, const Vector3d& place, const Gaze& gaze,
+double texture_in(const SurfaceTracer& tracer, const Vector3d& place, const PlannedView& view,
                   double reach) {
   const vo::PinholeCamera camera = vo::PinholeCamera::from_horizontal_fov(32, 24, 60);
   return view_content(tracer, camera,
-                      vo::look_at(place, place + gaze.direction(), Vector3d::UnitY()), reach)
+                      vo::look_at(place, place + view.direction(), Vector3d::UnitY()), reach)
       .textured_share;
 }
 
@@ -70,7 +70,7 @@ Vector3d heading(const std::vector<Vector3d>& places, std::size_t i) {
   return way.norm() > 0 ? Vector3d(way.normalized()) : Vector3d::Zero();
 }
 
-/// The best sums up to each gaze at one place, and where they come from.
+/// The best sums up to each view at one place, and where they come from.
 struct Stage {
   Scores sums{};
   std::array<int, kGazes> from{};
@@ -94,28 +94,28 @@ Stage next_stage(const Stage& last, const Scores& scores, double max_turn) {
   return stage;
 }
 
-std::vector<Gaze> trace_back(const std::vector<Stage>& stages) {
+std::vector<PlannedView> trace_back(const std::vector<Stage>& stages) {
   const Scores& sums = stages.back().sums;
   auto index = static_cast<int>(std::max_element(sums.begin(), sums.end()) - sums.begin());
-  std::vector<Gaze> gazes(stages.size());
+  std::vector<PlannedView> views(stages.size());
   for (std::size_t i = stages.size(); i-- > 0;) {
-    gazes[i] = gaze_of(index);
+    views[i] = gaze_of(index);
     index = stages[i].from.at(static_cast<std::size_t>(index));
   }
-  for (std::size_t i = 1; i < gazes.size(); ++i) {
-    gazes[i].yaw = gazes[i - 1].yaw + wrapped(gazes[i].yaw - gazes[i - 1].yaw);
+  for (std::size_t i = 1; i < views.size(); ++i) {
+    views[i].yaw = views[i - 1].yaw + wrapped(views[i].yaw - views[i - 1].yaw);
   }
-  return gazes;
+  return views;
 }
 
 }  // namespace
 
-Vector3d Gaze::direction() const {
+Vector3d PlannedView::direction() const {
   return {std::cos(pitch) * std::cos(yaw), std::sin(pitch), std::cos(pitch) * std::sin(yaw)};
 }
 
-std::vector<Gaze> plan_gazes(const SurfaceTracer& tracer, const std::vector<Vector3d>& places,
-                             const GazeLimits& limits) {
+std::vector<PlannedView> plan_views(const SurfaceTracer& tracer,
+                                    const std::vector<Vector3d>& places, const GazeLimits& limits) {
   std::vector<Stage> stages;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Scores scores = score_gazes(tracer, places[i], heading(places, i), limits.reach);

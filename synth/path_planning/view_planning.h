@@ -9,7 +9,7 @@
 namespace synth {
 
 /// Where a level-headed camera looks.
-struct Gaze {
+struct PlannedView {
   double yaw = 0;    ///< rad, of the optical axis, from +x towards +z
   double pitch = 0;  ///< rad, upwards
 
@@ -21,11 +21,12 @@ struct GazeLimits {
   double max_turn = 0;  ///< rad from one place to the next
 };
 
-/// One gaze for each place, each turned by at most `max_turn` from the one before it (as a change
+/// One view for each place, each turned by at most `max_turn` from the one before it (as a change
 /// of yaw and pitch together), so that the views hold as much texture in reach as can be had in
 /// all; of equal ones those along the way. Yaws are continuous, not wrapped.
-std::vector<Gaze> plan_gazes(const SurfaceTracer& tracer,
-                             const std::vector<Eigen::Vector3d>& places, const GazeLimits& limits);
+std::vector<PlannedView> plan_views(const SurfaceTracer& tracer,
+                                    const std::vector<Eigen::Vector3d>& places,
+                                    const GazeLimits& limits);
 
 /// The least `max_turn` with which the camera can turn at all, rad.
 double least_turn();

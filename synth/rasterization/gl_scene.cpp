@@ -46,10 +46,10 @@ GLuint upload(const GlFunctions& gl, const Mesh& mesh,
   return vertices;
 }
 
-Eigen::AlignedBox3f bounds_of(const FlatMesh& flat) {
+Eigen::AlignedBox3f bounds_of(const FlatMesh& world) {
   Eigen::AlignedBox3f bounds;
-  for (std::size_t i = 0; i < flat.mesh->positions.size(); ++i) {
-    bounds.extend(flat.position(static_cast<int>(i)));
+  for (std::size_t i = 0; i < world.mesh->positions.size(); ++i) {
+    bounds.extend(world.position(static_cast<int>(i)));
   }
   return bounds;
 }
@@ -98,23 +98,23 @@ GLuint upload(const GlFunctions& gl, const Texture& texture, const TextureImage&
 
 }  // namespace
 
-GlScene upload(const GlFunctions& gl, const FlatScene& flat) {
+GlScene upload(const GlFunctions& gl, const WorldGeometry& world) {
   GlScene made;
   std::vector<GLuint> shared;
-  for (const SharedMesh& mesh : flat.shared_meshes) {
+  for (const SharedMesh& mesh : world.shared_meshes) {
     shared.push_back(upload(gl, *mesh.mesh, mesh.positions, mesh.mesh->normals));
   }
-  for (const FlatMesh& mesh : flat.meshes) {
+  for (const FlatMesh& mesh : world.meshes) {
     made.meshes.push_back({.vertices = mesh.shared == kNone
                                            ? upload(gl, *mesh.mesh, mesh.positions, mesh.normals)
                                            : shared[static_cast<std::size_t>(mesh.shared)],
                            .indices = static_cast<GLsizei>(3 * mesh.mesh->triangles.size()),
-                           .flat = &mesh,
+                           .world = &mesh,
                            .bounds = bounds_of(mesh)});
   }
-  for (const Texture& texture : flat.scene->textures) {
+  for (const Texture& texture : world.scene->textures) {
     made.textures.push_back(
-        texture.image == kNone ? 0 : upload(gl, texture, flat.scene->images[texture.image]));
+        texture.image == kNone ? 0 : upload(gl, texture, world.scene->images[texture.image]));
   }
   return made;
 }

@@ -16,17 +16,17 @@ inline constexpr GLuint kColorAttribute = 4;  ///< of a vertex, as the shader nu
 struct GlMesh {
   GLuint vertices = 0;  ///< vertex array object
   GLsizei indices = 0;
-  const FlatMesh* flat = nullptr;
-  Eigen::AlignedBox3f bounds;  ///< m, in the flat scene's coordinates
+  const FlatMesh* world = nullptr;
+  Eigen::AlignedBox3f bounds;  ///< m, in the world-space geometry's coordinates
 };
 
-/// A flat scene in the context that is current; gone when the context is.
+/// A world-space geometry in the context that is current; gone when the context is.
 struct GlScene {
   std::vector<GlMesh> meshes;
   std::vector<GLuint> textures;  ///< one per Scene::textures, 0 without an image
 };
 
 /// Vertex attributes as kVertexShader numbers them.
-GlScene upload(const GlFunctions& gl, const FlatScene& flat);
+GlScene upload(const GlFunctions& gl, const WorldGeometry& world);
 
 }  // namespace synth

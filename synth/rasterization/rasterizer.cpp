@@ -44,11 +44,11 @@ struct Pass {
   }
 };
 
-/// Where a shot is taken from, in the flat scene's coordinates.
+/// Where a capture is taken from, in the world-space geometry's coordinates.
 struct Camera {
   const vo::PinholeCamera& pinhole;
   Eigen::Matrix3f R_camera_world;
-  Eigen::Vector3f eye;  ///< m
+  Eigen::Vector3f position;  ///< m
 };
 
 /// Rows from the top; depth near / z.
@@ -69,13 +69,13 @@ std::array<const TextureSlot*, kTextureSlots> texture_slots(const Material& mate
           &material.normal_texture, &material.occlusion_texture, &material.emissive_texture};
 }
 
-void require_drawable(const Shot& shot) {
-  shot.camera.validate();
-  shot.shutter.validate();
-  vo::require(shot.camera.distortion.is_zero(),
+void require_drawable(const Capture& capture) {
+  capture.camera.validate();
+  capture.shutter.validate();
+  vo::require(capture.camera.distortion.is_zero(),
               "rasterizer: cannot draw through a lens that distorts, expected a camera without "
               "distortion or render.kind = ray_tracer");
-  vo::require(shot.shutter.exposure_time == 0 && shot.shutter.readout_time == 0,
+  vo::require(capture.shutter.exposure_time == 0 && capture.shutter.readout_time == 0,
               "rasterizer: cannot draw motion blur or a rolling shutter, expected "
               "exposure_time and readout_time 0 or render.kind = ray_tracer");
 }
@@ -85,7 +85,7 @@ class Rasterizer final : public Renderer {
   Rasterizer(const Scene& scene, const RenderOptions& options);
 
   using Renderer::render;
-  RenderedFrame render(const Shot& shot) const override;
+  RenderedFrame render(const Capture& capture) const override;
 
  private:
   std::string fragment_shader(const GlMesh& mesh) const;
@@ -100,7 +100,7 @@ class Rasterizer final : public Renderer {
   void read_surface(RenderedFrame& frame) const;
   void read_ids(RenderedFrame& frame) const;
 
-  FlatScene flat_;
+  WorldGeometry world_;
   RenderMode mode_;
   AmbientLight ambient_;
   std::vector<PlacedLight> lights_;
@@ -116,10 +116,10 @@ class Rasterizer final : public Renderer {
 };
 
 Rasterizer::Rasterizer(const Scene& scene, const RenderOptions& options)
-    : flat_(flatten(scene)),
+    : world_(flatten(scene)),
       mode_(options.mode),
-      ambient_(ambient_light(flat_, options.ambient)),
-      lights_(place_lights(flat_)),
+      ambient_(ambient_light(world_, options.ambient)),
+      lights_(place_lights(world_)),
       cells_(grid_of_cells(options.samples_per_edge())),
       log2_cell_width_(-std::log2(static_cast<float>(options.samples_per_edge()))),
       context_(GlContext::make()),
@@ -127,7 +127,7 @@ Rasterizer::Rasterizer(const Scene& scene, const RenderOptions& options)
   vo::require(lights_.size() <= kMaxLights, "rasterizer: the scene has ", lights_.size(),
               " lights, expected at most ", kMaxLights, " or render.kind = ray_tracer");
   const GlContext::Current current(*context_);
-  drawn_ = upload(gl_, flat_);
+  drawn_ = upload(gl_, world_);
   for (const GlMesh& mesh : drawn_.meshes) {
     const std::string shader = fragment_shader(mesh);
     std::unique_ptr<GlProgram>& program = programs_[shader];
@@ -139,26 +139,26 @@ Rasterizer::Rasterizer(const Scene& scene, const RenderOptions& options)
   target_ = std::make_unique<GlTarget>(gl_);
 }
 
-RenderedFrame Rasterizer::render(const Shot& shot) const {
-  require_drawable(shot);
-  const Eye eye = ShotEyes(shot).of_row(0);
-  const Camera camera{shot.camera, eye.R_world_camera.transpose().cast<float>(),
-                      (eye.position - flat_.origin).cast<float>()};
-  RenderedFrame frame = empty_frame(shot.camera, shot.channels);
+RenderedFrame Rasterizer::render(const Capture& capture) const {
+  require_drawable(capture);
+  const CameraPose camera_pose = CapturePoses(capture).of_row(0);
+  const Camera camera{capture.camera, camera_pose.R_world_camera.transpose().cast<float>(),
+                      (camera_pose.position - world_.origin).cast<float>()};
+  RenderedFrame frame = empty_frame(capture.camera, capture.channels);
   const std::lock_guard lock(mutex_);
   const GlContext::Current current(*context_);
-  target_->bind({shot.camera.width, shot.camera.height});
-  const bool has_color = shot.channels.color && mode_ != RenderMode::depth;
+  target_->bind({capture.camera.width, capture.camera.height});
+  const bool has_color = capture.channels.color && mode_ != RenderMode::depth;
   if (has_color) {
     draw_color(camera, frame);
   }
-  if (shot.channels.depth || shot.channels.normal || shot.channels.ids) {
+  if (capture.channels.depth || capture.channels.normal || capture.channels.ids) {
     const bool was_drawn = has_color && cells_.size() == 1;
     if (!was_drawn) {
       draw(camera, {Eigen::Vector2d::Zero(), std::nullopt});
     }
     read_surface(frame);
-    if (shot.channels.ids) {
+    if (capture.channels.ids) {
       read_ids(frame);
     }
   }
@@ -170,7 +170,7 @@ void Rasterizer::set_lights(const GlProgram& program, const Camera& camera) cons
   std::vector<float> cone_widths;
   for (const PlacedLight& light : lights_) {
     const float kind = !light.has_place() ? 0.0F : light.kind == LightKind::spot ? 2.0F : 1.0F;
-    const Eigen::Vector3f place = camera.R_camera_world * (light.position - camera.eye);
+    const Eigen::Vector3f place = camera.R_camera_world * (light.position - camera.position);
     const Eigen::Vector3f axis = camera.R_camera_world * light.direction;
     values.emplace_back(place.x(), place.y(), place.z(), kind);
     values.emplace_back(axis.x(), axis.y(), axis.z(), light.cos_outer);
@@ -190,7 +190,7 @@ void Rasterizer::set_lights(const GlProgram& program, const Camera& camera) cons
 
 /// With what the mesh needs and no more.
 std::string Rasterizer::fragment_shader(const GlMesh& mesh) const {
-  const Material& material = *mesh.flat->material;
+  const Material& material = *mesh.world->material;
   const bool is_solid = material.alpha_mode == AlphaMode::opaque;
   const bool is_lit = !material.unlit && mode_ == RenderMode::direct;
   const bool is_colored = mode_ != RenderMode::depth || !is_solid;
@@ -198,7 +198,7 @@ std::string Rasterizer::fragment_shader(const GlMesh& mesh) const {
   std::string shader = std::string(kVersion) + (is_solid ? kSolid : kHoles) + (is_lit ? kLit : "");
   for (std::size_t i = 0; i < kTextureSlots; ++i) {
     const bool is_there = slots[i]->texture != kNone && drawn_.textures[slots[i]->texture] != 0 &&
-                          !mesh.flat->mesh->texcoords[slots[i]->texcoord_set].empty();
+                          !mesh.world->mesh->texcoords[slots[i]->texcoord_set].empty();
     if (is_there && (i == 0 ? is_colored : is_lit)) {
       shader += kTexture + std::to_string(i) + "\n";
     }
@@ -207,7 +207,7 @@ std::string Rasterizer::fragment_shader(const GlMesh& mesh) const {
 }
 
 void Rasterizer::set_textures(const GlProgram& program, const GlMesh& mesh) const {
-  const std::array slots = texture_slots(*mesh.flat->material);
+  const std::array slots = texture_slots(*mesh.world->material);
   std::vector<Eigen::Vector4f> rows;
   for (std::size_t i = 0; i < kTextureSlots; ++i) {
     const TextureSlot& slot = *slots[i];
@@ -224,7 +224,7 @@ void Rasterizer::set_textures(const GlProgram& program, const GlMesh& mesh) cons
 
 void Rasterizer::set_material(const GlProgram& program, const GlMesh& mesh,
                               double threshold) const {
-  const Material& material = *mesh.flat->material;
+  const Material& material = *mesh.world->material;
   program.set("base_color", material.base_color);
   program.set("factors", Eigen::Vector4f(material.metallic, material.roughness, material.specular,
                                          material.normal_scale));
@@ -240,7 +240,7 @@ void Rasterizer::set_material(const GlProgram& program, const GlMesh& mesh,
 void Rasterizer::set_view(const GlProgram& program, const Camera& camera, const Pass& pass) const {
   program.set("projection", projection(camera.pinhole, pass.offset));
   program.set("R_camera_world", camera.R_camera_world);
-  program.set("eye", camera.eye);
+  program.set("eye", camera.position);
   program.set("log2_sample_width", log2_cell_width_);
   for (std::size_t slot = 0; slot < kTextureSlots; ++slot) {
     program.set("textures[" + std::to_string(slot) + "]", static_cast<int>(slot));
@@ -251,24 +251,24 @@ void Rasterizer::set_view(const GlProgram& program, const Camera& camera, const 
 void Rasterizer::set_mesh(const GlProgram& program, const GlMesh& mesh,
                           const Camera& camera) const {
   const bool rows_grow_down = camera.pinhole.fy > 0;
-  program.set("front_is_ccw", rows_grow_down == (mesh.flat->side > 0) ? 0.0F : 1.0F);
-  program.set("has_normals", mesh.flat->has_normals() ? 1.0F : 0.0F);
-  program.set("has_tangents", mesh.flat->mesh->tangents.empty() ? 0.0F : 1.0F);
-  program.set("R_world_mesh", Eigen::Matrix3f(mesh.flat->T_world_mesh.linear().cast<float>()));
-  program.set("tangent_side", mesh.flat->side);
-  program.set("is_shared", mesh.flat->shared == kNone ? 0.0F : 1.0F);
-  if (mesh.flat->shared != kNone) {
-    const Eigen::Affine3d T = T_flat_shared(flat_, *mesh.flat);
+  program.set("front_is_ccw", rows_grow_down == (mesh.world->side > 0) ? 0.0F : 1.0F);
+  program.set("has_normals", mesh.world->has_normals() ? 1.0F : 0.0F);
+  program.set("has_tangents", mesh.world->mesh->tangents.empty() ? 0.0F : 1.0F);
+  program.set("R_world_mesh", Eigen::Matrix3f(mesh.world->T_world_mesh.linear().cast<float>()));
+  program.set("tangent_side", mesh.world->side);
+  program.set("is_shared", mesh.world->shared == kNone ? 0.0F : 1.0F);
+  if (mesh.world->shared != kNone) {
+    const Eigen::Affine3d T = T_flat_shared(world_, *mesh.world);
     program.set("shared_place", Eigen::Vector3f(T.translation().cast<float>()));
     program.set("normal_axes", Eigen::Matrix3f(cofactors(T.linear()).cast<float>()));
   }
 }
 
-/// Meshes by their distance from the eye: what they hide need not be shaded.
+/// Meshes by their distance from the camera: what they hide need not be shaded.
 std::vector<std::size_t> Rasterizer::nearest_first(const Camera& camera) const {
   std::vector<float> distances2;
   for (const GlMesh& mesh : drawn_.meshes) {
-    distances2.push_back(mesh.bounds.squaredExteriorDistance(camera.eye));
+    distances2.push_back(mesh.bounds.squaredExteriorDistance(camera.position));
   }
   std::vector<std::size_t> order(distances2.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -328,7 +328,7 @@ void Rasterizer::read_surface(RenderedFrame& frame) const {
 
 /// The same.
 void Rasterizer::read_ids(RenderedFrame& frame) const {
-  const SurfaceIds ids = surface_ids(flat_);
+  const SurfaceIds ids = surface_ids(world_);
   const cv::Mat_<std::int32_t>& drawn = target_->read_meshes();
   const auto id_at = [](std::int32_t mesh_number, const std::vector<std::uint16_t>& id_of_mesh) {
     return mesh_number == 0 ? std::uint16_t{0}

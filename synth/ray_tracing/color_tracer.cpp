@@ -33,9 +33,9 @@ struct ColorTracer::Step {
   Step(const ColorPacket& traced, ColorMemory& remembered, PacketColors& sums)
       : packet(traced), memory(remembered), colors(sums) {}
 
-  void add(const PathLeg& leg, const Aim& aim) {
+  void add(const PathLeg& leg, const CameraRay& ray) {
     next.legs[static_cast<std::size_t>(next.rays.size)] = leg;
-    add_ray(next.rays, aim);
+    add_ray(next.rays, ray);
   }
 
   const ColorPacket& packet;
@@ -46,18 +46,18 @@ struct ColorTracer::Step {
   PathLegs next;
 };
 
-ColorTracer::ColorTracer(const FlatScene& flat, const EmbreeScene& embree,
+ColorTracer::ColorTracer(const WorldGeometry& world, const EmbreeScene& embree,
                          const RenderOptions& options)
-    : flat_(flat),
+    : world_(world),
       embree_(embree),
       mode_(options.mode),
       bounces_(options.bounces),
       light_radius_(static_cast<float>(options.light_radius)),
-      ambient_(ambient_light(flat, options.ambient)),
-      lights_(place_lights(flat)) {}
+      ambient_(ambient_light(world, options.ambient)),
+      lights_(place_lights(world)) {}
 
 ColorMemory ColorTracer::new_memory() const {
-  return {.seen = {}, .blockers = std::vector<Blocker>(lights_.size())};
+  return {.seen = {}, .blockers = std::vector<Occluder>(lights_.size())};
 }
 
 PacketColors ColorTracer::trace(ColorPacket& packet, ColorMemory& memory) const {
@@ -102,11 +102,11 @@ void ColorTracer::end_leg(const PathLegs& bundle, int lane, PacketColors& colors
 
 void ColorTracer::meet_surface(const PathLegs& bundle, int lane, Step& step) const {
   const PathLeg& leg = bundle.legs[static_cast<std::size_t>(lane)];
-  const FlatMesh& mesh = flat_.meshes[static_cast<std::size_t>(bundle.rays.mesh(lane))];
+  const FlatMesh& mesh = world_.meshes[static_cast<std::size_t>(bundle.rays.mesh(lane))];
   const Material& material = *mesh.material;
   const bool is_lit = !material.unlit && mode_ != RenderMode::unlit;
   const auto make = [&](int mesh_index, int triangle_index) {
-    return SurfaceTriangle(flat_, mesh_index, triangle_index, bundle.rays.share(lane),
+    return SurfaceTriangle(world_, mesh_index, triangle_index, bundle.rays.share(lane),
                            is_lit ? SurfaceMaps::all : SurfaceMaps::color);
   };
   if (!mesh.moments.empty()) {
@@ -216,14 +216,14 @@ void ColorTracer::add_lights(Step& step) const {
 }
 
 /// Leaves those rays active that meet nothing. Returns whether there are any.
-bool ColorTracer::cast_shadows(ShadowPacket& shadows, float reach, Blocker& blocker) const {
-  if (!shadows.has_rays() || !blocker.stop(shadows, reach, instruction_set_)) {
+bool ColorTracer::cast_shadows(ShadowPacket& shadows, float reach, Occluder& occluder) const {
+  if (!shadows.has_rays() || !occluder.stop(shadows, reach, instruction_set_)) {
     return false;
   }
   ShadowHit hit;
   embree_.occlude(shadows, hit);
-  if (hit.mesh != kNone && !blocker.is(hit)) {
-    blocker = Blocker(flat_, hit);
+  if (hit.mesh != kNone && !occluder.is(hit)) {
+    occluder = Occluder(world_, hit);
   }
   return shadows.has_rays();
 }

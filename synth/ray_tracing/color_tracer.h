@@ -48,16 +48,17 @@ struct ColorPacket {
 
 /// What was met last, and is likely to be met again.
 struct ColorMemory {
-  LastTriangle<SurfaceTriangle> seen;
-  std::vector<Blocker> blockers;  ///< one per light
+  HitCache<SurfaceTriangle> seen;
+  std::vector<Occluder> blockers;  ///< one per light
 };
 
 using PacketColors = std::array<Eigen::Vector3f, kPacketSize>;
 
-/// Finds the light that comes back along rays. The flat scene and Embree's must outlive it.
+/// Finds the light that comes back along rays. The world-space geometry and Embree's must outlive
+/// it.
 class ColorTracer {
  public:
-  ColorTracer(const FlatScene& flat, const EmbreeScene& embree, const RenderOptions& options);
+  ColorTracer(const WorldGeometry& world, const EmbreeScene& embree, const RenderOptions& options);
 
   /// Linear RGB of each ray, whatever is remembered.
   PacketColors trace(ColorPacket& packet, ColorMemory& memory) const;
@@ -77,11 +78,11 @@ class ColorTracer {
   static void pass(const PathLegs& bundle, int lane, float hidden, Step& step);
   void bounce(const PathLeg& leg, const SurfacePoint& point, Step& step) const;
   void add_lights(Step& step) const;
-  bool cast_shadows(ShadowPacket& shadows, float reach, Blocker& blocker) const;
+  bool cast_shadows(ShadowPacket& shadows, float reach, Occluder& occluder) const;
   Lanes3 places_on_light(std::size_t light_index, const Step& step) const;
   Eigen::Vector2f draw(const Step& step, const PathLeg& leg, std::size_t use) const;
 
-  const FlatScene& flat_;
+  const WorldGeometry& world_;
   const EmbreeScene& embree_;
   RenderMode mode_;
   int bounces_;

@@ -42,29 +42,29 @@ void attach(RTCScene hierarchy, RTCGeometry geometry, unsigned index) {
   rtcAttachGeometryByID(hierarchy, geometry, index);
 }
 
-void aim(RTCRay& ray, const Aim& aim) {
-  ray.org_x = aim.from.x();
-  ray.org_y = aim.from.y();
-  ray.org_z = aim.from.z();
-  ray.dir_x = aim.direction.x();
-  ray.dir_y = aim.direction.y();
-  ray.dir_z = aim.direction.z();
-  ray.tnear = aim.near;
-  ray.tfar = aim.reach;
-  ray.time = aim.share;
-  ray.mask = std::numeric_limits<unsigned>::max();
+void set_ray(RTCRay& embree_ray, const CameraRay& ray) {
+  embree_ray.org_x = ray.from.x();
+  embree_ray.org_y = ray.from.y();
+  embree_ray.org_z = ray.from.z();
+  embree_ray.dir_x = ray.direction.x();
+  embree_ray.dir_y = ray.direction.y();
+  embree_ray.dir_z = ray.direction.z();
+  embree_ray.tnear = ray.near;
+  embree_ray.tfar = ray.reach;
+  embree_ray.time = ray.share;
+  embree_ray.mask = std::numeric_limits<unsigned>::max();
 }
 
-void aim_lane(RTCRay16& rays, int lane, const Aim& aim) {
-  rays.org_x[lane] = aim.from.x();
-  rays.org_y[lane] = aim.from.y();
-  rays.org_z[lane] = aim.from.z();
-  rays.dir_x[lane] = aim.direction.x();
-  rays.dir_y[lane] = aim.direction.y();
-  rays.dir_z[lane] = aim.direction.z();
-  rays.tnear[lane] = aim.near;
-  rays.tfar[lane] = aim.reach;
-  rays.time[lane] = aim.share;
+void set_lane(RTCRay16& rays, int lane, const CameraRay& ray) {
+  rays.org_x[lane] = ray.from.x();
+  rays.org_y[lane] = ray.from.y();
+  rays.org_z[lane] = ray.from.z();
+  rays.dir_x[lane] = ray.direction.x();
+  rays.dir_y[lane] = ray.direction.y();
+  rays.dir_z[lane] = ray.direction.z();
+  rays.tnear[lane] = ray.near;
+  rays.tfar[lane] = ray.reach;
+  rays.time[lane] = ray.share;
   rays.mask[lane] = std::numeric_limits<unsigned>::max();
 }
 
@@ -78,15 +78,15 @@ struct alignas(64) FirstLanes {
 
 /// What to say of shadow rays: Embree 3.13 gets stuck with those through instances that are said to
 /// be coherent.
-RTCIntersectContextFlags shadow_coherence(const FlatScene& flat) {
-  return flat.shared_meshes.empty() ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
-                                    : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+RTCIntersectContextFlags shadow_coherence(const WorldGeometry& world) {
+  return world.shared_meshes.empty() ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                     : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
 }
 
 /// At a right angle to the triangle that was hit, on either side. What Embree says of a shared mesh
 /// is in that mesh's frame.
-Eigen::Vector3f across_triangle(const FlatScene& flat, const HitPacket& packet, int lane) {
-  const FlatMesh& mesh = flat.meshes[static_cast<std::size_t>(packet.mesh(lane))];
+Eigen::Vector3f across_triangle(const WorldGeometry& world, const HitPacket& packet, int lane) {
+  const FlatMesh& mesh = world.meshes[static_cast<std::size_t>(packet.mesh(lane))];
   if (mesh.shared == kNone) {
     const RTCHit16& hit = packet.lanes.hit;
     return {hit.Ng_x[lane], hit.Ng_y[lane], hit.Ng_z[lane]};
@@ -110,22 +110,22 @@ float shadow_reach(const PlacedLight& light) {
   return light.has_place() ? 1 : kInfinity;
 }
 
-EmbreeScene::EmbreeScene(const FlatScene& flat)
-    : shadow_coherence_(shadow_coherence(flat)), device_(rtcNewDevice(nullptr)) {
+EmbreeScene::EmbreeScene(const WorldGeometry& world)
+    : shadow_coherence_(shadow_coherence(world)), device_(rtcNewDevice(nullptr)) {
   vo::require(device_ != nullptr, "Embree: no device, error ", rtcGetDeviceError(nullptr));
   std::string error;
   rtcSetDeviceErrorFunction(device_.get(), keep_first_error, &error);
-  for (const SharedMesh& shared : flat.shared_meshes) {
+  for (const SharedMesh& shared : world.shared_meshes) {
     shared_.push_back(new_hierarchy());
-    attach(shared_.back().get(), triangles_of(device_.get(), flat, shared).get(), 0);
+    attach(shared_.back().get(), triangles_of(device_.get(), world, shared).get(), 0);
     rtcCommitScene(shared_.back().get());
   }
   hierarchy_ = new_hierarchy();
-  for (unsigned i = 0; i < flat.meshes.size(); ++i) {
-    const FlatMesh& mesh = flat.meshes[i];
+  for (unsigned i = 0; i < world.meshes.size(); ++i) {
+    const FlatMesh& mesh = world.meshes[i];
     const EmbreeGeometry geometry =
-        mesh.shared == kNone ? triangles_of(device_.get(), flat, mesh)
-                             : instance_of(device_.get(), shared_[mesh.shared].get(), flat, mesh);
+        mesh.shared == kNone ? triangles_of(device_.get(), world, mesh)
+                             : instance_of(device_.get(), shared_[mesh.shared].get(), world, mesh);
     attach(hierarchy_.get(), geometry.get(), i);
   }
   rtcCommitScene(hierarchy_.get());
@@ -158,18 +158,18 @@ void EmbreeScene::intersect(HitPacket& packet, Sight sight) const {
   rtcIntersect16(first.mask.data(), hierarchy_.get(), &query.context, &packet.lanes);
 }
 
-void EmbreeScene::occlude(ShadowPacket& packet, ShadowHit& blocker) const {
+void EmbreeScene::occlude(ShadowPacket& packet, ShadowHit& occluder) const {
   EmbreeQuery query = query_for(Sight::solid, shadow_coherence_);
-  query.blocker = &blocker;
+  query.occluder = &occluder;
   rtcOccluded16(packet.active.data(), hierarchy_.get(), &query.context, &packet.lanes);
   const float* const left = packet.lanes.tfar;
   std::transform(packet.active.begin(), packet.active.end(), left, packet.active.begin(),
                  [](int active, float far) { return far < 0 ? 0 : active; });
 }
 
-void add_ray(HitPacket& packet, const Aim& aim) {
+void add_ray(HitPacket& packet, const CameraRay& ray) {
   const int lane = packet.size++;
-  aim_lane(packet.lanes.ray, lane, aim);
+  set_lane(packet.lanes.ray, lane, ray);
   packet.lanes.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
 }
 
@@ -188,14 +188,14 @@ SurfaceHit surface_hit(const RTCHit& hit) {
 }
 
 void aim_along(RTCRayHit& ray, const Eigen::Vector3f& from, const Eigen::Vector3f& direction) {
-  aim(ray.ray, {from, direction, kNear});
+  set_ray(ray.ray, {from, direction, kNear});
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
 }
 
 void aim_at_light(RTCRay& ray, const SurfacePoint& point, const DirectLight& direct,
                   const PlacedLight& light) {
-  aim(ray, {point.position + point.rounding * point.face_normal, direct.to_light, 0,
-            shadow_reach(light), point.share});
+  set_ray(ray, {point.position + point.rounding * point.face_normal, direct.to_light, 0,
+                shadow_reach(light), point.share});
 }
 
 ShadowPacket shadow_rays(const LitLanes& lit) {
@@ -232,77 +232,81 @@ std::vector<PixelCell> grid_of_cells(int per_edge) {
   return cells;
 }
 
-View::View(const FlatScene& flat, const Shot& shot)
-    : flat_(flat),
-      shot_(shot),
-      eyes_(shot),
-      instants_(shot.seed, kInstants, 0),
-      pixel_width_(static_cast<float>(1 / std::sqrt(std::abs(shot.camera.fx * shot.camera.fy)))) {
-  if (!shot.camera.distortion.is_zero()) {
+View::View(const WorldGeometry& world, const Capture& capture)
+    : world_(world),
+      capture_(capture),
+      poses_(capture),
+      instants_(capture.seed, kInstants, 0),
+      pixel_width_(
+          static_cast<float>(1 / std::sqrt(std::abs(capture.camera.fx * capture.camera.fy)))) {
+  if (!capture.camera.distortion.is_zero()) {
     return;
   }
-  const Eigen::Matrix3d inverse_K = inverse_of_intrinsics(shot.camera);
-  const int rows = is_at_rest() ? 1 : shot.camera.height;
+  const Eigen::Matrix3d inverse_K = inverse_of_intrinsics(capture.camera);
+  const int rows = is_at_rest() ? 1 : capture.camera.height;
   for (int v = 0; v < rows; ++v) {
-    const Eye& eye = eyes_.of_row(v);
-    pencils_.push_back({eye.R_world_camera * inverse_K, (eye.position - flat.origin).cast<float>(),
-                        share_of_row(v)});
+    const CameraPose& camera_pose = poses_.of_row(v);
+    ray_generators_.push_back({camera_pose.R_world_camera * inverse_K,
+                               (camera_pose.position - world.origin).cast<float>(),
+                               share_of_row(v)});
   }
 }
 
 /// World axes; 1 along the optical axis, so that multiples of it are depths.
-Eigen::Vector3d View::direction(const Eye& eye, const Eigen::Vector2d& pixel) const {
-  return eye.R_world_camera * shot_.camera.unproject(pixel, 1);
+Eigen::Vector3d View::direction(const CameraPose& camera_pose, const Eigen::Vector2d& pixel) const {
+  return camera_pose.R_world_camera * capture_.camera.unproject(pixel, 1);
 }
 
-Aim View::aim_from(const Eye& eye, const Eigen::Vector2d& pixel, float share) const {
-  const Eigen::Vector3d along = direction(eye, pixel);
-  const Eigen::Vector3f from = (eye.position - flat_.origin).cast<float>();
+CameraRay View::ray_from(const CameraPose& camera_pose, const Eigen::Vector2d& pixel,
+                         float share) const {
+  const Eigen::Vector3d along = direction(camera_pose, pixel);
+  const Eigen::Vector3f from = (camera_pose.position - world_.origin).cast<float>();
   if (!along.allFinite()) {  // the lens sees nothing there, and a ray without reach hits nothing
     return {from, Eigen::Vector3f::UnitZ(), kNear, 0, share};
   }
   return {from, along.cast<float>(), kNear, kInfinity, share};
 }
 
-Aim View::aim_from_row(int v, const Eigen::Vector2d& pixel) const {
-  if (pencils_.empty()) {
-    return aim_from(eyes_.of_row(v), pixel, share_of_row(v));
+CameraRay View::ray_from_row(int v, const Eigen::Vector2d& pixel) const {
+  if (ray_generators_.empty()) {
+    return ray_from(poses_.of_row(v), pixel, share_of_row(v));
   }
-  const Pencil& pencil = pencils_[pencils_.size() == 1 ? 0 : static_cast<std::size_t>(v)];
-  const Eigen::Matrix3d& M = pencil.direction_from_pixel;
+  const RayGenerator& generator =
+      ray_generators_[ray_generators_.size() == 1 ? 0 : static_cast<std::size_t>(v)];
+  const Eigen::Matrix3d& M = generator.direction_from_pixel;
   const Eigen::Vector3d direction = M.col(0) * pixel.x() + M.col(1) * pixel.y() + M.col(2);
-  return {pencil.start, direction.cast<float>(), kNear, kInfinity, pencil.share};
+  return {generator.start, direction.cast<float>(), kNear, kInfinity, generator.share};
 }
 
 void View::aim_at_centre(const cv::Point& pixel, RTCRayHit& ray) const {
-  aim(ray.ray, aim_from_row(pixel.y, {pixel.x, pixel.y}));
+  set_ray(ray.ray, ray_from_row(pixel.y, {pixel.x, pixel.y}));
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
 }
 
 void View::add_ray_at_centre(const cv::Point& pixel, HitPacket& packet) const {
-  add_ray(packet, aim_from_row(pixel.y, {pixel.x, pixel.y}));
+  add_ray(packet, ray_from_row(pixel.y, {pixel.x, pixel.y}));
 }
 
 void View::add_ray_at_cell(const cv::Point& pixel, const PixelCell& cell, HitPacket& packet) const {
   const Eigen::Vector2d place(pixel.x + cell.offset.x(), pixel.y + cell.offset.y());
-  if (shot_.shutter.exposure_time == 0) {
-    add_ray(packet, aim_from_row(pixel.y, place));
+  if (capture_.shutter.exposure_time == 0) {
+    add_ray(packet, ray_from_row(pixel.y, place));
     return;
   }
   const double turn = instants_.uniform(pixel.x, pixel.y) + cell.instant;
   const double time =
-      shot_.shutter.time_in_row(pixel.y, turn - std::floor(turn), shot_.camera.height);
-  add_ray(packet, aim_from(eyes_.at(time), place, share_at(time)));
+      capture_.shutter.time_in_row(pixel.y, turn - std::floor(turn), capture_.camera.height);
+  add_ray(packet, ray_from(poses_.at(time), place, share_at(time)));
 }
 
 DepthPlane View::plane_of(int mesh, int triangle, int v) const {
-  const Eye& eye = eyes_.of_row(v);
-  return depth_plane(flat_.meshes[mesh], triangle,
-                     {eye.position, eye.R_world_camera.col(2), share_of_row(v)});
+  const CameraPose& camera_pose = poses_.of_row(v);
+  return depth_plane(world_.meshes[mesh], triangle,
+                     {camera_pose.position, camera_pose.R_world_camera.col(2), share_of_row(v)});
 }
 
 std::optional<double> View::depth_of(const DepthPlane& plane, const cv::Point& pixel) const {
-  return plane.depth_along(direction(eyes_.of_row(pixel.y), {pixel.x, pixel.y}));
+  return plane.depth_along(direction(poses_.of_row(pixel.y), {pixel.x, pixel.y}));
 }
 
 float View::exact_depth(const cv::Point& pixel, const RTCRayHit& ray) const {
@@ -313,7 +317,7 @@ float View::exact_depth(const cv::Point& pixel, const RTCRayHit& ray) const {
 }
 
 cv::Vec3f View::normal(const cv::Point& pixel, const HitPacket& packet, int lane) const {
-  const Eigen::Vector3f across = across_triangle(flat_, packet, lane);
+  const Eigen::Vector3f across = across_triangle(world_, packet, lane);
   const Eigen::Vector3f outward =
       across.dot(packet.direction(lane)) > 0 ? Eigen::Vector3f(-across) : across;
   const Eigen::Vector3f unit =

@@ -22,7 +22,7 @@
 
 namespace synth {
 
-/// Of FlatScene::meshes, by Embree's numbers of a hit.
+/// Of WorldGeometry::meshes, by Embree's numbers of a hit.
 inline int mesh_of(unsigned instance, unsigned geometry) {
   return static_cast<int>(instance == RTC_INVALID_GEOMETRY_ID ? geometry : instance);
 }
@@ -43,7 +43,7 @@ struct HitPacket {
   Eigen::Vector3f direction(int lane) const {
     return {lanes.ray.dir_x[lane], lanes.ray.dir_y[lane], lanes.ray.dir_z[lane]};
   }
-  float share(int lane) const { return lanes.ray.time[lane]; }  ///< FlatScene::share_at
+  float share(int lane) const { return lanes.ray.time[lane]; }  ///< WorldGeometry::share_at
 };
 
 /// Rays of a packet towards one light. Lanes that are not active hold numbers but no ray.
@@ -56,7 +56,7 @@ struct ShadowPacket {
 
 /// The triangle that stopped a shadow ray.
 struct ShadowHit {
-  int mesh = kNone;      ///< of FlatScene::meshes
+  int mesh = kNone;      ///< of WorldGeometry::meshes
   int triangle = kNone;  ///< of that mesh
 };
 
@@ -64,10 +64,10 @@ struct ShadowHit {
 /// cutoff or half of a blended surface; or every layer that colour is blended of.
 enum class Sight { solid, layers };
 
-/// Finds what rays hit. The flat scene must outlive it.
+/// Finds what rays hit. The world-space geometry must outlive it.
 class EmbreeScene {
  public:
-  explicit EmbreeScene(const FlatScene& flat);
+  explicit EmbreeScene(const WorldGeometry& world);
 
   /// The nearest hit of each ray. Faster when neighbours in the list go nearly the same way.
   void intersect(std::vector<RTCRayHit>& rays) const;
@@ -77,9 +77,9 @@ class EmbreeScene {
 
   void intersect(HitPacket& packet, Sight sight) const;
 
-  /// Leaves those rays active that meet nothing. `blocker` becomes the last opaque triangle that
+  /// Leaves those rays active that meet nothing. `occluder` becomes the last opaque triangle that
   /// stopped a ray, if one did.
-  void occlude(ShadowPacket& packet, ShadowHit& blocker) const;
+  void occlude(ShadowPacket& packet, ShadowHit& occluder) const;
 
   RTCScene hierarchy() const { return hierarchy_.get(); }
 
@@ -95,7 +95,7 @@ class EmbreeScene {
 
   RTCIntersectContextFlags shadow_coherence_;
   std::unique_ptr<RTCDeviceTy, Release> device_;
-  std::vector<Hierarchy> shared_;  ///< of FlatScene::shared_meshes
+  std::vector<Hierarchy> shared_;  ///< of WorldGeometry::shared_meshes
   Hierarchy hierarchy_;
 };
 
@@ -104,17 +104,18 @@ bool is_occluded(const RTCRay& ray);  ///< after `occlude`
 SurfaceHit surface_hit(const RTCHit& hit);
 
 /// Where a ray goes; `near` and `reach` are in lengths of the direction.
-struct Aim {
-  Eigen::Vector3f from;  ///< m, in the flat scene's coordinates
+struct CameraRay {
+  Eigen::Vector3f from;  ///< m, in the world-space geometry's coordinates
   Eigen::Vector3f direction;
   float near = 0;
   float reach = std::numeric_limits<float>::infinity();
-  float share = 0;  ///< FlatScene::share_at, of when it sees the scene
+  float share = 0;  ///< WorldGeometry::share_at, of when it sees the scene
 };
 
-void add_ray(HitPacket& packet, const Aim& aim);
+void add_ray(HitPacket& packet, const CameraRay& ray);
 
-/// A ray from a point of the flat scene along a direction that is 1 along the optical axis.
+/// A ray from a point of the world-space geometry along a direction that is 1 along the optical
+/// axis.
 void aim_along(RTCRayHit& ray, const Eigen::Vector3f& from, const Eigen::Vector3f& direction);
 
 /// How far from a surface things cast shadows on it, in lengths of DirectLight::to_light.
@@ -140,18 +141,18 @@ struct PixelCell {
 /// differences are the terms of Roberts' R2 sequence.
 std::vector<PixelCell> grid_of_cells(int per_edge);
 
-/// A shot of a flat scene. Both must outlive it.
+/// A capture of a world-space geometry. Both must outlive it.
 class View {
  public:
-  View(const FlatScene& flat, const Shot& shot);
+  View(const WorldGeometry& world, const Capture& capture);
 
-  const vo::PinholeCamera& camera() const { return shot_.camera; }
-  Eigen::Matrix3d R_world_camera(int v) const { return eyes_.of_row(v).R_world_camera; }
-  std::uint64_t seed() const { return shot_.seed; }
+  const vo::PinholeCamera& camera() const { return capture_.camera; }
+  Eigen::Matrix3d R_world_camera(int v) const { return poses_.of_row(v).R_world_camera; }
+  std::uint64_t seed() const { return capture_.seed; }
   float pixel_width() const { return pixel_width_; }  ///< m at 1 m
 
   /// Whether all rows are seen from one place, at one time.
-  bool is_at_rest() const { return shot_.shutter.readout_time == 0; }
+  bool is_at_rest() const { return capture_.shutter.readout_time == 0; }
 
   /// Through a pixel's centre in the middle of its exposure.
   void aim_at_centre(const cv::Point& pixel, RTCRayHit& ray) const;
@@ -174,26 +175,28 @@ class View {
 
  private:
   /// A camera's rays, if its lens is perfect.
-  struct Pencil {
+  struct RayGenerator {
     Eigen::Matrix3d direction_from_pixel;  ///< R_world_camera K^-1
-    Eigen::Vector3f start;                 ///< m, in the flat scene's coordinates
-    float share;                           ///< FlatScene::share_at
+    Eigen::Vector3f start;                 ///< m, in the world-space geometry's coordinates
+    float share;                           ///< WorldGeometry::share_at
   };
 
-  float share_at(double time) const { return flat_.share_at(shot_.scene_time + time); }
+  float share_at(double time) const { return world_.share_at(capture_.scene_time + time); }
   float share_of_row(int v) const {
-    return share_at(shot_.shutter.row_time(v, shot_.camera.height));
+    return share_at(capture_.shutter.row_time(v, capture_.camera.height));
   }
-  Aim aim_from(const Eye& eye, const Eigen::Vector2d& pixel, float share) const;
-  Aim aim_from_row(int v, const Eigen::Vector2d& pixel) const;
-  Eigen::Vector3d direction(const Eye& eye, const Eigen::Vector2d& pixel) const;
+  CameraRay ray_from(const CameraPose& camera_pose, const Eigen::Vector2d& pixel,
+                     float share) const;
+  CameraRay ray_from_row(int v, const Eigen::Vector2d& pixel) const;
+  Eigen::Vector3d direction(const CameraPose& camera_pose, const Eigen::Vector2d& pixel) const;
 
-  const FlatScene& flat_;
-  const Shot& shot_;
-  ShotEyes eyes_;
+  const WorldGeometry& world_;
+  const Capture& capture_;
+  CapturePoses poses_;
   vo::RandomField instants_;  ///< where each pixel's instants start, share of the exposure
   float pixel_width_;
-  std::vector<Pencil> pencils_;  ///< of each row, or one for all; none of a lens that distorts
+  std::vector<RayGenerator>
+      ray_generators_;  ///< of each row, or one for all; none of a lens that distorts
 };
 
 }  // namespace synth

@@ -24,19 +24,19 @@ SurfaceHit hit_of(const RTCFilterFunctionNArguments* arguments, unsigned lane) {
 
 /// Notes the last of the triangles that rays were found to hit.
 void note_blocker(const RTCFilterFunctionNArguments* arguments) {
-  ShadowHit* const blocker = query_of(arguments).blocker;
+  ShadowHit* const occluder = query_of(arguments).occluder;
   const unsigned count = arguments->N;
-  for (unsigned i = 0; blocker != nullptr && i < count; ++i) {
+  for (unsigned i = 0; occluder != nullptr && i < count; ++i) {
     if (arguments->valid[i] == -1) {
       const SurfaceHit hit = hit_of(arguments, i);
-      *blocker = {hit.mesh, hit.triangle};
+      *occluder = {hit.mesh, hit.triangle};
     }
   }
 }
 
 /// Lets rays pass where the alpha says that nothing is.
 void drop_invisible(const RTCFilterFunctionNArguments* arguments) {
-  const auto& flat = *static_cast<const FlatScene*>(arguments->geometryUserPtr);
+  const auto& world = *static_cast<const WorldGeometry*>(arguments->geometryUserPtr);
   const bool sees_layers = query_of(arguments).sight == Sight::layers;
   const unsigned count = arguments->N;
   for (unsigned i = 0; i < count; ++i) {
@@ -44,9 +44,9 @@ void drop_invisible(const RTCFilterFunctionNArguments* arguments) {
       continue;
     }
     const SurfaceHit hit = hit_of(arguments, i);
-    const Material& material = *flat.meshes[static_cast<std::size_t>(hit.mesh)].material;
+    const Material& material = *world.meshes[static_cast<std::size_t>(hit.mesh)].material;
     const bool is_layer = material.alpha_mode == AlphaMode::blend && sees_layers;
-    if (!is_layer && surface_alpha(flat, hit) < solid_from(material)) {
+    if (!is_layer && surface_alpha(world, hit) < solid_from(material)) {
       arguments->valid[i] = 0;
     }
   }
@@ -60,15 +60,15 @@ void set_vertices(RTCGeometry geometry, const std::vector<Eigen::Vector3f>& posi
 }
 
 /// At each moment; Embree takes them to be spread evenly over the rays' time from 0 to 1.
-void set_vertices(RTCGeometry geometry, const FlatMesh& flat) {
-  if (flat.moments.empty()) {
-    set_vertices(geometry, flat.positions, 0);
+void set_vertices(RTCGeometry geometry, const FlatMesh& world) {
+  if (world.moments.empty()) {
+    set_vertices(geometry, world.positions, 0);
     return;
   }
-  const auto moments = static_cast<unsigned>(flat.moments.size());
+  const auto moments = static_cast<unsigned>(world.moments.size());
   rtcSetGeometryTimeStepCount(geometry, moments);
   for (unsigned i = 0; i < moments; ++i) {
-    set_vertices(geometry, flat.moments[i].positions, i);
+    set_vertices(geometry, world.moments[i].positions, i);
   }
 }
 
@@ -78,9 +78,9 @@ void set_triangles(RTCGeometry geometry, const Mesh& mesh) {
                              mesh.triangles.size());
 }
 
-void set_filters(RTCGeometry geometry, const FlatScene& scene, const Mesh& mesh) {
+void set_filters(RTCGeometry geometry, const WorldGeometry& scene, const Mesh& mesh) {
   if (material_of(*scene.scene, mesh).alpha_mode != AlphaMode::opaque) {
-    rtcSetGeometryUserData(geometry, const_cast<FlatScene*>(&scene));  // only read
+    rtcSetGeometryUserData(geometry, const_cast<WorldGeometry*>(&scene));  // only read
     rtcSetGeometryIntersectFilterFunction(geometry, drop_invisible);
     rtcSetGeometryOccludedFilterFunction(geometry, drop_invisible);
   } else {
@@ -88,14 +88,14 @@ void set_filters(RTCGeometry geometry, const FlatScene& scene, const Mesh& mesh)
   }
 }
 
-EmbreeGeometry triangles_of(RTCDevice device, const FlatScene& scene, const Mesh& mesh) {
+EmbreeGeometry triangles_of(RTCDevice device, const WorldGeometry& scene, const Mesh& mesh) {
   EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
   set_triangles(geometry.get(), mesh);
   set_filters(geometry.get(), scene, mesh);
   return geometry;
 }
 
-void set_transform(RTCGeometry geometry, const FlatScene& scene, const FlatMesh& mesh,
+void set_transform(RTCGeometry geometry, const WorldGeometry& scene, const FlatMesh& mesh,
                    unsigned time_step) {
   const Eigen::Matrix<float, 3, 4> transform = T_flat_shared(scene, mesh).affine().cast<float>();
   rtcSetGeometryTransform(geometry, time_step, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform.data());
@@ -103,19 +103,20 @@ void set_transform(RTCGeometry geometry, const FlatScene& scene, const FlatMesh&
 
 }  // namespace
 
-EmbreeGeometry triangles_of(RTCDevice device, const FlatScene& scene, const SharedMesh& shared) {
+EmbreeGeometry triangles_of(RTCDevice device, const WorldGeometry& scene,
+                            const SharedMesh& shared) {
   EmbreeGeometry geometry = triangles_of(device, scene, *shared.mesh);
   set_vertices(geometry.get(), shared.positions, 0);
   return geometry;
 }
 
-EmbreeGeometry triangles_of(RTCDevice device, const FlatScene& scene, const FlatMesh& mesh) {
+EmbreeGeometry triangles_of(RTCDevice device, const WorldGeometry& scene, const FlatMesh& mesh) {
   EmbreeGeometry geometry = triangles_of(device, scene, *mesh.mesh);
   set_vertices(geometry.get(), mesh);
   return geometry;
 }
 
-EmbreeGeometry instance_of(RTCDevice device, RTCScene shared, const FlatScene& scene,
+EmbreeGeometry instance_of(RTCDevice device, RTCScene shared, const WorldGeometry& scene,
                            const FlatMesh& mesh) {
   EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
   rtcSetGeometryInstancedScene(geometry.get(), shared);

@@ -13,7 +13,7 @@ namespace synth {
 struct EmbreeQuery {
   RTCIntersectContext context;
   Sight sight = Sight::solid;
-  ShadowHit* blocker = nullptr;  ///< where to note what cast a shadow
+  ShadowHit* occluder = nullptr;  ///< where to note what cast a shadow
 };
 
 struct ReleaseGeometry {
@@ -23,12 +23,12 @@ using EmbreeGeometry = std::unique_ptr<RTCGeometryTy, ReleaseGeometry>;
 
 /// The triangles of a mesh, whose vertices they refer to. Rays pass where the alpha says that
 /// nothing is; queries are of type EmbreeQuery.
-EmbreeGeometry triangles_of(RTCDevice device, const FlatScene& scene, const SharedMesh& shared);
-EmbreeGeometry triangles_of(RTCDevice device, const FlatScene& scene, const FlatMesh& mesh);
+EmbreeGeometry triangles_of(RTCDevice device, const WorldGeometry& scene, const SharedMesh& shared);
+EmbreeGeometry triangles_of(RTCDevice device, const WorldGeometry& scene, const FlatMesh& mesh);
 
 /// A shared mesh where an instance stands. Between moments Embree blends the matrices: vertices go
 /// straight.
-EmbreeGeometry instance_of(RTCDevice device, RTCScene shared, const FlatScene& scene,
+EmbreeGeometry instance_of(RTCDevice device, RTCScene shared, const WorldGeometry& scene,
                            const FlatMesh& mesh);
 
 }  // namespace synth

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector3f;
 
 struct DistanceQuery {
-  const FlatScene& flat;
+  const WorldGeometry& world;
   Vector3f point;
 };
 
@@ -57,8 +57,9 @@ bool come_nearer(RTCPointQueryFunctionArguments* arguments) {
   const auto& query = *static_cast<const DistanceQuery*>(arguments->userPtr);
   const RTCPointQueryContext& context = *arguments->context;
   const unsigned instance = context.instStackSize > 0 ? context.instID[0] : RTC_INVALID_GEOMETRY_ID;
-  const std::array<Vector3f, 3> corners = corners_of(
-      query.flat.meshes[mesh_of(instance, arguments->geomID)], static_cast<int>(arguments->primID));
+  const std::array<Vector3f, 3> corners =
+      corners_of(query.world.meshes[mesh_of(instance, arguments->geomID)],
+                 static_cast<int>(arguments->primID));
   const float distance = (closest_point(query.point, corners) - query.point).norm();
   if (!(distance < arguments->query->radius)) {
     return false;
@@ -82,9 +83,9 @@ RTCRayHit ray_along(const Vector3f& from, const Vector3f& direction, float reach
 }
 
 /// Of the triangle's own winding, which a mirroring instance turns round.
-bool shows_its_front(const FlatScene& flat, const RTCRayHit& ray) {
+bool shows_its_front(const WorldGeometry& world, const RTCRayHit& ray) {
   const SurfaceHit hit = surface_hit(ray.hit);
-  const FlatMesh& mesh = flat.meshes[hit.mesh];
+  const FlatMesh& mesh = world.meshes[hit.mesh];
   const auto [a, b, c] = corners_of(mesh, hit.triangle);
   const Vector3f normal = (b - a).cross(c - a);
   const Vector3f direction(ray.ray.dir_x, ray.ray.dir_y, ray.ray.dir_z);
@@ -94,9 +95,9 @@ bool shows_its_front(const FlatScene& flat, const RTCRayHit& ray) {
 
 }  // namespace
 
-float distance_to_surface(const EmbreeScene& embree, const FlatScene& flat, const Vector3f& point,
-                          float reach) {
-  DistanceQuery query{flat, point};
+float distance_to_surface(const EmbreeScene& embree, const WorldGeometry& world,
+                          const Vector3f& point, float reach) {
+  DistanceQuery query{world, point};
   RTCPointQuery sphere{point.x(), point.y(), point.z(), 0, reach};
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
@@ -104,8 +105,8 @@ float distance_to_surface(const EmbreeScene& embree, const FlatScene& flat, cons
   return sphere.radius;
 }
 
-std::vector<ProbeHit> probe(const EmbreeScene& embree, const FlatScene& flat, const Vector3f& point,
-                            const std::vector<Vector3f>& directions) {
+std::vector<ProbeHit> probe(const EmbreeScene& embree, const WorldGeometry& world,
+                            const Vector3f& point, const std::vector<Vector3f>& directions) {
   std::vector<RTCRayHit> rays;
   for (const Vector3f& direction : directions) {
     rays.push_back(ray_along(point, direction, std::numeric_limits<float>::infinity()));
@@ -113,7 +114,7 @@ std::vector<ProbeHit> probe(const EmbreeScene& embree, const FlatScene& flat, co
   embree.intersect(rays);
   std::vector<ProbeHit> hits;
   for (const RTCRayHit& ray : rays) {
-    hits.push_back(has_hit(ray) ? ProbeHit{ray.ray.tfar, shows_its_front(flat, ray)} : ProbeHit{});
+    hits.push_back(has_hit(ray) ? ProbeHit{ray.ray.tfar, shows_its_front(world, ray)} : ProbeHit{});
   }
   return hits;
 }

@@ -7,11 +7,11 @@
 #include "synth/ray_tracing/embree_scene.h"
 #include "synth/scene/world_geometry.h"
 
-/// All in the flat scene's coordinates, m.
+/// All in the world-space geometry's coordinates, m.
 namespace synth {
 
 /// Distance of a point to the nearest triangle, or `reach` where that is nearer.
-float distance_to_surface(const EmbreeScene& embree, const FlatScene& flat,
+float distance_to_surface(const EmbreeScene& embree, const WorldGeometry& world,
                           const Eigen::Vector3f& point, float reach);
 
 /// What a ray from a point hits.
@@ -20,7 +20,7 @@ struct ProbeHit {
   bool front = false;  ///< the triangle's front, counter-clockwise, though it may have two sides
 };
 
-std::vector<ProbeHit> probe(const EmbreeScene& embree, const FlatScene& flat,
+std::vector<ProbeHit> probe(const EmbreeScene& embree, const WorldGeometry& world,
                             const Eigen::Vector3f& point,
                             const std::vector<Eigen::Vector3f>& directions);
 

@@ -7,7 +7,7 @@ namespace synth {
 /// Remembers what was made of the triangle that was hit last, as neighbouring rays tend to hit the
 /// same one.
 template <typename Made>
-class LastTriangle {
+class HitCache {
  public:
   /// What `make(mesh, triangle)` gives.
   template <typename Make>

@@ -60,25 +60,25 @@ EDVO_TARGET_AVX2 void stop_rays_avx2(const Wall& wall, const RTCRay16& rays, flo
 
 }  // namespace
 
-Blocker::Blocker(const FlatScene& flat, const ShadowHit& hit) : hit_(hit) {
-  const FlatMesh& mesh = flat.meshes[hit.mesh];
+Occluder::Occluder(const WorldGeometry& world, const ShadowHit& hit) : hit_(hit) {
+  const FlatMesh& mesh = world.meshes[hit.mesh];
   const auto [a, b, c] = corners_of(mesh, hit.triangle);
   wall_.a = a;
   wall_.ab = b - a;
   wall_.ac = c - a;
   wall_.normal = wall_.ab.cross(wall_.ac);
-  const float rounding = SurfaceTriangle(flat, hit.mesh, hit.triangle).rounding;
+  const float rounding = SurfaceTriangle(world, hit.mesh, hit.triangle).rounding;
   const float longest = std::max({wall_.ab.norm(), wall_.ac.norm(), (wall_.ac - wall_.ab).norm()});
   const bool rests = mesh.moments.empty();
   is_usable_ = rests && wall_.normal.norm() > kLeastWidth * rounding * longest;
   wall_.clearance = rounding / kLeastSine;
 }
 
-bool Blocker::is(const ShadowHit& hit) const {
+bool Occluder::is(const ShadowHit& hit) const {
   return hit.mesh == hit_.mesh && hit.triangle == hit_.triangle;
 }
 
-bool Blocker::stop(ShadowPacket& packet, float reach, vo::InstructionSet set) const {
+bool Occluder::stop(ShadowPacket& packet, float reach, vo::InstructionSet set) const {
   if (is_usable_ && set == vo::InstructionSet::baseline) {
     stop_rays(wall_, packet.lanes, reach, packet.active);
   } else if (is_usable_) {

@@ -19,10 +19,10 @@ struct Wall {
 
 /// A triangle that stood between surfaces and a light, and is likely to be in the way of the next
 /// rays too.
-class Blocker {
+class Occluder {
  public:
-  Blocker() = default;
-  Blocker(const FlatScene& flat, const ShadowHit& hit);
+  Occluder() = default;
+  Occluder(const WorldGeometry& world, const ShadowHit& hit);
 
   bool is(const ShadowHit& hit) const;
 

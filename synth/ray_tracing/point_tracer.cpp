@@ -21,26 +21,26 @@ Corners world_corners(const FlatMesh& mesh, int triangle) {
 
 /// In the world, 1 along the optical axis.
 struct Ray {
-  Eigen::Vector3d eye;
+  Eigen::Vector3d camera_position;
   Eigen::Vector3d direction;
 };
 
 /// Where the ray meets the triangle's plane, by Cramer's rule from
-///     eye + depth direction = a + w1 (b - a) + w2 (c - a).
+///     camera_position + depth direction = a + w1 (b - a) + w2 (c - a).
 /// Leaves the point where that is beyond the corners' depths: they are nearly parallel.
 void refine(const Corners& corners, const Ray& ray, const Eigen::Vector3d& optical_axis,
             TrianglePoint& point) {
   constexpr double kTolerance = 1e-6;  // relative; the hit was found in single precision
   const Eigen::Vector3d ab = corners[1] - corners[0];
   const Eigen::Vector3d ac = corners[2] - corners[0];
-  const Eigen::Vector3d from_a = ray.eye - corners[0];
+  const Eigen::Vector3d from_a = ray.camera_position - corners[0];
   const Eigen::Vector3d normal = ab.cross(ac);
   const Eigen::Vector3d moment = from_a.cross(ray.direction);
   const double determinant = -normal.dot(ray.direction);
   const double depth = normal.dot(from_a) / determinant;
   Eigen::Vector3d depths;
   for (int i = 0; i < 3; ++i) {
-    depths[i] = (corners[i] - ray.eye).dot(optical_axis);
+    depths[i] = (corners[i] - ray.camera_position).dot(optical_axis);
   }
   const double margin = kTolerance * depths.cwiseAbs().maxCoeff();
   if (depth >= depths.minCoeff() - margin && depth <= depths.maxCoeff() + margin) {
@@ -51,7 +51,7 @@ void refine(const Corners& corners, const Ray& ray, const Eigen::Vector3d& optic
   }
 }
 
-TrianglePoint point_of(const FlatScene& flat, const RTCRayHit& hit, const Ray& ray,
+TrianglePoint point_of(const WorldGeometry& world, const RTCRayHit& hit, const Ray& ray,
                        const Eigen::Vector3d& optical_axis) {
   if (!has_hit(hit)) {
     return {};
@@ -61,22 +61,22 @@ TrianglePoint point_of(const FlatScene& flat, const RTCRayHit& hit, const Ray& r
                       .triangle = surface.triangle,
                       .weights = surface.weights.cast<double>(),
                       .depth = hit.ray.tfar};
-  refine(world_corners(flat.meshes[surface.mesh], surface.triangle), ray, optical_axis, point);
+  refine(world_corners(world.meshes[surface.mesh], surface.triangle), ray, optical_axis, point);
   return point;
 }
 
 }  // namespace
 
 PointTracer::PointTracer(const Scene& scene)
-    : flat_(flatten(scene)), embree_(std::make_unique<EmbreeScene>(flat_)) {}
+    : world_(flatten(scene)), embree_(std::make_unique<EmbreeScene>(world_)) {}
 
 PointTracer::~PointTracer() = default;
 
 std::vector<TrianglePoint> PointTracer::trace(const std::vector<Eigen::Vector3d>& directions,
                                               const vo::SE3& T_world_camera) const {
   const Eigen::Matrix3d R_world_camera = T_world_camera.rotation_matrix();
-  const Eigen::Vector3d& eye = T_world_camera.translation();
-  const Eigen::Vector3f start = (eye - flat_.origin).cast<float>();
+  const Eigen::Vector3d& camera_position = T_world_camera.translation();
+  const Eigen::Vector3f start = (camera_position - world_.origin).cast<float>();
   std::vector<RTCRayHit> hits(directions.size());
   for (std::size_t i = 0; i < hits.size(); ++i) {
     const Eigen::Vector3d direction = R_world_camera * directions[i];
@@ -88,8 +88,8 @@ std::vector<TrianglePoint> PointTracer::trace(const std::vector<Eigen::Vector3d>
   embree_->intersect(hits);
   std::vector<TrianglePoint> points(directions.size());
   for (std::size_t i = 0; i < hits.size(); ++i) {
-    points[i] =
-        point_of(flat_, hits[i], {eye, R_world_camera * directions[i]}, R_world_camera.col(2));
+    points[i] = point_of(world_, hits[i], {camera_position, R_world_camera * directions[i]},
+                         R_world_camera.col(2));
   }
   return points;
 }
@@ -110,17 +110,17 @@ PointImage PointTracer::trace(const vo::PinholeCamera& camera,
 }
 
 Eigen::Vector3d PointTracer::position(const TrianglePoint& point) const {
-  const Corners corners = world_corners(flat_.meshes[point.mesh], point.triangle);
+  const Corners corners = world_corners(world_.meshes[point.mesh], point.triangle);
   return point.weights[0] * corners[0] + point.weights[1] * corners[1] +
          point.weights[2] * corners[2];
 }
 
 Eigen::Vector3d PointTracer::face_normal(const TrianglePoint& point,
-                                         const Eigen::Vector3d& eye) const {
-  const Corners corners = world_corners(flat_.meshes[point.mesh], point.triangle);
+                                         const Eigen::Vector3d& camera_position) const {
+  const Corners corners = world_corners(world_.meshes[point.mesh], point.triangle);
   const Eigen::Vector3d normal =
       (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-  return normal.dot(eye - corners[0]) < 0 ? Eigen::Vector3d(-normal) : normal;
+  return normal.dot(camera_position - corners[0]) < 0 ? Eigen::Vector3d(-normal) : normal;
 }
 
 }  // namespace synth

@@ -17,8 +17,8 @@ class EmbreeScene;
 
 /// A point of a triangle, which moves with it.
 struct TrianglePoint {
-  int mesh = kNone;                                   ///< of FlatScene::meshes; kNone = nothing hit
-  int triangle = kNone;                               ///< of that mesh
+  int mesh = kNone;      ///< of WorldGeometry::meshes; kNone = nothing hit
+  int triangle = kNone;  ///< of that mesh
   Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< of the triangle's vertices, sum 1
   double depth = 0;                                   ///< m along the optical axis
 
@@ -58,12 +58,13 @@ class PointTracer {
   Eigen::Vector3d position(const TrianglePoint& point) const;
 
   /// Of the triangle, world, towards the viewer; zero where it has no area.
-  Eigen::Vector3d face_normal(const TrianglePoint& point, const Eigen::Vector3d& eye) const;
+  Eigen::Vector3d face_normal(const TrianglePoint& point,
+                              const Eigen::Vector3d& camera_position) const;
 
-  const FlatScene& scene() const { return flat_; }
+  const WorldGeometry& scene() const { return world_; }
 
  private:
-  FlatScene flat_;
+  WorldGeometry world_;
   std::unique_ptr<const EmbreeScene> embree_;
 };
 

@@ -42,10 +42,10 @@ Tile::Tile(const cv::Point& corner, const cv::Size& image) {
 
 class RayTracer final : public Renderer {
  public:
-  RayTracer(FlatScene flat, const RenderOptions& options);
+  RayTracer(WorldGeometry world, const RenderOptions& options);
 
   using Renderer::render;
-  RenderedFrame render(const Shot& shot) const override;
+  RenderedFrame render(const Capture& capture) const override;
 
  private:
   void render_surface(const View& view, const Tile& tile, const SurfaceIds& ids,
@@ -53,7 +53,7 @@ class RayTracer final : public Renderer {
   void render_color(const View& view, const Tile& tile, ColorMemory& memory,
                     RenderedFrame& frame) const;
 
-  FlatScene flat_;
+  WorldGeometry world_;
   EmbreeScene embree_;
   bool has_color_;
   std::vector<PixelCell> cells_;  ///< one colour sample each
@@ -61,29 +61,29 @@ class RayTracer final : public Renderer {
   ColorTracer color_tracer_;
 };
 
-RayTracer::RayTracer(FlatScene flat, const RenderOptions& options)
-    : flat_(std::move(flat)),
-      embree_(flat_),
+RayTracer::RayTracer(WorldGeometry world, const RenderOptions& options)
+    : world_(std::move(world)),
+      embree_(world_),
       has_color_(options.mode != RenderMode::depth),
       cells_(grid_of_cells(options.samples_per_edge())),
       width_of_cell_(1 / static_cast<float>(options.samples_per_edge())),
-      color_tracer_(flat_, embree_, options) {}
+      color_tracer_(world_, embree_, options) {}
 
-RenderedFrame RayTracer::render(const Shot& shot) const {
-  const vo::PinholeCamera& camera = shot.camera;
+RenderedFrame RayTracer::render(const Capture& capture) const {
+  const vo::PinholeCamera& camera = capture.camera;
   camera.validate();
-  shot.shutter.validate();
-  const View view(flat_, shot);
-  RenderedFrame frame = empty_frame(camera, shot.channels);
-  const SurfaceIds ids = shot.channels.ids ? surface_ids(flat_) : SurfaceIds();
+  capture.shutter.validate();
+  const View view(world_, capture);
+  RenderedFrame frame = empty_frame(camera, capture.channels);
+  const SurfaceIds ids = capture.channels.ids ? surface_ids(world_) : SurfaceIds();
   ColorMemory memory = color_tracer_.new_memory();
   for (int v = 0; v < camera.height; v += kTile) {
     for (int u = 0; u < camera.width; u += kTile) {
       const Tile tile({u, v}, {camera.width, camera.height});
-      if (shot.channels.depth || shot.channels.normal || shot.channels.ids) {
+      if (capture.channels.depth || capture.channels.normal || capture.channels.ids) {
         render_surface(view, tile, ids, frame);
       }
-      if (shot.channels.color && has_color_) {
+      if (capture.channels.color && has_color_) {
         render_color(view, tile, memory, frame);
       }
     }
@@ -94,7 +94,7 @@ RenderedFrame RayTracer::render(const Shot& shot) const {
 /// Depth, normals and ids.
 void RayTracer::render_surface(const View& view, const Tile& tile, const SurfaceIds& ids,
                                RenderedFrame& frame) const {
-  LastTriangle<DepthPlane> last;
+  HitCache<DepthPlane> last;
   for (std::size_t first = 0; first < tile.count; first += kPacketSize) {
     HitPacket packet;
     const cv::Point* pixels = &tile.pixels[first];

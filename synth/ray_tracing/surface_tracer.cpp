@@ -35,18 +35,18 @@ void record(const View& view, const cv::Point& pixel, const RTCRayHit& ray,
 }  // namespace
 
 SurfaceTracer::SurfaceTracer(const Scene& scene, double ambient)
-    : flat_(flatten(scene)),
-      ambient_(ambient_light(flat_, ambient)),
-      lights_(place_lights(flat_)),
-      embree_(std::make_unique<EmbreeScene>(flat_)) {}
+    : world_(flatten(scene)),
+      ambient_(ambient_light(world_, ambient)),
+      lights_(place_lights(world_)),
+      embree_(std::make_unique<EmbreeScene>(world_)) {}
 
 SurfaceTracer::~SurfaceTracer() = default;
 
 SurfaceView SurfaceTracer::trace(const vo::PinholeCamera& camera,
                                  const vo::SE3& T_world_camera) const {
   camera.validate();
-  const Shot shot = still(camera, T_world_camera);
-  const View view(flat_, shot);
+  const Capture capture = still(camera, T_world_camera);
+  const View view(world_, capture);
   SurfaceView surfaces = empty_view({camera.width, camera.height});
   for (int v = 0; v < camera.height; ++v) {
     trace_row(view, v, surfaces);
@@ -71,9 +71,9 @@ void SurfaceTracer::trace_row(const View& view, int v, SurfaceView& surfaces) co
     }
     const SurfaceHit seen = surface_hit(hit);
     const SurfacePoint point =
-        surface_point(flat_, seen, {ray.dir_x, ray.dir_y, ray.dir_z}, pixel_width * ray.tfar);
+        surface_point(world_, seen, {ray.dir_x, ray.dir_y, ray.dir_z}, pixel_width * ray.tfar);
     record(view, {u, v}, {ray, hit}, point, surfaces);
-    if (!flat_.meshes[seen.mesh].material->unlit) {
+    if (!world_.meshes[seen.mesh].material->unlit) {
       lit.push_back(point);
       lit_columns.push_back(u);
     }

@@ -41,8 +41,8 @@ class SurfaceTracer {
 
   SurfaceView trace(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera) const;
 
-  Eigen::AlignedBox3d bounds() const { return visible_bounds(flat_); }  ///< m, world
-  const FlatScene& flat() const { return flat_; }
+  Eigen::AlignedBox3d bounds() const { return visible_bounds(world_); }  ///< m, world
+  const WorldGeometry& world() const { return world_; }
   const EmbreeScene& embree() const { return *embree_; }
 
  private:
@@ -51,7 +51,7 @@ class SurfaceTracer {
   void add_light(const PlacedLight& light, const std::vector<SurfacePoint>& points,
                  std::vector<float>& unshadowed, std::vector<float>& arriving) const;
 
-  FlatScene flat_;
+  WorldGeometry world_;
   AmbientLight ambient_;
   std::vector<PlacedLight> lights_;
   std::unique_ptr<const EmbreeScene> embree_;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kKnotIntervals = 256;
 
-Eye eye_at(const CameraMotion& motion, double time) {
+CameraPose eye_at(const CameraMotion& motion, double time) {
   const vo::SE3 T_world_camera = motion(time);
   return {T_world_camera.rotation_matrix(), T_world_camera.translation()};
 }
@@ -25,32 +25,32 @@ void Shutter::validate() const {
               "shutter: expected readout_time at or above 0 s, got ", readout_time);
 }
 
-Shot still(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera) {
+Capture still(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera) {
   return {.camera = camera, .motion = [T_world_camera](double) { return T_world_camera; }};
 }
 
-ShotEyes::ShotEyes(const Shot& shot) {
-  const Shutter& shutter = shot.shutter;
-  const int height = shot.camera.height;
+CapturePoses::CapturePoses(const Capture& capture) {
+  const Shutter& shutter = capture.shutter;
+  const int height = capture.camera.height;
   const int rows = shutter.readout_time > 0 ? height : 1;
   for (int v = 0; v < rows; ++v) {
-    rows_.push_back(eye_at(shot.motion, rows > 1 ? shutter.row_time(v, height) : 0));
+    rows_.push_back(eye_at(capture.motion, rows > 1 ? shutter.row_time(v, height) : 0));
   }
   if (shutter.exposure_time > 0) {
     first_knot_ = shutter.time_in_row(0, 0, height);
     knots_per_s_ = kKnotIntervals / (-2 * first_knot_);
     for (int i = 0; i <= kKnotIntervals; ++i) {
-      knots_.push_back(eye_at(shot.motion, first_knot_ + i / knots_per_s_));
+      knots_.push_back(eye_at(capture.motion, first_knot_ + i / knots_per_s_));
     }
   }
 }
 
-Eye ShotEyes::at(double time) const {
+CameraPose CapturePoses::at(double time) const {
   const double place = std::clamp((time - first_knot_) * knots_per_s_, 0.0, kKnotIntervals - 1e-9);
   const auto before = static_cast<std::size_t>(place);
   const double b = place - static_cast<double>(before);
-  const Eye& from = knots_[before];
-  const Eye& to = knots_[before + 1];
+  const CameraPose& from = knots_[before];
+  const CameraPose& to = knots_[before + 1];
   return {(1 - b) * from.R_world_camera + b * to.R_world_camera,
           (1 - b) * from.position + b * to.position};
 }

@@ -49,7 +49,7 @@ struct Channels {
 };
 
 /// A picture to take.
-struct Shot {
+struct Capture {
   vo::PinholeCamera camera;
   CameraMotion motion;
   Shutter shutter;
@@ -59,30 +59,30 @@ struct Shot {
 };
 
 /// Of a camera at rest.
-Shot still(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera);
+Capture still(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera);
 
 /// Where a camera is at one instant.
-struct Eye {
+struct CameraPose {
   Eigen::Matrix3d R_world_camera = Eigen::Matrix3d::Identity();
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< m, world
 };
 
-/// Where the camera is while it takes a shot.
-class ShotEyes {
+/// Where the camera is while it takes a capture.
+class CapturePoses {
  public:
-  explicit ShotEyes(const Shot& shot);
+  explicit CapturePoses(const Capture& capture);
 
   /// In the middle of the row's exposure.
-  const Eye& of_row(int v) const {
+  const CameraPose& of_row(int v) const {
     return rows_[rows_.size() == 1 ? 0 : static_cast<std::size_t>(v)];
   }
 
-  /// While any row is exposed, s after the stamp: linear between 256 instants of the shot.
-  Eye at(double time) const;
+  /// While any row is exposed, s after the stamp: linear between 256 instants of the capture.
+  CameraPose at(double time) const;
 
  private:
-  std::vector<Eye> rows_;  ///< one for all where all rows are exposed at once
-  std::vector<Eye> knots_;
+  std::vector<CameraPose> rows_;  ///< one for all where all rows are exposed at once
+  std::vector<CameraPose> knots_;
   double first_knot_ = 0;  ///< s after the stamp
   double knots_per_s_ = 0;
 };

@@ -85,7 +85,7 @@ class Renderer {
   Renderer(Renderer&&) = delete;
   Renderer& operator=(Renderer&&) = delete;
 
-  virtual RenderedFrame render(const Shot& shot) const = 0;
+  virtual RenderedFrame render(const Capture& capture) const = 0;
 
   /// Colour and depth as a camera at rest sees them.
   RenderedFrame render(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera) const {

@@ -16,12 +16,12 @@ void require_16_bits(std::size_t count, const char* what) {
 
 }  // namespace
 
-SurfaceIds surface_ids(const FlatScene& flat) {
-  const std::size_t materials = flat.scene->materials.size();
-  require_16_bits(flat.scene->instances.size(), "instances");
+SurfaceIds surface_ids(const WorldGeometry& world) {
+  const std::size_t materials = world.scene->materials.size();
+  require_16_bits(world.scene->instances.size(), "instances");
   require_16_bits(materials + 1, "materials and the default");
   SurfaceIds ids;
-  for (const FlatMesh& mesh : flat.meshes) {
+  for (const FlatMesh& mesh : world.meshes) {
     const int material = mesh.mesh->material;
     ids.instance.push_back(static_cast<std::uint16_t>(mesh.instance + 1));
     ids.material.push_back(

@@ -14,6 +14,6 @@ struct SurfaceIds {
 };
 
 /// Throws vo::Error beyond 65535.
-SurfaceIds surface_ids(const FlatScene& flat);
+SurfaceIds surface_ids(const WorldGeometry& world);
 
 }  // namespace synth

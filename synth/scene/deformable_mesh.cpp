@@ -70,8 +70,8 @@ void morph(const MeshShape& shape, const std::vector<float>& weights, Mesh& mesh
   }
 }
 
-void bend(const VertexJoints& followed, const std::vector<Eigen::Affine3d>& T_frame_mesh,
-          Mesh& mesh) {
+void deform(const VertexJoints& followed, const std::vector<Eigen::Affine3d>& T_frame_mesh,
+            Mesh& mesh) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const Eigen::Affine3d T = blend(followed, i, T_frame_mesh);
     mesh.positions[i] = (T * mesh.positions[i].cast<double>()).cast<float>();

@@ -15,7 +15,7 @@ void morph(const MeshShape& shape, const std::vector<float>& weights, Mesh& mesh
 
 /// Moves each vertex by the weighted sum of its joints' transforms, which take the mesh's
 /// coordinates to the frame the mesh shall stand in (linear blend skinning).
-void bend(const VertexJoints& followed, const std::vector<Eigen::Affine3d>& T_frame_mesh,
-          Mesh& mesh);
+void deform(const VertexJoints& followed, const std::vector<Eigen::Affine3d>& T_frame_mesh,
+            Mesh& mesh);
 
 }  // namespace synth

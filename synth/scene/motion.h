@@ -33,7 +33,7 @@ struct VertexJoints {
   int sets = 0;
 };
 
-/// The vertices of a primitive before anything bends them.
+/// The vertices of a primitive before anything deforms them.
 struct MeshShape {
   std::vector<Eigen::Vector3f> positions, normals;
   std::vector<Eigen::Vector4f> tangents;
@@ -46,8 +46,8 @@ struct Skin {
   std::vector<Eigen::Affine3d> T_joint_mesh;  ///< when the skin was bound
 };
 
-/// One of Scene::meshes that bends, and its only instance.
-struct BendingMesh {
+/// One of Scene::meshes that deforms, and its only instance.
+struct DeformableMesh {
   int instance = -1;
   int shape = -1;
   int node = -1;  ///< whose morph weights it follows
@@ -63,7 +63,7 @@ struct SceneMotion {
   std::vector<int> camera_nodes;      ///< of each of Scene::cameras
   std::vector<MeshShape> shapes;
   std::vector<Skin> skins;
-  std::vector<BendingMesh> bending;
+  std::vector<DeformableMesh> deforming;
   bool loop = false;  ///< each animation starts again at its end instead of holding still
 };
 

@@ -135,8 +135,8 @@ void add(vo::ContentHash& hash, const SceneMotion& motion) {
   add_all(hash, motion.skins);
   hash.add_values(std::span<const int>(motion.instance_nodes));
   hash.add_values(std::span<const int>(motion.light_nodes));
-  for (const BendingMesh& bending : motion.bending) {
-    add_numbers(hash, {bending.instance, bending.shape, bending.node, bending.skin});
+  for (const DeformableMesh& deforming : motion.deforming) {
+    add_numbers(hash, {deforming.instance, deforming.shape, deforming.node, deforming.skin});
   }
   add_numbers(hash, {static_cast<int>(motion.loop)});
 }

@@ -75,18 +75,19 @@ Frames place_nodes(const SceneMotion& motion, const Poses& poses) {
 }
 
 /// A skinned mesh stands where its first joint is, so that its coordinates stay small.
-void follow_joints(const SceneMotion& motion, const BendingMesh& bending, const Frames& frames,
+void follow_joints(const SceneMotion& motion, const DeformableMesh& deforming, const Frames& frames,
                    Scene& scene) {
-  const Skin& skin = motion.skins[at(bending.skin)];
+  const Skin& skin = motion.skins[at(deforming.skin)];
   const Eigen::Vector3d origin = frames[at(skin.joints.front())].translation();
   Frames T_frame_mesh;
   for (std::size_t i = 0; i < skin.joints.size(); ++i) {
     T_frame_mesh.push_back(Eigen::Translation3d(-origin) * frames[at(skin.joints[i])] *
                            skin.T_joint_mesh[i]);
   }
-  Instance& instance = scene.instances[at(bending.instance)];
+  Instance& instance = scene.instances[at(deforming.instance)];
   instance.T_world_mesh = Eigen::Translation3d(origin);
-  bend(motion.shapes[at(bending.shape)].followed, T_frame_mesh, scene.meshes[at(instance.mesh)]);
+  deform(motion.shapes[at(deforming.shape)].followed, T_frame_mesh,
+         scene.meshes[at(instance.mesh)]);
 }
 
 void place_all(const SceneMotion& motion, const Poses& poses, Scene& scene) {
@@ -105,14 +106,14 @@ void place_all(const SceneMotion& motion, const Poses& poses, Scene& scene) {
   for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
     scene.cameras[i].T_world_camera = T_world_camera_of(frames[at(motion.camera_nodes[i])]);
   }
-  for (const BendingMesh& bending : motion.bending) {
-    Mesh& mesh = scene.meshes[at(scene.instances[at(bending.instance)].mesh)];
-    morph(motion.shapes[at(bending.shape)], node_in(motion, poses, bending.node).weights, mesh);
-    if (bending.skin != kNone) {
-      follow_joints(motion, bending, frames, scene);
+  for (const DeformableMesh& deforming : motion.deforming) {
+    Mesh& mesh = scene.meshes[at(scene.instances[at(deforming.instance)].mesh)];
+    morph(motion.shapes[at(deforming.shape)], node_in(motion, poses, deforming.node).weights, mesh);
+    if (deforming.skin != kNone) {
+      follow_joints(motion, deforming, frames, scene);
     }
     for (const Eigen::Vector3f& position : mesh.positions) {
-      vo::require(position.allFinite(), "the mesh of instance ", bending.instance,
+      vo::require(position.allFinite(), "the mesh of instance ", deforming.instance,
                   ": a vertex overflows as it bends, expected finite numbers");
     }
   }
@@ -128,8 +129,8 @@ MovingNodes moving_nodes(const SceneMotion& motion) {
   for (const Animation& animation : motion.animations) {
     for (const AnimationChannel& channel : animation.channels) {
       if (!is_constant(channel.curve)) {
-        const bool bends = channel.property == AnimatedProperty::weights;
-        (bends ? moving.weights : moving.frames)[at(channel.node)] = true;
+        const bool deforms = channel.property == AnimatedProperty::weights;
+        (deforms ? moving.weights : moving.frames)[at(channel.node)] = true;
       }
     }
   }
@@ -203,15 +204,15 @@ std::vector<bool> moving_instances(const Scene& scene) {
   for (std::size_t i = 0; i < motion.instance_nodes.size(); ++i) {
     moving[i] = nodes.frames[at(motion.instance_nodes[i])];
   }
-  for (const BendingMesh& bending : motion.bending) {
-    bool bends = nodes.weights[at(bending.node)];
-    if (bending.skin != kNone) {  // the mesh's own node does not carry it
-      const std::vector<int>& joints = motion.skins[at(bending.skin)].joints;
-      bends = bends || std::any_of(joints.begin(), joints.end(),
-                                   [&](int joint) { return nodes.frames[at(joint)]; });
-      moving[at(bending.instance)] = bends;
+  for (const DeformableMesh& deforming : motion.deforming) {
+    bool deforms = nodes.weights[at(deforming.node)];
+    if (deforming.skin != kNone) {  // the mesh's own node does not carry it
+      const std::vector<int>& joints = motion.skins[at(deforming.skin)].joints;
+      deforms = deforms || std::any_of(joints.begin(), joints.end(),
+                                       [&](int joint) { return nodes.frames[at(joint)]; });
+      moving[at(deforming.instance)] = deforms;
     } else {
-      moving[at(bending.instance)] = moving[at(bending.instance)] || bends;
+      moving[at(deforming.instance)] = moving[at(deforming.instance)] || deforms;
     }
   }
   return moving;

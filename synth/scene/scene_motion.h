@@ -39,7 +39,7 @@ bool moves(const Scene& scene);
 /// Whether an animation moves one of its cameras.
 bool moves_cameras(const Scene& scene);
 
-/// For each instance, whether an animation moves or bends it.
+/// For each instance, whether an animation moves or deforms it.
 std::vector<bool> moving_instances(const Scene& scene);
 
 }  // namespace synth

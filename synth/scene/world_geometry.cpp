@@ -13,9 +13,9 @@ namespace {
 
 const Material kDefaultMaterial;  // glTF's, of a mesh without one
 
-Eigen::Vector3f place_position(const FlatMesh& flat, const Eigen::Vector3f& position) {
-  const Eigen::Vector3d p_world = flat.T_world_mesh * position.cast<double>();
-  return (p_world - flat.origin).cast<float>();
+Eigen::Vector3f place_position(const FlatMesh& world, const Eigen::Vector3f& position) {
+  const Eigen::Vector3d p_world = world.T_world_mesh * position.cast<double>();
+  return (p_world - world.origin).cast<float>();
 }
 
 Eigen::Vector3f place_normal(const Eigen::Matrix3d& N, const Eigen::Vector3f& normal) {
@@ -25,39 +25,39 @@ Eigen::Vector3f place_normal(const Eigen::Matrix3d& N, const Eigen::Vector3f& no
 /// Without vertices.
 FlatMesh unplaced(const Scene& scene, std::size_t index) {
   const Instance& instance = scene.instances[index];
-  FlatMesh flat;
-  flat.mesh = &scene.meshes[instance.mesh];
-  flat.instance = static_cast<int>(index);
-  flat.material = &material_of(scene, *flat.mesh);
-  flat.T_world_mesh = instance.T_world_mesh;
-  flat.side = instance.T_world_mesh.linear().determinant() < 0 ? -1.0F : 1.0F;
-  return flat;
+  FlatMesh world;
+  world.mesh = &scene.meshes[instance.mesh];
+  world.instance = static_cast<int>(index);
+  world.material = &material_of(scene, *world.mesh);
+  world.T_world_mesh = instance.T_world_mesh;
+  world.side = instance.T_world_mesh.linear().determinant() < 0 ? -1.0F : 1.0F;
+  return world;
 }
 
-Eigen::AlignedBox3d bounds(const FlatMesh& flat) {
+Eigen::AlignedBox3d bounds(const FlatMesh& world) {
   Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3f& position : flat.mesh->positions) {
-    box.extend(flat.T_world_mesh * position.cast<double>());
+  for (const Eigen::Vector3f& position : world.mesh->positions) {
+    box.extend(world.T_world_mesh * position.cast<double>());
   }
   return box;
 }
 
 /// Nothing where they are shared.
-void place_vertices(FlatMesh& flat) {
-  if (flat.shared != kNone) {
+void place_vertices(FlatMesh& world) {
+  if (world.shared != kNone) {
     return;
   }
-  const Mesh& mesh = *flat.mesh;
-  flat.positions.resize(mesh.positions.size() + 1, Eigen::Vector3f::Zero());
-  std::transform(mesh.positions.begin(), mesh.positions.end(), flat.positions.begin(),
-                 [&](const Eigen::Vector3f& position) { return place_position(flat, position); });
-  const Eigen::Matrix3d N = cofactors(flat.T_world_mesh.linear());
-  flat.normals.resize(mesh.normals.size());
-  std::transform(mesh.normals.begin(), mesh.normals.end(), flat.normals.begin(),
+  const Mesh& mesh = *world.mesh;
+  world.positions.resize(mesh.positions.size() + 1, Eigen::Vector3f::Zero());
+  std::transform(mesh.positions.begin(), mesh.positions.end(), world.positions.begin(),
+                 [&](const Eigen::Vector3f& position) { return place_position(world, position); });
+  const Eigen::Matrix3d N = cofactors(world.T_world_mesh.linear());
+  world.normals.resize(mesh.normals.size());
+  std::transform(mesh.normals.begin(), mesh.normals.end(), world.normals.begin(),
                  [&](const Eigen::Vector3f& normal) { return place_normal(N, normal); });
 }
 
-/// A shared mesh does not bend.
+/// A shared mesh does not deform.
 bool moves_between(const std::vector<FlatMesh>& moments) {
   return std::any_of(moments.begin(), moments.end(), [&](const FlatMesh& moment) {
     return moment.T_world_mesh.matrix() != moments[0].T_world_mesh.matrix() ||
@@ -65,58 +65,58 @@ bool moves_between(const std::vector<FlatMesh>& moments) {
   });
 }
 
-void add_moments(const std::vector<Scene>& scenes, FlatMesh& flat) {
+void add_moments(const std::vector<Scene>& scenes, FlatMesh& world) {
   std::vector<FlatMesh> moments;
   for (const Scene& scene : scenes) {
     FlatMesh& moment =
-        moments.emplace_back(unplaced(scene, static_cast<std::size_t>(flat.instance)));
-    moment.origin = flat.origin;
-    moment.shared = flat.shared;
+        moments.emplace_back(unplaced(scene, static_cast<std::size_t>(world.instance)));
+    moment.origin = world.origin;
+    moment.shared = world.shared;
   }
   if (moves_between(moments)) {
     std::for_each(moments.begin(), moments.end(), place_vertices);
-    flat.moments = std::move(moments);
+    world.moments = std::move(moments);
   }
 }
 
 /// Gives the instances that can do without vertices of their own the shared ones.
-void share_meshes(const std::vector<Scene>& moments, FlatScene& flat) {
-  const std::vector<bool> sharing = sharing_instances(*flat.scene, moments);
-  std::vector<int> shared_of_mesh(flat.scene->meshes.size(), kNone);
-  for (FlatMesh& mesh : flat.meshes) {
+void share_meshes(const std::vector<Scene>& moments, WorldGeometry& world) {
+  const std::vector<bool> sharing = sharing_instances(*world.scene, moments);
+  std::vector<int> shared_of_mesh(world.scene->meshes.size(), kNone);
+  for (FlatMesh& mesh : world.meshes) {
     if (!sharing[static_cast<std::size_t>(mesh.instance)]) {
       continue;
     }
-    int& shared = shared_of_mesh[static_cast<std::size_t>(mesh.mesh - flat.scene->meshes.data())];
+    int& shared = shared_of_mesh[static_cast<std::size_t>(mesh.mesh - world.scene->meshes.data())];
     if (shared == kNone) {
-      shared = static_cast<int>(flat.shared_meshes.size());
-      flat.shared_meshes.push_back(shared_mesh(*mesh.mesh));
+      shared = static_cast<int>(world.shared_meshes.size());
+      world.shared_meshes.push_back(shared_mesh(*mesh.mesh));
     }
     mesh.shared = shared;
   }
 }
 
-FlatScene flatten(const Scene& scene, const std::vector<Scene>& moments) {
-  FlatScene flat;
-  flat.scene = &scene;
+WorldGeometry flatten(const Scene& scene, const std::vector<Scene>& moments) {
+  WorldGeometry world;
+  world.scene = &scene;
   Eigen::AlignedBox3d box;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const int mesh = scene.instances[i].mesh;
     if (mesh != kNone && !scene.meshes[mesh].triangles.empty()) {
-      flat.meshes.push_back(unplaced(scene, i));
-      box.extend(bounds(flat.meshes.back()));
+      world.meshes.push_back(unplaced(scene, i));
+      box.extend(bounds(world.meshes.back()));
     }
   }
   if (!box.isEmpty()) {
-    flat.origin = box.center();
+    world.origin = box.center();
   }
-  share_meshes(moments, flat);
-  for (FlatMesh& mesh : flat.meshes) {
-    mesh.origin = flat.origin;
+  share_meshes(moments, world);
+  for (FlatMesh& mesh : world.meshes) {
+    mesh.origin = world.origin;
     place_vertices(mesh);
     add_moments(moments, mesh);
   }
-  return flat;
+  return world;
 }
 
 Eigen::Vector3d corner_of(const FlatMesh& mesh, int vertex) {
@@ -138,18 +138,18 @@ Eigen::Vector3f FlatMesh::normal(int vertex) const {
                          : place_normal(cofactors(T_world_mesh.linear()), mesh->normals[vertex]);
 }
 
-FlatScene flatten(const Scene& scene) {
+WorldGeometry flatten(const Scene& scene) {
   return flatten(scene, {});
 }
 
-FlatScene flatten(const SceneDuring& during) {
-  FlatScene flat = flatten(during.now, during.moments);
-  flat.begin = during.begin;
-  flat.end = during.end;
-  return flat;
+WorldGeometry flatten(const SceneDuring& during) {
+  WorldGeometry world = flatten(during.now, during.moments);
+  world.begin = during.begin;
+  world.end = during.end;
+  return world;
 }
 
-float FlatScene::share_at(double time) const {
+float WorldGeometry::share_at(double time) const {
   return end > begin ? static_cast<float>(std::clamp((time - begin) / (end - begin), 0.0, 1.0)) : 0;
 }
 
@@ -176,14 +176,14 @@ std::array<Eigen::Vector3f, 3> corners_of(const FlatMesh& mesh, int triangle, fl
   return corners;
 }
 
-Eigen::Affine3d T_flat_shared(const FlatScene& flat, const FlatMesh& mesh) {
-  return Eigen::Translation3d(-flat.origin) * mesh.T_world_mesh *
-         Eigen::Translation3d(flat.shared_meshes[mesh.shared].centre);
+Eigen::Affine3d T_flat_shared(const WorldGeometry& world, const FlatMesh& mesh) {
+  return Eigen::Translation3d(-world.origin) * mesh.T_world_mesh *
+         Eigen::Translation3d(world.shared_meshes[mesh.shared].centre);
 }
 
-Eigen::AlignedBox3d visible_bounds(const FlatScene& flat) {
+Eigen::AlignedBox3d visible_bounds(const WorldGeometry& world) {
   Eigen::AlignedBox3d box;
-  for (const FlatMesh& mesh : flat.meshes) {
+  for (const FlatMesh& mesh : world.meshes) {
     box.extend(bounds(mesh));
   }
   return box;
@@ -217,9 +217,9 @@ std::optional<double> DepthPlane::depth_along(const Eigen::Vector3d& direction) 
   return depth >= nearest && depth <= farthest ? std::optional(depth) : std::nullopt;
 }
 
-Eigen::AlignedBox3d lit_bounds(const FlatScene& flat) {
+Eigen::AlignedBox3d lit_bounds(const WorldGeometry& world) {
   Eigen::AlignedBox3d box;
-  for (const FlatMesh& mesh : flat.meshes) {
+  for (const FlatMesh& mesh : world.meshes) {
     if (!mesh.material->unlit) {
       box.extend(bounds(mesh));
     }

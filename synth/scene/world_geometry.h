@@ -20,14 +20,14 @@ struct FlatMesh {
   int instance = kNone;  ///< of Scene::instances
   Eigen::Affine3d T_world_mesh = Eigen::Affine3d::Identity();
   float side = 1;                                    ///< -1 where T_world_mesh mirrors
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< FlatScene's
-  int shared = kNone;                                ///< of FlatScene::shared_meshes
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< WorldGeometry's
+  int shared = kNone;                                ///< of WorldGeometry::shared_meshes
   std::vector<Eigen::Vector3f> positions;  ///< and one more: Embree reads 16 bytes at each
   std::vector<Eigen::Vector3f> normals;
   std::vector<FlatMesh> moments;  ///< of a mesh that moves meanwhile: where it stands at each
 
   bool has_normals() const { return !mesh->normals.empty(); }
-  Eigen::Vector3f position(int vertex) const;  ///< m, in the flat scene's coordinates
+  Eigen::Vector3f position(int vertex) const;  ///< m, in the world-space geometry's coordinates
   Eigen::Vector3f normal(int vertex) const;    ///< unit or zero; only of meshes that have them
 };
 
@@ -37,7 +37,7 @@ const Material& material_of(const Scene& scene, const Mesh& mesh);
 /// A scene's triangles without its hierarchy. All float coordinates are the world's less `origin`,
 /// the middle of the scene, which keeps their precision wherever the scene stands. Refers to the
 /// scene.
-struct FlatScene {
+struct WorldGeometry {
   const Scene* scene = nullptr;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, world
   std::vector<FlatMesh> meshes;                      ///< each has a triangle
@@ -49,10 +49,10 @@ struct FlatScene {
   float share_at(double time) const;
 };
 
-FlatScene flatten(const Scene& scene);
+WorldGeometry flatten(const Scene& scene);
 
 /// Vertices that move go straight from moment to moment.
-FlatScene flatten(const SceneDuring& during);
+WorldGeometry flatten(const SceneDuring& during);
 
 /// What lies between two moments of a mesh; of one that rests, both are the mesh.
 struct MomentPair {
@@ -61,17 +61,18 @@ struct MomentPair {
   float share = 0;  ///< of the way from the one to the other
 };
 
-/// `share` is FlatScene::share_at.
+/// `share` is WorldGeometry::share_at.
 MomentPair moments_around(const FlatMesh& mesh, float share);
 
-/// Corners of a triangle, m, in the flat scene's coordinates. `share` is FlatScene::share_at.
+/// Corners of a triangle, m, in the world-space geometry's coordinates. `share` is
+/// WorldGeometry::share_at.
 std::array<Eigen::Vector3f, 3> corners_of(const FlatMesh& mesh, int triangle, float share = 0);
 
-/// From the vertices of the shared mesh that it shows to the flat scene's coordinates.
-Eigen::Affine3d T_flat_shared(const FlatScene& flat, const FlatMesh& mesh);
+/// From the vertices of the shared mesh that it shows to the world-space geometry's coordinates.
+Eigen::Affine3d T_flat_shared(const WorldGeometry& world, const FlatMesh& mesh);
 
 /// The box around all that can be seen, m, world.
-Eigen::AlignedBox3d visible_bounds(const FlatScene& flat);
+Eigen::AlignedBox3d visible_bounds(const WorldGeometry& world);
 
 /// The plane of a triangle as one camera sees it, in double precision throughout.
 struct DepthPlane {
@@ -90,12 +91,12 @@ struct DepthPlane {
 struct PlaneView {
   Eigen::Vector3d eye = Eigen::Vector3d::Zero();            ///< m, world
   Eigen::Vector3d optical_axis = Eigen::Vector3d::UnitZ();  ///< unit, world axes
-  float share = 0;                                          ///< FlatScene::share_at
+  float share = 0;                                          ///< WorldGeometry::share_at
 };
 
 DepthPlane depth_plane(const FlatMesh& mesh, int triangle, const PlaneView& view);
 
 /// The box around all that is lit, m, world.
-Eigen::AlignedBox3d lit_bounds(const FlatScene& flat);
+Eigen::AlignedBox3d lit_bounds(const WorldGeometry& world);
 
 }  // namespace synth

@@ -46,7 +46,7 @@ double poisson(double mean, double uniform, double normal) {
 cv::Mat_<cv::Vec3f> with_image_noise(const cv::Mat_<cv::Vec3f>& linear,
                                      const ImageNoiseOptions& options, double amplification,
                                      std::uint64_t frame) {
-  const vo::RandomField shot(options.seed, kShot, frame);
+  const vo::RandomField capture(options.seed, kShot, frame);
   const vo::RandomField read(options.seed, kRead, frame);
   const vo::RandomField gain(options.seed, kGain, 0);  // the pixels' own: the same in all frames
   cv::Mat_<cv::Vec3f> noisy(linear.size());
@@ -56,8 +56,9 @@ cv::Mat_<cv::Vec3f> with_image_noise(const cv::Mat_<cv::Vec3f>& linear,
         const double electrons_at_one = options.full_well[c] / amplification;
         const double own_gain = 1 + options.pixel_gain * gain.normal(u, v, c);
         const double mean = std::max(0.0, linear(v, u)[c] * own_gain) * electrons_at_one;
-        const double electrons = poisson(mean, shot.uniform(u, v, c), shot.normal(u, v, 3 + c)) +
-                                 options.read_noise[c] * read.normal(u, v, c);
+        const double electrons =
+            poisson(mean, capture.uniform(u, v, c), capture.normal(u, v, 3 + c)) +
+            options.read_noise[c] * read.normal(u, v, c);
         noisy(v, u)[c] = static_cast<float>(electrons / electrons_at_one);
       }
     }

@@ -67,25 +67,25 @@ Eigen::Vector3f AmbientLight::radiance(const Eigen::Vector3f& direction) const {
   return (uniform + above * sky) * std::numbers::inv_pi_v<float>;
 }
 
-AmbientLight ambient_light(const FlatScene& flat, double share) {
-  if (flat.scene->lights.empty()) {
+AmbientLight ambient_light(const WorldGeometry& world, double share) {
+  if (world.scene->lights.empty()) {
     return default_sky(share);
   }
-  const Eigen::AlignedBox3d box = lit_bounds(flat);
+  const Eigen::AlignedBox3d box = lit_bounds(world);
   AmbientLight light;
   if (!box.isEmpty()) {
-    light.uniform = (share * mean_irradiance(flat.scene->lights, box)).cast<float>();
+    light.uniform = (share * mean_irradiance(world.scene->lights, box)).cast<float>();
   }
   return light;
 }
 
-std::vector<PlacedLight> place_lights(const FlatScene& flat) {
+std::vector<PlacedLight> place_lights(const WorldGeometry& world) {
   constexpr double kLeastConeWidth = 1e-3;  // KHR_lights_punctual's
   std::vector<PlacedLight> placed;
-  for (const Light& light : flat.scene->lights) {
+  for (const Light& light : world.scene->lights) {
     PlacedLight& added = placed.emplace_back();
     added.kind = light.kind;
-    added.position = (light.position - flat.origin).cast<float>();
+    added.position = (light.position - world.origin).cast<float>();
     added.direction = light.direction.cast<float>();
     added.intensity = light.intensity;
     added.inverse_range = static_cast<float>(1 / light.range);

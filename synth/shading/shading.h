@@ -29,7 +29,7 @@ struct AmbientLight {
 };
 
 /// `share` is RenderOptions::ambient.
-AmbientLight ambient_light(const FlatScene& flat, double share);
+AmbientLight ambient_light(const WorldGeometry& world, double share);
 
 /// What a diffuse surface sends back of light that arrives at it.
 inline Eigen::Vector3f lambert(const SurfacePoint& point, const Eigen::Vector3f& irradiance) {
@@ -42,11 +42,11 @@ inline Eigen::Vector3f reflect_ambient(const SurfacePoint& point, const AmbientL
   return point.openness * lambert(point, ambient.irradiance(point.normal));
 }
 
-/// A light as it shines on the flat scene.
+/// A light as it shines on the world-space geometry.
 struct PlacedLight {
   LightKind kind = LightKind::point;
-  Eigen::Vector3f position =
-      Eigen::Vector3f::Zero();  ///< m, in the flat scene's coordinates; not of directional ones
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();     ///< m, in the world-space geometry's
+                                                          ///< coordinates; not of directional ones
   Eigen::Vector3f direction = -Eigen::Vector3f::UnitY();  ///< unit, of travel; not of point lights
   Eigen::Vector3f intensity = Eigen::Vector3f::Ones();  ///< linear RGB; cd, lx of directional ones
   float inverse_range = 0;                              ///< 1/m; 0: it never fades
@@ -56,7 +56,7 @@ struct PlacedLight {
   bool has_place() const { return kind != LightKind::directional; }
 };
 
-std::vector<PlacedLight> place_lights(const FlatScene& flat);
+std::vector<PlacedLight> place_lights(const WorldGeometry& world);
 
 /// How one light reaches a point if nothing is between them.
 struct DirectLight {

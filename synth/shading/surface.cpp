@@ -30,10 +30,10 @@ constexpr std::array<int, 3> kCorners{0, 1, 2};
 
 /// Twice the area that the triangle covers in the image, texels^2, over twice its own, m^2: an even
 /// mapping of the triangle has its root as texels per metre.
-TexturePatch texture_patch(const Scene& scene, const FlatMesh& flat, const TextureSlot& slot,
+TexturePatch texture_patch(const Scene& scene, const FlatMesh& world, const TextureSlot& slot,
                            const std::array<int, 3>& vertices, float double_area) {
   TexturePatch patch;
-  const auto& texcoords = flat.mesh->texcoords[slot.texcoord_set];
+  const auto& texcoords = world.mesh->texcoords[slot.texcoord_set];
   if (slot.texture == kNone || scene.textures[slot.texture].image == kNone || texcoords.empty()) {
     return patch;
   }
@@ -59,7 +59,7 @@ Eigen::Vector3f normal_between(const MomentPair& moments, int vertex) {
 }
 
 /// The greatest coordinate that takes part in finding a hit, m.
-float extent_of(const FlatScene& flat, const SurfaceTriangle& triangle) {
+float extent_of(const WorldGeometry& world, const SurfaceTriangle& triangle) {
   const std::array<Eigen::Vector3f, 3>& corners = triangle.corners;
   const Eigen::Array3f extent =
       corners[0].array().abs().max(corners[1].array().abs()).max(corners[2].array().abs());
@@ -67,7 +67,7 @@ float extent_of(const FlatScene& flat, const SurfaceTriangle& triangle) {
   if (mesh.shared == kNone) {
     return extent.maxCoeff();
   }
-  const Eigen::Vector3d place = T_flat_shared(flat, mesh).translation();
+  const Eigen::Vector3d place = T_flat_shared(world, mesh).translation();
   return extent.maxCoeff() + place.cast<float>().cwiseAbs().maxCoeff();
 }
 
@@ -85,12 +85,12 @@ Eigen::Vector3f vertex_normal(const SurfaceTriangle& triangle, const Eigen::Vect
 /// Where u grows along the surface, and the side on which v does: of the mesh or, without tangents
 /// of its own, of the normal map's coordinates.
 Eigen::Vector4f tangent_of(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights) {
-  const FlatMesh& flat = *triangle.mesh;
-  if (!flat.mesh->tangents.empty()) {
-    const Eigen::Vector4f tangent = interpolate(flat.mesh->tangents, triangle.vertices, weights);
+  const FlatMesh& world = *triangle.mesh;
+  if (!world.mesh->tangents.empty()) {
+    const Eigen::Vector4f tangent = interpolate(world.mesh->tangents, triangle.vertices, weights);
     Eigen::Vector4f placed;
-    placed << flat.T_world_mesh.linear().cast<float>() * tangent.head<3>(),
-        flat.T_world_mesh.linear().determinant() < 0 ? -tangent.w() : tangent.w();
+    placed << world.T_world_mesh.linear().cast<float>() * tangent.head<3>(),
+        world.T_world_mesh.linear().determinant() < 0 ? -tangent.w() : tangent.w();
     return placed;
   }
   const Eigen::Vector3f a = triangle.corners[1] - triangle.corners[0];
@@ -186,12 +186,12 @@ Eigen::Vector4f TexturePatch::color(const Eigen::Vector3f& weights, float log2_f
   return sample(*image, *texture, interpolate(uv, kCorners, weights), lod_at_1m + log2_footprint);
 }
 
-SurfaceTriangle::SurfaceTriangle(const FlatScene& flat, int mesh_index, int triangle, float share,
-                                 SurfaceMaps maps) {
-  const MomentPair moments = moments_around(flat.meshes[mesh_index], share);
+SurfaceTriangle::SurfaceTriangle(const WorldGeometry& world, int mesh_index, int triangle,
+                                 float share, SurfaceMaps maps) {
+  const MomentPair moments = moments_around(world.meshes[mesh_index], share);
   mesh = moments.before;
   vertices = mesh->mesh->triangles[triangle];
-  corners = corners_of(flat.meshes[mesh_index], triangle, share);
+  corners = corners_of(world.meshes[mesh_index], triangle, share);
   for (std::size_t i = 0; i < 3 && mesh->has_normals(); ++i) {
     normals[i] = normal_between(moments, vertices[i]);
   }
@@ -200,10 +200,10 @@ SurfaceTriangle::SurfaceTriangle(const FlatScene& flat, int mesh_index, int tria
   const float length = cross.norm();
   const bool has_area = length > std::numeric_limits<float>::min();
   normal = has_area ? Eigen::Vector3f(cross / length) : Eigen::Vector3f::Zero();
-  rounding = 16 * std::numeric_limits<float>::epsilon() * extent_of(flat, *this);
+  rounding = 16 * std::numeric_limits<float>::epsilon() * extent_of(world, *this);
   const Material& material = *mesh->material;
   const auto patch = [&](const TextureSlot& slot) {
-    return texture_patch(*flat.scene, *mesh, slot, vertices, has_area ? length : 0);
+    return texture_patch(*world.scene, *mesh, slot, vertices, has_area ? length : 0);
   };
   base_color = patch(material.base_color_texture);
   if (maps == SurfaceMaps::color) {
@@ -246,19 +246,19 @@ SurfacePoint surface_point(const SurfaceTriangle& triangle, const SurfaceRay& ra
   return point;
 }
 
-SurfacePoint surface_point(const FlatScene& flat, const SurfaceHit& hit,
+SurfacePoint surface_point(const WorldGeometry& world, const SurfaceHit& hit,
                            const Eigen::Vector3f& view_direction, float footprint) {
-  return surface_point(SurfaceTriangle(flat, hit.mesh, hit.triangle),
+  return surface_point(SurfaceTriangle(world, hit.mesh, hit.triangle),
                        {hit.weights, view_direction, footprint});
 }
 
-float surface_alpha(const FlatScene& flat, const SurfaceHit& hit) {
-  const FlatMesh& mesh = flat.meshes[hit.mesh];
+float surface_alpha(const WorldGeometry& world, const SurfaceHit& hit) {
+  const FlatMesh& mesh = world.meshes[hit.mesh];
   const Material& material = *mesh.material;
   const std::array<int, 3>& vertices = mesh.mesh->triangles[hit.triangle];
   float alpha = material.base_color.w();
   const TexturePatch patch =
-      texture_patch(*flat.scene, mesh, material.base_color_texture, vertices, 1);
+      texture_patch(*world.scene, mesh, material.base_color_texture, vertices, 1);
   if (patch.texture != nullptr) {
     const float sharpest = -std::numeric_limits<float>::infinity();
     alpha *= patch.color(hit.weights, sharpest).w();

@@ -42,12 +42,12 @@ cv::Mat_<cv::Vec3f> normal_truth(const PointImage& points, const PointTracer& tr
   });
 }
 
-IdImage instance_truth(const PointImage& points, const FlatScene& flat) {
-  return id_image(points, surface_ids(flat).instance);
+IdImage instance_truth(const PointImage& points, const WorldGeometry& world) {
+  return id_image(points, surface_ids(world).instance);
 }
 
-IdImage material_truth(const PointImage& points, const FlatScene& flat) {
-  return id_image(points, surface_ids(flat).material);
+IdImage material_truth(const PointImage& points, const WorldGeometry& world) {
+  return id_image(points, surface_ids(world).material);
 }
 
 }  // namespace synth

@@ -16,7 +16,7 @@ cv::Mat_<cv::Vec3f> normal_truth(const PointImage& points, const PointTracer& tr
                                  const Eigen::Vector3d& eye);
 
 /// As SurfaceIds says; 0 where nothing was hit. Throw vo::Error beyond 65535.
-IdImage instance_truth(const PointImage& points, const FlatScene& flat);
-IdImage material_truth(const PointImage& points, const FlatScene& flat);
+IdImage instance_truth(const PointImage& points, const WorldGeometry& world);
+IdImage material_truth(const PointImage& points, const WorldGeometry& world);
 
 }  // namespace synth

@@ -85,13 +85,13 @@ BENCHMARK(align)->Unit(benchmark::kMillisecond);
 /// takes for the same frame in the same run.
 void track_beside_opencv(benchmark::State& state) {
   const Pair pair;
-  const auto opencv = tools::opencv_contestant(tools::OpencvOdometry::rgbd);
+  const auto opencv = tools::opencv_peer(tools::OpencvOdometry::rgbd);
   if (!opencv) {
     state.SkipWithError("OpenCV's rgbd module is not built in");
     return;
   }
   const auto options = vo::preset_options(vo::TrackerPreset::best_measured);
-  const tools::FrameTracker ours = tools::edvo_contestant("default", options).start(pair.camera);
+  const tools::FrameTracker ours = tools::edvo_peer("default", options).start(pair.camera);
   const tools::FrameTracker theirs = opencv->start(pair.camera);
   double our_ms = 0;
   double their_ms = 0;

@@ -30,14 +30,14 @@ struct Pair {
 };
 
 Pair render_both(const Scene& scene, RenderOptions options, const vo::SE3& T_world_camera) {
-  Shot shot = still(small_camera(), T_world_camera);
-  shot.channels.normal = true;
-  shot.channels.ids = true;
+  Capture capture = still(small_camera(), T_world_camera);
+  capture.channels.normal = true;
+  capture.channels.ids = true;
   Pair pair;
   options.kind = RendererKind::ray_tracer;
-  pair.ray = make_renderer(scene, options)->render(shot);
+  pair.ray = make_renderer(scene, options)->render(capture);
   options.kind = RendererKind::rasterizer;
-  pair.raster = make_renderer(scene, options)->render(shot);
+  pair.raster = make_renderer(scene, options)->render(capture);
   return pair;
 }
 
@@ -215,20 +215,20 @@ TEST(RenderersAgree, OnMaskedAndBlendedSurfaces) {
 TEST(Rasterizer, GivesTheSameBitsAgain) {
   const Scene scene = lit_square();
   const auto renderer = make_renderer(scene, {.kind = RendererKind::rasterizer});
-  const Shot shot = still(small_camera(), {});
-  const RenderedFrame first = renderer->render(shot);
-  EXPECT_EQ(cv::norm(first.radiance, renderer->render(shot).radiance, cv::NORM_INF), 0);
+  const Capture capture = still(small_camera(), {});
+  const RenderedFrame first = renderer->render(capture);
+  EXPECT_EQ(cv::norm(first.radiance, renderer->render(capture).radiance, cv::NORM_INF), 0);
 }
 
 TEST(Rasterizer, RefusesWhatItCannotDraw) {
   const Scene scene = lit_square();
   const RenderOptions raster{.kind = RendererKind::rasterizer};
-  Shot shot = still(small_camera(), {});
-  shot.camera.distortion.k1 = 0.1;
-  EXPECT_THROW(make_renderer(scene, raster)->render(shot), vo::Error);
-  shot = still(small_camera(), {});
-  shot.shutter.readout_time = 0.02;
-  EXPECT_THROW(make_renderer(scene, raster)->render(shot), vo::Error);
+  Capture capture = still(small_camera(), {});
+  capture.camera.distortion.k1 = 0.1;
+  EXPECT_THROW(make_renderer(scene, raster)->render(capture), vo::Error);
+  capture = still(small_camera(), {});
+  capture.shutter.readout_time = 0.02;
+  EXPECT_THROW(make_renderer(scene, raster)->render(capture), vo::Error);
   EXPECT_THROW(make_renderer(scene, {.kind = RendererKind::rasterizer, .mode = RenderMode::path}),
                vo::Error);
 }

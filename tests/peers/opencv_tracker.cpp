@@ -13,9 +13,9 @@ namespace {
 
 /// The poses of OpenCV's RgbdOdometry, frame to frame.
 vo::Trajectory track(const vo::SequenceReader& sequence) {
-  const auto contestant = tools::opencv_contestant(tools::OpencvOdometry::rgbd);
-  vo::require(contestant.has_value(), "it was built without libopencv-contrib-dev");
-  const tools::FrameTracker tracker = contestant->start(sequence.camera().pinhole);
+  const auto peer = tools::opencv_peer(tools::OpencvOdometry::rgbd);
+  vo::require(peer.has_value(), "it was built without libopencv-contrib-dev");
+  const tools::FrameTracker tracker = peer->start(sequence.camera().pinhole);
   vo::Trajectory trajectory;
   for (std::size_t i = 0; i < sequence.size(); ++i) {
     const tools::FrameSample sample = tracker(sequence.read(i));

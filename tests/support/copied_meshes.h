@@ -138,8 +138,8 @@ inline void expect_same(const RenderedFrame& a, const RenderedFrame& b,
   EXPECT_LE(differing.colors, 2 * few);
 }
 
-inline Shot all_of(const Shot& shot) {
-  Shot result = shot;
+inline Capture all_of(const Capture& capture) {
+  Capture result = capture;
   result.channels = {.color = true, .depth = true, .normal = true, .ids = true};
   return result;
 }

@@ -24,15 +24,15 @@ inline double true_inverse_depth(const vo::PinholeCamera& camera, const vo::SE3&
 
 /// True relative errors of what a map holds, known hypotheses only.
 inline std::vector<double> relative_errors(const vo::DepthMap& map, const vo::PinholeCamera& camera,
-                                           const vo::SE3& T_world_anchor) {
+                                           const vo::SE3& T_world_host) {
   std::vector<double> errors;
   const vo::Hypotheses& hypotheses = map.hypotheses();
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
-    if (hypotheses.knowledge[i] == vo::Knowledge::known &&
+    if (hypotheses.state[i] == vo::DepthState::known &&
         hypotheses.relative_sigma(i) < map.options().confident_sigma) {
       const cv::Point pixel = hypotheses.pixel[i];
       errors.push_back(hypotheses.inverse_depth[i] /
-                           true_inverse_depth(camera, T_world_anchor, pixel.x, pixel.y) -
+                           true_inverse_depth(camera, T_world_host, pixel.x, pixel.y) -
                        1);
     }
   }

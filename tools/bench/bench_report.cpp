@@ -60,10 +60,10 @@ std::string row(const Summary& s) {
 }
 
 std::string contestants_table(const BenchReport& report) {
-  const Summary* unit = yardstick(report.contestants);
+  const Summary* unit = yardstick(report.peers);
   std::string text = titles("ms per frame");
   text += unit != nullptr ? "  faster than " + unit->name + "\n" : "\n";
-  for (const Summary& s : report.contestants) {
+  for (const Summary& s : report.peers) {
     text += row(s) + (unit != nullptr ? line("  %.1fx", unit->cpu_ms / s.cpu_ms) : "") + "\n";
   }
   return text;
@@ -135,17 +135,17 @@ std::string cpu_model() {
   return "unknown";
 }
 
-const Summary* yardstick(const std::vector<Summary>& contestants) {
-  if (contestants.size() < 2) {
+const Summary* yardstick(const std::vector<Summary>& peers) {
+  if (peers.size() < 2) {
     return nullptr;
   }
-  const auto peer = std::find_if(contestants.begin(), contestants.end(), [](const Summary& s) {
+  const auto peer = std::find_if(peers.begin(), peers.end(), [](const Summary& s) {
     return s.name == vo::to_string(OpencvOdometry::rgbd);
   });
-  if (peer != contestants.end()) {
+  if (peer != peers.end()) {
     return &*peer;
   }
-  return &*std::max_element(contestants.begin(), contestants.end(),
+  return &*std::max_element(peers.begin(), peers.end(),
                             [](const Summary& a, const Summary& b) { return a.cpu_ms < b.cpu_ms; });
 }
 
@@ -172,8 +172,8 @@ Json bench_json(const BenchReport& report) {
                {"repeats", report.options.repeats},
                {"contestants", Json::array()},
                {"absent", Json::array()}};
-  const Summary* unit = yardstick(report.contestants);
-  for (const Summary& s : report.contestants) {
+  const Summary* unit = yardstick(report.peers);
+  for (const Summary& s : report.peers) {
     Json row = summary_json(s);
     if (unit != nullptr) {
       row["faster_than"] = {{"name", unit->name}, {"ratio", unit->cpu_ms / s.cpu_ms}};

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "tools/bench/baseline.h"
 #include "tools/bench/growth.h"
+#include "tools/bench/peer.h"
 #include "tools/bench/race.h"
 #include "tools/bench/summary.h"
 
@@ -20,7 +20,7 @@ struct BenchReport {
   int height = 0;          ///< px
   std::size_t frames = 0;  ///< with those of the warm-up
   RaceOptions options;
-  std::vector<Summary> contestants;
+  std::vector<Summary> peers;
   std::vector<Absence> absent;
   std::vector<GrowthTable> growth;  ///< empty unless asked for
 };
@@ -30,7 +30,7 @@ std::string cpu_model();
 
 /// Whose time the others' is divided into: OpenCV's dense odometry where it ran, else the slowest.
 /// Nothing of fewer than two.
-const Summary* yardstick(const std::vector<Summary>& contestants);
+const Summary* yardstick(const std::vector<Summary>& peers);
 
 std::string bench_table(const BenchReport& report);
 nlohmann::ordered_json bench_json(const BenchReport& report);

@@ -14,32 +14,31 @@ namespace {
 struct Sweep {
   std::string quantity;
   std::string timed;
-  std::vector<Contestant> contestants;
+  std::vector<Peer> peers;
   std::function<double(std::size_t row, const Summary& summary)> x;
   std::function<double(const Summary& summary)> ms;
 };
 
-Contestant with_option(vo::TrackerOptions options, const std::string& key,
-                       const std::string& value) {
+Peer with_option(vo::TrackerOptions options, const std::string& key, const std::string& value) {
   std::vector<vo::Field> fields = vo::fields_of(options);
   vo::set_field(fields, key, value);
-  return edvo_contestant(vo::concat(key, "=", value), options);
+  return edvo_peer(vo::concat(key, "=", value), options);
 }
 
-std::vector<Contestant> with_options(const vo::TrackerOptions& base, const std::string& key,
-                                     const std::vector<std::string>& values) {
-  std::vector<Contestant> contestants;
-  contestants.reserve(values.size());
+std::vector<Peer> with_options(const vo::TrackerOptions& base, const std::string& key,
+                               const std::vector<std::string>& values) {
+  std::vector<Peer> peers;
+  peers.reserve(values.size());
   for (const std::string& value : values) {
-    contestants.push_back(with_option(base, key, value));
+    peers.push_back(with_option(base, key, value));
   }
-  return contestants;
+  return peers;
 }
 
 /// The tracker on frames of that size; making them is not timed.
-Contestant at_size(const vo::TrackerOptions& base, cv::Size size) {
+Peer at_size(const vo::TrackerOptions& base, cv::Size size) {
   const std::string name = vo::concat(size.width, "x", size.height);
-  const Contestant full = edvo_contestant(name, base);
+  const Peer full = edvo_peer(name, base);
   return {name, [full, size](const vo::PinholeCamera& camera) {
             const FrameTracker track = full.start(resized(camera, size));
             return
@@ -68,7 +67,7 @@ Sweep size_sweep(const vo::TrackerOptions& base, const vo::PinholeCamera& camera
   std::vector<double> pixels;
   for (const int quarters : {1, 2, 4, 8}) {
     const cv::Size size(camera.width * quarters / 4, camera.height * quarters / 4);
-    sweep.contestants.push_back(at_size(base, size));
+    sweep.peers.push_back(at_size(base, size));
     pixels.push_back(size.area());
   }
   sweep.x = [pixels](std::size_t row, const Summary&) { return pixels[row]; };
@@ -93,16 +92,16 @@ std::vector<GrowthTable> measure_growth(const Frames& input, const vo::TrackerOp
                                         const RaceOptions& options, const vo::Progress& progress) {
   const std::vector<Sweep> sweeps = {point_sweep(base), level_sweep(base),
                                      size_sweep(base, input.camera)};
-  std::vector<Contestant> contestants;
+  std::vector<Peer> peers;
   for (const Sweep& sweep : sweeps) {
-    contestants.insert(contestants.end(), sweep.contestants.begin(), sweep.contestants.end());
+    peers.insert(peers.end(), sweep.peers.begin(), sweep.peers.end());
   }
-  const std::vector<RaceResult> results = race(input, contestants, options, progress);
+  const std::vector<RaceResult> results = race(input, peers, options, progress);
   std::vector<GrowthTable> tables;
   auto next = results.begin();
   for (const Sweep& sweep : sweeps) {
     std::vector<Summary> rows;
-    for (std::size_t row = 0; row < sweep.contestants.size(); ++row) {
+    for (std::size_t row = 0; row < sweep.peers.size(); ++row) {
       rows.push_back(summarize(*next++, input, options));
     }
     tables.push_back(make_table(sweep, std::move(rows)));

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "tools/bench/baseline.h"
+#include "tools/bench/peer.h"
 
 namespace tools {
 
@@ -25,6 +25,6 @@ constexpr auto enum_names(OpencvOdometry) {
 
 /// Frame to frame, as OpenCV's sample does it; each frame's pyramid is made once. It knows no lens
 /// distortion. Nothing where this program was built without the module.
-std::optional<Contestant> opencv_contestant(OpencvOdometry kind);
+std::optional<Peer> opencv_peer(OpencvOdometry kind);
 
 }  // namespace tools

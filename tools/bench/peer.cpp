@@ -1,4 +1,4 @@
-#include "tools/bench/baseline.h"
+#include "tools/bench/peer.h"
 
 #include <algorithm>
 #include <memory>
@@ -71,7 +71,7 @@ FrameSample track_frame(Odometry& odometry, const vo::RgbdFrame& frame) {
 }
 
 /// The monocular odometry, which reads the first frame's depth alone.
-Contestant mono_contestant() {
+Peer mono_peer() {
   return {kMono, [](const vo::PinholeCamera& camera) {
             vo::MonoOptions options = vo::mono_options();
             options.bootstrap = vo::MonoBootstrap::rgbd;
@@ -81,26 +81,26 @@ Contestant mono_contestant() {
 }
 
 /// Throws vo::Error when this program has no such option.
-Contestant make_contestant(const EdvoRow& row) {
+Peer make_contestant(const EdvoRow& row) {
   vo::TrackerOptions options = vo::preset_options(row.preset);
   std::vector<vo::Field> fields = vo::fields_of(options);
   for (const auto& [key, value] : row.assignments) {
     vo::set_field(fields, key, value);
   }
-  return edvo_contestant(row.name, options);
+  return edvo_peer(row.name, options);
 }
 
 void add(LineUp& result, const EdvoRow& row) {
   try {
-    result.contestants.push_back(make_contestant(row));
+    result.peers.push_back(make_contestant(row));
   } catch (const vo::Error& error) {
     result.absent.push_back({row.name, error.what()});
   }
 }
 
 void add(LineUp& result, OpencvOdometry kind) {
-  if (auto contestant = opencv_contestant(kind)) {
-    result.contestants.push_back(*std::move(contestant));
+  if (auto peer = opencv_peer(kind)) {
+    result.peers.push_back(*std::move(peer));
   } else {
     result.absent.push_back({std::string(vo::to_string(kind)),
                              "not built in: OpenCV's rgbd module (libopencv-contrib-dev) was not "
@@ -110,7 +110,7 @@ void add(LineUp& result, OpencvOdometry kind) {
 
 }  // namespace
 
-Contestant edvo_contestant(const std::string& name, const vo::TrackerOptions& options) {
+Peer edvo_peer(const std::string& name, const vo::TrackerOptions& options) {
   return {name, [options](const vo::PinholeCamera& camera) {
             const auto odometry = std::make_shared<vo::RgbdOdometry>(camera, options);
             return [odometry](const vo::RgbdFrame& frame) { return track_frame(*odometry, frame); };
@@ -142,7 +142,7 @@ LineUp line_up(const std::vector<std::string>& peers) {
     }
   }
   if (is_asked_for(kMono)) {
-    result.contestants.push_back(mono_contestant());
+    result.peers.push_back(mono_peer());
   }
   for (const auto& [kind, name] : enum_names(OpencvOdometry{})) {
     if (is_asked_for(name)) {

@@ -37,13 +37,13 @@ struct FrameSample {
 using FrameTracker = std::function<FrameSample(const vo::RgbdFrame& frame)>;
 
 /// Something that tracks a camera. Each start is independent of the ones before.
-struct Contestant {
+struct Peer {
   std::string name;
   std::function<FrameTracker(const vo::PinholeCamera& camera)> start;
 };
 
 /// Our tracker with these options.
-Contestant edvo_contestant(const std::string& name, const vo::TrackerOptions& options);
+Peer edvo_peer(const std::string& name, const vo::TrackerOptions& options);
 
 /// Who was asked for and cannot run, and why.
 struct Absence {
@@ -52,14 +52,14 @@ struct Absence {
 };
 
 struct LineUp {
-  std::vector<Contestant> contestants;
+  std::vector<Peer> peers;
   std::vector<Absence> absent;
 };
 
 /// What `--peers` may name: edvo is all our presets.
 std::vector<std::string> peer_names();
 
-/// The contestants of these peers, in the order of the table.
+/// The peers of these peers, in the order of the table.
 LineUp line_up(const std::vector<std::string>& peers);
 
 }  // namespace tools

@@ -17,24 +17,22 @@ constexpr std::size_t kBlock = 10;  // frames: long enough to fill the caches ag
 /// One pass over the sequence.
 class Heat {
  public:
-  Heat(const Frames& input, const std::vector<Contestant>& contestants) : input_(input) {
-    for (const Contestant& contestant : contestants) {
-      trackers_.push_back(contestant.start(input.camera));
+  Heat(const Frames& input, const std::vector<Peer>& peers) : input_(input) {
+    for (const Peer& peer : peers) {
+      trackers_.push_back(peer.start(input.camera));
     }
-    samples_.resize(contestants.size());
+    samples_.resize(peers.size());
   }
 
-  void run_block(std::size_t contestant, std::size_t first, const std::function<void()>& step) {
+  void run_block(std::size_t peer, std::size_t first, const std::function<void()>& step) {
     const std::size_t end = std::min(first + kBlock, input_.frames.size());
     for (std::size_t i = first; i < end; ++i) {
-      samples_[contestant].push_back(trackers_[contestant](input_.frames[i]));
+      samples_[peer].push_back(trackers_[peer](input_.frames[i]));
       step();
     }
   }
 
-  std::vector<FrameSample> take_samples(std::size_t contestant) {
-    return std::move(samples_[contestant]);
-  }
+  std::vector<FrameSample> take_samples(std::size_t peer) { return std::move(samples_[peer]); }
 
  private:
   const Frames& input_;
@@ -49,7 +47,7 @@ void RaceOptions::validate() const {
   vo::require(repeats >= 1, "--repeat: expected at least 1, got ", repeats);
 }
 
-std::vector<RaceResult> race(const Frames& input, const std::vector<Contestant>& contestants,
+std::vector<RaceResult> race(const Frames& input, const std::vector<Peer>& peers,
                              const RaceOptions& options, const vo::Progress& progress) {
   options.validate();
   vo::require(input.frames.size() > static_cast<std::size_t>(options.warm_up),
@@ -57,15 +55,15 @@ std::vector<RaceResult> race(const Frames& input, const std::vector<Contestant>&
               input.frames.size());
   cv::setNumThreads(1);
   std::vector<RaceResult> results;
-  for (const Contestant& contestant : contestants) {
-    results.push_back({.name = contestant.name});
+  for (const Peer& peer : peers) {
+    results.push_back({.name = peer.name});
   }
-  const std::size_t count = contestants.size();
+  const std::size_t count = peers.size();
   const auto repeats = static_cast<std::size_t>(options.repeats);
   std::size_t done = 0;
   const auto step = [&] { progress(++done, repeats * count * input.frames.size()); };
   for (std::size_t repeat = 0; repeat < repeats; ++repeat) {
-    Heat heat(input, contestants);
+    Heat heat(input, peers);
     for (std::size_t first = 0; first < input.frames.size(); first += kBlock) {
       for (std::size_t turn = 0; turn < count; ++turn) {
         heat.run_block((turn + first / kBlock + repeat) % count, first, step);

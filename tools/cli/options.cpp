@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iostream>
 #include <utility>
 
 #include <tbb/info.h>
@@ -60,6 +61,9 @@ std::pair<std::string, std::string> split_assignment(const std::string& assignme
 
 void apply_assignment(const std::string& assignment, std::vector<vo::Field>& fields) {
   const auto [key, value] = split_assignment(assignment);
+  if (const std::string current = vo::current_key(key); current != key) {
+    std::cerr << "edvo: note: " << key << " is " << current << " now\n";
+  }
   try {
     vo::set_field(fields, key, value);
   } catch (const vo::Error& error) {

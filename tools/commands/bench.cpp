@@ -10,10 +10,10 @@
 #include <tbb/global_control.h>
 
 #include "synth/sequence/render_sequence.h"
-#include "tools/bench/baseline.h"
 #include "tools/bench/bench_report.h"
 #include "tools/bench/frames.h"
 #include "tools/bench/growth.h"
+#include "tools/bench/peer.h"
 #include "tools/bench/race.h"
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
@@ -100,8 +100,8 @@ BenchReport measure(const BenchArguments& arguments, const Frames& input) {
                      .options = arguments.race,
                      .absent = std::move(line.absent)};
   ProgressBar bar("racing", arguments.common.verbosity());
-  for (const RaceResult& result : race(input, line.contestants, arguments.race, bar.callback())) {
-    report.contestants.push_back(summarize(result, input, arguments.race));
+  for (const RaceResult& result : race(input, line.peers, arguments.race, bar.callback())) {
+    report.peers.push_back(summarize(result, input, arguments.race));
   }
   if (arguments.growth) {
     ProgressBar growth_bar("growing", arguments.common.verbosity());

@@ -173,8 +173,8 @@ class RunPictures {
   MapObserver map_observer() {
     return [this, draw = maps_->observer(scale_)](std::size_t frame, const vo::DepthMap& map,
                                                   const vo::DepthImage& truth,
-                                                  const vo::SE3& T_world_anchor) {
-      draw(frame, map, truth, T_world_anchor);
+                                                  const vo::SE3& T_world_host) {
+      draw(frame, map, truth, T_world_host);
       const SparseDepths depths = sparse_depths(map, truth, divisor(map, truth, scale_));
       gallery_.add_inverse_depth(time_, depths.estimate, depths.truth);
     };

@@ -96,13 +96,13 @@ double nearest_true_inverse_depth(const vo::DepthImage& depth, cv::Point pixel, 
 std::vector<DepthSample> depth_samples(const vo::DepthMap& map, const TrueView& truth,
                                        const vo::FrameRelation& relation, double scale) {
   const vo::Hypotheses& hypotheses = map.hypotheses();
-  const vo::PyramidLevel& level = map.anchor().levels.front();
+  const vo::PyramidLevel& level = map.host().levels.front();
   const vo::StereoPair pair(level, level, relation);
   std::vector<DepthSample> samples;
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
     const double estimate = hypotheses.smoothed[i] / scale;
     const double expected = nearest_true_inverse_depth(truth.depth, hypotheses.pixel[i], estimate);
-    if (hypotheses.knowledge[i] == vo::Knowledge::none || expected == 0) {
+    if (hypotheses.state[i] == vo::DepthState::none || expected == 0) {
       continue;
     }
     const double sigma = std::sqrt(hypotheses.smoothed_variance[i]) / scale;
@@ -117,12 +117,12 @@ std::vector<DepthSample> depth_samples(const vo::DepthMap& map, const TrueView& 
 }
 
 MapErrors map_errors(const vo::DepthMap& map, const TrueView& truth,
-                     const vo::FrameRelation& relation, double anchor_scale) {
+                     const vo::FrameRelation& relation, double host_scale) {
   std::vector<DepthSample> samples = depth_samples(map, truth, relation, 1);
   MapErrors errors;
   errors.scale = median_ratio(samples);
-  if (anchor_scale != 1) {
-    samples = depth_samples(map, truth, relation, anchor_scale == 0 ? errors.scale : anchor_scale);
+  if (host_scale != 1) {
+    samples = depth_samples(map, truth, relation, host_scale == 0 ? errors.scale : host_scale);
   }
   errors.all = summarize_if(samples, [](const DepthSample&) { return true; });
   errors.confident = summarize_if(samples, [](const DepthSample& s) { return s.is_confident; });

@@ -33,7 +33,7 @@ struct DepthErrors {
   double nees = 0;              ///< mean squared normalised error of those within 10 %
 };
 
-/// A map's errors against the true depth of its anchor: the best in a 3x3 window, because an edge
+/// A map's errors against the true depth of its host: the best in a 3x3 window, because an edge
 /// between a near and a far surface belongs to the near one.
 struct MapErrors {
   DepthErrors confident;
@@ -52,8 +52,8 @@ struct MapErrors {
 std::vector<DepthSample> depth_samples(const vo::DepthMap& map, const TrueView& truth,
                                        const vo::FrameRelation& relation, double scale);
 
-/// `anchor_scale` 1 for a metric map; 0 divides by the median scale found.
+/// `host_scale` 1 for a metric map; 0 divides by the median scale found.
 MapErrors map_errors(const vo::DepthMap& map, const TrueView& truth,
-                     const vo::FrameRelation& relation, double anchor_scale = 1);
+                     const vo::FrameRelation& relation, double host_scale = 1);
 
 }  // namespace tools

@@ -31,13 +31,13 @@ DepthOutput::DepthOutput(const std::filesystem::path& folder, int every,
 
 MapObserver DepthOutput::observer(MapScale scale) {
   return [this, scale](std::size_t frame, const vo::DepthMap& map, const vo::DepthImage& truth,
-                       const vo::SE3& T_world_anchor) {
+                       const vo::SE3& T_world_host) {
     if (every_ == 0 || frame % static_cast<std::size_t>(every_) != 0) {
       return;
     }
     vo::write_file(folder_.partial() / frame_name(frame),
                    vo::encode_png(draw_depth_map(map, truth, divisor(map, truth, scale))));
-    cloud_ = as_ply(map, T_world_anchor);
+    cloud_ = as_ply(map, T_world_host);
   };
 }
 

@@ -143,9 +143,9 @@ SparseDepths sparse_depths(const vo::DepthMap& map, const vo::DepthImage& true_d
   return sparse;
 }
 
-std::string as_ply(const vo::DepthMap& map, const vo::SE3& T_world_anchor) {
+std::string as_ply(const vo::DepthMap& map, const vo::SE3& T_world_host) {
   const vo::Hypotheses& hypotheses = map.hypotheses();
-  const vo::PyramidLevel& level = map.anchor().levels.front();
+  const vo::PyramidLevel& level = map.host().levels.front();
   const std::vector<std::size_t> chosen = confident_hypotheses(map);
   std::string text = vo::concat(
       "ply\nformat ascii 1.0\ncomment edge points, world frame, m\nelement vertex ", chosen.size(),
@@ -154,7 +154,7 @@ std::string as_ply(const vo::DepthMap& map, const vo::SE3& T_world_anchor) {
   for (const std::size_t i : chosen) {
     const cv::Vec2f edge = hypotheses.edge_position(i);
     const Eigen::Vector3d p_world =
-        T_world_anchor *
+        T_world_host *
         level.camera.unproject({edge[0], edge[1]}, 1 / static_cast<double>(hypotheses.smoothed[i]));
     const auto grey = static_cast<int>(std::lround(255 * level.intensity(hypotheses.pixel[i])));
     std::array<char, 96> line{};

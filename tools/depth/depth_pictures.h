@@ -11,7 +11,7 @@ namespace tools {
 cv::Mat_<cv::Vec3b> draw_depth_map(const vo::DepthMap& map, const vo::DepthImage& true_depth,
                                    double scale);
 
-/// Depth images of the anchor's size with depth at the confident hypotheses that have a truth.
+/// Depth images of the host's size with depth at the confident hypotheses that have a truth.
 struct SparseDepths {
   vo::DepthImage estimate;  ///< m, inverse depths divided by a scale first
   vo::DepthImage truth;     ///< m
@@ -19,7 +19,7 @@ struct SparseDepths {
 
 SparseDepths sparse_depths(const vo::DepthMap& map, const vo::DepthImage& true_depth, double scale);
 
-/// The confident hypotheses as points in the world with the anchor's grey, PLY (ASCII).
-std::string as_ply(const vo::DepthMap& map, const vo::SE3& T_world_anchor);
+/// The confident hypotheses as points in the world with the host's grey, PLY (ASCII).
+std::string as_ply(const vo::DepthMap& map, const vo::SE3& T_world_host);
 
 }  // namespace tools

@@ -44,16 +44,11 @@ Table depth_table(const std::vector<MappedFrame>& frames) {
   const auto number = [](std::size_t count) { return static_cast<double>(count); };
   for (const MappedFrame& frame : frames) {
     const vo::ObservationCounts& seen = frame.observations;
-    std::vector<TableCell> row{frame.timestamp,
-                               frame.baseline_m,
-                               frame.is_anchor ? 1.0 : 0.0,
-                               number(seen.found),
-                               number(seen.inconsistent),
-                               number(seen.out_of_view),
-                               number(seen.unobservable),
-                               number(seen.ambiguous),
-                               number(seen.no_match),
-                               frame.errors.density_percent,
+    std::vector<TableCell> row{frame.timestamp,           frame.baseline_m,
+                               frame.is_host ? 1.0 : 0.0, number(seen.found),
+                               number(seen.inconsistent), number(seen.out_of_view),
+                               number(seen.unobservable), number(seen.ambiguous),
+                               number(seen.no_match),     frame.errors.density_percent,
                                frame.errors.scale};
     for (const auto& [name, errors] : subsets(frame.errors)) {
       append(errors, row);

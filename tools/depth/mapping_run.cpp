@@ -58,25 +58,25 @@ class MappingRun {
     MappedFrame mapped{.timestamp = frame.timestamp};
     if (map_.empty()) {
       start(pyramid, frame.depth);
-      set_anchor(frame.depth, index, T_world_camera);
-      mapped.is_anchor = true;
+      set_host(frame.depth, index, T_world_camera);
+      mapped.is_host = true;
       mapped.errors = map_errors(map_, truth_, {});
       return mapped;
     }
     const vo::FrameRelation relation = noisy_relation(
-        T_world_camera.inverse() * T_world_anchor_, options_.pose_noise_m, options_.pose_noise_deg);
-    mapped.baseline_m = relation.T_cur_anchor.translation().norm();
+        T_world_camera.inverse() * T_world_host_, options_.pose_noise_m, options_.pose_noise_deg);
+    mapped.baseline_m = relation.T_cur_host.translation().norm();
     const vo::CpuStopwatch observing;
     mapped.observations = map_.observe(pyramid, relation);
     map_.regularise();
     mapped.mapping_ms = observing.elapsed_ms();
     mapped.errors = map_errors(map_, truth_, relation);
     const vo::CpuStopwatch moving;
-    if (map_.needs_new_anchor(pyramid, relation.T_cur_anchor)) {
+    if (map_.needs_new_host(pyramid, relation.T_cur_host)) {
       map_.propagate(pyramid, relation);
       map_.regularise();
-      set_anchor(frame.depth, index, T_world_camera);
-      mapped.is_anchor = true;
+      set_host(frame.depth, index, T_world_camera);
+      mapped.is_host = true;
     }
     mapped.mapping_ms += moving.elapsed_ms();
     return mapped;
@@ -84,7 +84,7 @@ class MappingRun {
 
   const vo::DepthMap& map() const { return map_; }
   const vo::DepthImage& true_depth() const { return truth_.depth; }
-  const vo::SE3& T_world_anchor() const { return T_world_anchor_; }
+  const vo::SE3& T_world_host() const { return T_world_host_; }
 
  private:
   void start(const vo::FramePyramid& pyramid, const vo::DepthImage& depth) {
@@ -96,9 +96,9 @@ class MappingRun {
     }
   }
 
-  void set_anchor(const vo::DepthImage& depth, std::size_t index, const vo::SE3& T_world_camera) {
+  void set_host(const vo::DepthImage& depth, std::size_t index, const vo::SE3& T_world_camera) {
     truth_ = {depth, true_edges(sequence_, index)};
-    T_world_anchor_ = T_world_camera;
+    T_world_host_ = T_world_camera;
   }
 
   const vo::SequenceReader& sequence_;
@@ -107,8 +107,8 @@ class MappingRun {
   vo::PyramidBuilder pyramid_builder_;
   vo::EdgeFinder finder_;
   vo::DepthMap map_;
-  TrueView truth_;  ///< of the anchor
-  vo::SE3 T_world_anchor_;
+  TrueView truth_;  ///< of the host
+  vo::SE3 T_world_host_;
 };
 
 }  // namespace
@@ -123,8 +123,8 @@ void MappingOptions::validate() const {
   map.validate();
 }
 
-vo::FrameRelation noisy_relation(const vo::SE3& T_cur_anchor, double sigma_m, double sigma_deg) {
-  vo::FrameRelation relation{T_cur_anchor};
+vo::FrameRelation noisy_relation(const vo::SE3& T_cur_host, double sigma_m, double sigma_deg) {
+  vo::FrameRelation relation{T_cur_host};
   const double sigma_rad = sigma_deg * std::numbers::pi / 180;
   relation.covariance.diagonal() << vo::Vector6d::Constant(2);
   relation.covariance.topLeftCorner<3, 3>() *= sigma_m * sigma_m;
@@ -152,7 +152,7 @@ std::vector<MappedFrame> map_sequence(const vo::SequenceReader& sequence,
     if (T_world_camera) {
       frames.push_back(run.add(*frame, i, with_noise(*T_world_camera, options, i)));
       if (observe) {
-        observe(i, run.map(), run.true_depth(), run.T_world_anchor());
+        observe(i, run.map(), run.true_depth(), run.T_world_host());
       }
     }
     progress(i + 1, last);

@@ -14,7 +14,7 @@
 
 namespace tools {
 
-/// What the first anchor's depths are.
+/// What the first host's depths are.
 enum class DepthStart {
   random,  ///< guesses all over the range
   flat,    ///< guesses of one depth
@@ -43,7 +43,7 @@ struct MappingOptions {
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, MappingOptions& options) {
-  visit("start", options.start, "the first anchor's depths");
+  visit("start", options.start, "the first host keyframe's depths");
   visit("flat_depth", options.flat_depth, "of start=flat, m");
   visit("rgbd_sigma", options.rgbd_sigma, "of start=rgbd, relative");
   visit("pose_noise_m", options.pose_noise_m, "standard deviation per axis of every pose, m");
@@ -57,17 +57,17 @@ void visit_fields(Visitor& visit, MappingOptions& options) {
 /// What one frame gave.
 struct MappedFrame {
   double timestamp = 0;   ///< s
-  double baseline_m = 0;  ///< to the anchor
-  bool is_anchor = false;
+  double baseline_m = 0;  ///< to the host
+  bool is_host = false;
   vo::ObservationCounts observations;
   MapErrors errors;
   double mapping_ms = 0;  ///< diagnostic
 };
 
-/// Told after each frame: the map, and the true depth of its anchor.
+/// Told after each frame: the map, and the true depth of its host.
 using MapObserver =
     std::function<void(std::size_t frame, const vo::DepthMap& map, const vo::DepthImage& true_depth,
-                       const vo::SE3& T_world_anchor)>;
+                       const vo::SE3& T_world_host)>;
 
 /// Maps a sequence with its ground-truth poses. Frames without one are left out.
 std::vector<MappedFrame> map_sequence(const vo::SequenceReader& sequence,
@@ -75,6 +75,6 @@ std::vector<MappedFrame> map_sequence(const vo::SequenceReader& sequence,
                                       const vo::Progress& progress);
 
 /// A relation with pose noise of this standard deviation on both frames, as the map is told it.
-vo::FrameRelation noisy_relation(const vo::SE3& T_cur_anchor, double sigma_m, double sigma_deg);
+vo::FrameRelation noisy_relation(const vo::SE3& T_cur_host, double sigma_m, double sigma_deg);
 
 }  // namespace tools

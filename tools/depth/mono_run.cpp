@@ -18,9 +18,9 @@ void MapJudge::read_truth(double timestamp) {
     return;
   }
   const auto found = index_of_.find(timestamp);
-  anchor_ = found == index_of_.end()
-                ? TrueView()
-                : TrueView{truth_.read(found->second).depth, true_edges(truth_, found->second)};
+  host_ = found == index_of_.end()
+              ? TrueView()
+              : TrueView{truth_.read(found->second).depth, true_edges(truth_, found->second)};
   timestamp_ = timestamp;
 }
 
@@ -29,18 +29,18 @@ std::optional<MappedFrame> MapJudge::judge(const vo::MonoOdometry& odometry,
   if (odometry.map().empty() || result.state != vo::MonoState::tracking) {
     return std::nullopt;
   }
-  read_truth(odometry.map().anchor().timestamp);
-  if (anchor_.depth.empty()) {
+  read_truth(odometry.map().host().timestamp);
+  if (host_.depth.empty()) {
     return std::nullopt;
   }
   MappedFrame mapped{.timestamp = result.tracking.timestamp,
-                     .is_anchor = result.tracking.is_keyframe,
+                     .is_host = result.tracking.is_keyframe,
                      .observations = result.observations,
                      .mapping_ms = odometry.stage_times().mapping_ms};
   const vo::FrameRelation relation{result.tracking.T_world_camera.inverse() *
-                                   odometry.T_world_anchor()};
-  mapped.baseline_m = relation.T_cur_anchor.translation().norm();
-  mapped.errors = map_errors(odometry.map(), anchor_, relation, is_metric_ ? 1 : 0);
+                                   odometry.T_world_host()};
+  mapped.baseline_m = relation.T_cur_host.translation().norm();
+  mapped.errors = map_errors(odometry.map(), host_, relation, is_metric_ ? 1 : 0);
   return mapped;
 }
 
@@ -57,7 +57,7 @@ std::vector<MappedFrame> track_and_judge(const vo::MonoInput& input, const vo::M
         if (const std::optional<MappedFrame> mapped = judge.judge(odometry, result)) {
           frames.push_back(*mapped);
           if (observe) {
-            observe(frame, odometry.map(), judge.true_depth(), odometry.T_world_anchor());
+            observe(frame, odometry.map(), judge.true_depth(), odometry.T_world_host());
           }
         }
       },

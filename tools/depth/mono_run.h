@@ -12,7 +12,7 @@ namespace tools {
 /// Whether the bootstrap's depths are metres.
 bool is_metric(vo::MonoBootstrap bootstrap);
 
-/// Compares the map of a monocular run with the true depth of its anchor. Where the bootstrap is
+/// Compares the map of a monocular run with the true depth of its host. Where the bootstrap is
 /// not metric, depths are divided by the median scale of each frame first; the scale over time
 /// shows its drift.
 class MapJudge {
@@ -20,10 +20,10 @@ class MapJudge {
   /// `truth` must outlive the judge; its depth images are taken for true.
   MapJudge(const vo::SequenceReader& truth, vo::MonoBootstrap bootstrap);
 
-  /// Nothing while there is no map, and where its anchor has no depth image beside it.
+  /// Nothing while there is no map, and where its host has no depth image beside it.
   std::optional<MappedFrame> judge(const vo::MonoOdometry& odometry, const vo::MonoResult& result);
 
-  const vo::DepthImage& true_depth() const { return anchor_.depth; }  ///< of the last anchor judged
+  const vo::DepthImage& true_depth() const { return host_.depth; }  ///< of the last host judged
 
  private:
   void read_truth(double timestamp);
@@ -32,7 +32,7 @@ class MapJudge {
   bool is_metric_;
   std::map<double, std::size_t> index_of_;  ///< by the stamp of the image
   double timestamp_ = -1;
-  TrueView anchor_;
+  TrueView host_;
 };
 
 /// Tracks and maps a sequence as `edvo track --mode mono` does and judges every map.

@@ -80,7 +80,7 @@ TrackingRun track_mono_scenario(const Scenario& scenario, const vo::SequenceRead
     if (const std::optional<MappedFrame> mapped = judge.judge(odometry, result)) {
       run.maps.push_back(*mapped);
       if (observers.map) {
-        observers.map(number, odometry.map(), judge.true_depth(), odometry.T_world_anchor());
+        observers.map(number, odometry.map(), judge.true_depth(), odometry.T_world_host());
       }
     }
   };

@@ -21,9 +21,9 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 std::vector<Variant> mono_variants() {
   return {{"default", {}},
           {"propagate every frame", {{"depth_map.propagate", "always"}}},
-          {"keyframe every 5", {{"depth_map.anchor.every", "5"}}},
-          {"keyframe every 10", {{"depth_map.anchor.every", "10"}}},
-          {"keyframe every 20", {{"depth_map.anchor.every", "20"}}},
+          {"keyframe every 5", {{"depth_map.host.every", "5"}}},
+          {"keyframe every 10", {{"depth_map.host.every", "10"}}},
+          {"keyframe every 20", {{"depth_map.host.every", "20"}}},
           {"no regularisation", {{"depth_map.regularise", "none"}}},
           {"Gaussian-Beta fusion", {{"depth_map.fusion", "gaussian_beta"}}},
           {"unknown depth", {{"bootstrap", "auto"}}},
@@ -57,14 +57,14 @@ vo::MonoImages images_of(const Clip& clip, std::size_t& next) {
 }
 
 std::optional<MapErrors> judged(const Clip& clip, const vo::MonoOdometry& odometry, bool metric) {
-  const double anchor_time = odometry.map().empty() ? -1 : odometry.map().anchor().timestamp;
-  const auto anchor =
+  const double host_time = odometry.map().empty() ? -1 : odometry.map().host().timestamp;
+  const auto host =
       std::find_if(clip.frames.begin(), clip.frames.end(),
-                   [&](const vo::RgbdFrame& frame) { return frame.timestamp == anchor_time; });
-  if (anchor == clip.frames.end() || anchor->depth.empty()) {
+                   [&](const vo::RgbdFrame& frame) { return frame.timestamp == host_time; });
+  if (host == clip.frames.end() || host->depth.empty()) {
     return std::nullopt;
   }
-  return map_errors(odometry.map(), {anchor->depth, {}}, {}, metric ? 1 : 0);
+  return map_errors(odometry.map(), {host->depth, {}}, {}, metric ? 1 : 0);
 }
 
 void judge_trajectory(const Clip& clip, const vo::Trajectory& estimate, bool metric,

@@ -33,7 +33,7 @@ void HostSystem::add(std::size_t k, const PointView& view, const ResidualModel& 
   b_pairs_.segment<kPose>(pose) = inverse_variance * part.b_pose();
   b_pairs_.segment<kBrightness>(light) = inverse_variance * part.b.tail<kBrightness>();
   if (coupling_.cols() > 0) {
-    score_points(view, options_, model, scores_);
+    compute_point_terms(view, options_, model, scores_);
     add_depth(k, view, model.scale);
   }
 }
@@ -66,9 +66,9 @@ void HostSystem::add_depth(std::size_t k, const PointView& view, double scale) {
   }
 }
 
-void HostSystem::hold_depth(const Eigen::VectorXd& firmness, const Eigen::VectorXd& strayed) {
-  H_depth_ += firmness;
-  b_depth_ += firmness.cwiseProduct(strayed);
+void HostSystem::hold_depth(const Eigen::VectorXd& information, const Eigen::VectorXd& strayed) {
+  H_depth_ += information;
+  b_depth_ += information.cwiseProduct(strayed);
   const Eigen::MatrixXd scaled = coupling_ * H_depth_.cwiseSqrt().cwiseInverse().asDiagonal();
   H_pairs_.selfadjointView<Eigen::Lower>().rankUpdate(scaled, -1);
   H_pairs_ = Eigen::MatrixXd(H_pairs_.selfadjointView<Eigen::Lower>());

@@ -21,9 +21,10 @@ class HostSystem {
   /// `view` is the k-th pair's.
   void add(std::size_t k, const PointView& view, const ResidualModel& model);
 
-  /// The cost of `firmness` (1/variance, m^2) times the square of `strayed` (1/m) for each point's
-  /// inverse depth; to be called once, after all pairs. Eliminates the depths (Schur complement).
-  void hold_depth(const Eigen::VectorXd& firmness, const Eigen::VectorXd& strayed);
+  /// The cost of `information` (1/variance, m^2) times the square of `strayed` (1/m) for each
+  /// point's inverse depth; to be called once, after all pairs. Eliminates the depths (Schur
+  /// complement).
+  void hold_depth(const Eigen::VectorXd& information, const Eigen::VectorXd& strayed);
 
   /// Of the pairs' increments, all else eliminated.
   struct Increments {
@@ -53,7 +54,7 @@ class HostSystem {
       coupling_;  ///< of all else with inverse depths; a column for each point
   Eigen::VectorXd H_depth_;
   Eigen::VectorXd b_depth_;
-  PointScores scores_;  ///< of the pair that is added
+  PointTerms scores_;  ///< of the pair that is added
 };
 
 }  // namespace vo

@@ -19,7 +19,7 @@ void eliminate_brightness(const LinearSystem& part, Matrix6d& H, Vector6d& b) {
 }
 
 /// Where a backward pair's points are in the current image: they are the current frame's own.
-void place_at_pixels(const std::vector<cv::Point>& pixels, PointScores& scores) {
+void place_at_pixels(const std::vector<cv::Point>& pixels, PointTerms& scores) {
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     scores.u[i] = static_cast<float>(pixels[i].x);
     scores.v[i] = static_cast<float>(pixels[i].y);
@@ -31,7 +31,7 @@ struct CurvatureSums {
   double weight = 0;
   double curvature = 0;
 
-  void add(const PointScores& scores, const AlignOptions& options, double scale) {
+  void add(const PointTerms& scores, const AlignOptions& options, double scale) {
     for (std::size_t i = 0; i < scores.weight.size(); ++i) {
       const auto w = static_cast<double>(scores.weight[i]);
       const double share = curvature_share(options.loss, scores.residual[i], scale);
@@ -181,10 +181,10 @@ CellScores::Projection JointProblem::projection(std::size_t pair, const LinearSy
 }
 
 JointProblem::ScoredPair JointProblem::scored(std::size_t pair, const LinearSystem& part,
-                                              const SE3& T_cur_first, PointScores& scores) const {
+                                              const SE3& T_cur_first, PointTerms& scores) const {
   const PointView seen = view(pairs_[pair], T_cur_first);
   const ResidualModel& model = models_[pair];
-  score_points(seen, options_, model, scores);
+  compute_point_terms(seen, options_, model, scores);
   return {.pair = pairs_[pair],
           .part = part,
           .seen = seen,
@@ -198,7 +198,7 @@ void JointProblem::add_velocities(const ScoredPair& scored, JointScores& result)
   if (options_.readout == 0) {
     return;
   }
-  const RowMoments moments = RowMoments::of(scored.seen, scored.scores);
+  const RollingShutterMoments moments = RollingShutterMoments::of(scored.seen, scored.scores);
   const Matrix6d by_points =
       options_.readout * scored.to_pose * moments.points * adjoint(scored.seen.T_cur_ref);
   const Matrix6d by_image = -options_.readout * scored.to_pose * moments.image;
@@ -233,7 +233,7 @@ JointScores JointProblem::scores(const JointSystem& system, const SE3& T_cur_fir
                      .by_reference_velocity = {references, Matrix6d::Zero()}};
   CurvatureSums sums;
   ReadoutSystem readout;
-  PointScores scores;
+  PointTerms scores;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const ScoredPair pair = scored(i, system.parts[i], T_cur_first, scores);
     add_velocities(pair, result);

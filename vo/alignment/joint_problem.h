@@ -124,7 +124,7 @@ class JointProblem {
     const ImagePair& pair;
     const LinearSystem& part;
     PointView seen;
-    PointScores& scores;
+    PointTerms& scores;
     CellScores::Projection to_pose;
     double inverse_variance;  ///< of the residuals
   };
@@ -139,7 +139,7 @@ class JointProblem {
   void add_depth(const SE3& T_cur_first, JointSystem& system) const;
   void add_depth(const SE3& T_cur_first, CellScores& scores) const;
   ScoredPair scored(std::size_t pair, const LinearSystem& part, const SE3& T_cur_first,
-                    PointScores& scores) const;
+                    PointTerms& scores) const;
   void add_velocities(const ScoredPair& scored, JointScores& result) const;
   void add_readout(const ScoredPair& scored, const SE3& T_cur_first, ReadoutSystem& system) const;
   CellScores::Projection projection(std::size_t pair, const LinearSystem& part,

@@ -1,6 +1,7 @@
 #include "vo/core/fields.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <numeric>
@@ -56,6 +57,10 @@ std::vector<double> split_reals(std::string_view text) {
   }
   return values;
 }
+
+/// Parts of keys that were renamed: the old spelling and today's.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 1> kRenamed = {
+    {{"map.anchor.", "map.host."}}};
 
 std::string join_point(const Eigen::Vector3d& point) {
   return format_real(point.x()) + "," + format_real(point.y()) + "," + format_real(point.z());
@@ -202,9 +207,20 @@ void FieldCollector::operator()(const char* name, std::vector<Eigen::Vector3d>& 
       [&value](std::string_view text) { value = parse_points(text); });
 }
 
+std::string current_key(const std::string& key) {
+  std::string current = key;
+  for (const auto& [old_part, part] : kRenamed) {
+    if (const auto start = current.find(old_part); start != std::string::npos) {
+      current.replace(start, old_part.size(), part);
+    }
+  }
+  return current;
+}
+
 Field& find_field(std::vector<Field>& fields, const std::string& key) {
+  const std::string current = current_key(key);
   const auto found =
-      std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.key == key; });
+      std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.key == current; });
   if (found != fields.end()) {
     return *found;
   }

@@ -133,7 +133,11 @@ std::vector<Field> fields_of(Options& options, const std::string& prefix = "") {
   return fields;
 }
 
-/// Throws Error naming the nearest known key when there is no such field.
+/// Today's spelling of a field's key that had another one in an earlier version.
+std::string current_key(const std::string& key);
+
+/// The field of a key, in today's or an earlier spelling. Throws Error naming the nearest known key
+/// when there is no such field.
 Field& find_field(std::vector<Field>& fields, const std::string& key);
 
 /// Sets one field from text; the Error names the key, what was expected and what was found.

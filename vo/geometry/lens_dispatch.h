@@ -8,7 +8,7 @@ namespace vo {
 /// Calls `visit` with the lens's own function of (lens, x, y), so that a loop in it is compiled
 /// once per model and has no branch.
 template <typename Visit>
-EDVO_INLINE void visit_lens(const Distortion& lens, const Visit& visit) {
+EDVO_INLINE void dispatch_lens(const Distortion& lens, const Visit& visit) {
   if (lens.is_zero()) {
     visit([](const Distortion&, float x, float y) { return DistortedPoint<float>{x, y, 1, 0, 1}; });
   } else if (lens.model == DistortionModel::kannala_brandt) {

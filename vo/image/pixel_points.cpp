@@ -52,7 +52,7 @@ EDVO_INLINE void distort_block(const Distortion& lens, const Distort& distort, B
 
 /// The derivatives of `distort` at the pixels' rays.
 EDVO_INLINE void apply_lens(const Distortion& lens, Block& block) {
-  visit_lens(lens, [&](const auto& distort) { distort_block(lens, distort, block); });
+  dispatch_lens(lens, [&](const auto& distort) { distort_block(lens, distort, block); });
 }
 
 /// The intensity's derivative by the image coordinates (X / Z, Y / Z) gives that by the point.

@@ -120,7 +120,7 @@ float mean_around(const Hypotheses& hypotheses, cv::Point pixel, double confiden
     for (int du = -kRadius; du <= kRadius; ++du) {
       const int other = hypotheses.index(pixel + cv::Point(du, dv));
       const auto j = static_cast<std::size_t>(std::max(other, 0));
-      if (other < 0 || hypotheses.knowledge[j] != Knowledge::known ||
+      if (other < 0 || hypotheses.state[j] != DepthState::known ||
           hypotheses.relative_sigma(j) > confident_sigma) {
         continue;
       }
@@ -145,7 +145,7 @@ void smooth_along_chains(Hypotheses& hypotheses) {
     weights.push_back(1 / variance);
   }
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
-    if (hypotheses.knowledge[i] != Knowledge::none) {
+    if (hypotheses.state[i] != DepthState::none) {
       smooth_along_chain(weights, i, hypotheses);
     }
   }
@@ -154,7 +154,7 @@ void smooth_along_chains(Hypotheses& hypotheses) {
 std::size_t forget_lonely(const DepthMapOptions& options, float guess, Hypotheses& hypotheses) {
   std::vector<std::size_t> lonely;
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
-    if (hypotheses.knowledge[i] == Knowledge::known &&
+    if (hypotheses.state[i] == DepthState::known &&
         hypotheses.relative_sigma(i) <= options.confident_sigma && is_lonely(hypotheses, i)) {
       lonely.push_back(i);
     }
@@ -168,7 +168,7 @@ std::size_t forget_lonely(const DepthMapOptions& options, float guess, Hypothese
 std::size_t fill_from_neighbours(const DepthMapOptions& options, Hypotheses& hypotheses) {
   std::vector<std::pair<std::size_t, float>> filled;
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
-    if (hypotheses.knowledge[i] == Knowledge::none) {
+    if (hypotheses.state[i] == DepthState::none) {
       const float mean = mean_around(hypotheses, hypotheses.pixel[i], options.confident_sigma);
       if (mean > 0) {
         filled.emplace_back(i, mean);
@@ -178,7 +178,7 @@ std::size_t fill_from_neighbours(const DepthMapOptions& options, Hypotheses& hyp
   for (const auto& [i, mean] : filled) {
     const float sigma = static_cast<float>(options.fill_sigma) * mean;
     hypotheses.set(i, mean, sigma * sigma);
-    hypotheses.knowledge[i] = Knowledge::filled;
+    hypotheses.state[i] = DepthState::filled;
   }
   return filled.size();
 }

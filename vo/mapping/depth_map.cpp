@@ -41,17 +41,17 @@ DepthMap::DepthMap(const DepthMapOptions& options) : options_(options) {
   options_.validate();
 }
 
-void DepthMap::start(const FramePyramid& anchor, double guessed_depth) {
-  anchor_ = anchor;
-  past_anchors_.clear();
-  frames_since_anchor_ = 0;
+void DepthMap::start(const FramePyramid& host, double guessed_depth) {
+  host_ = host;
+  past_hosts_.clear();
+  frames_since_host_ = 0;
   hypotheses_ =
-      edge_hypotheses(anchor.levels.front(), options_, static_cast<float>(1 / guessed_depth));
-  cells_ = point_cells(anchor_, hypotheses_);
+      edge_hypotheses(host.levels.front(), options_, static_cast<float>(1 / guessed_depth));
+  cells_ = point_cells(host_, hypotheses_);
 }
 
 void DepthMap::take_depth(const DepthImage& depth, double relative_sigma) {
-  assert(depth.size() == anchor_.levels.front().intensity.size());
+  assert(depth.size() == host_.levels.front().intensity.size());
   for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
     const EdgeDepth edge =
         depth_of_edge(depth, hypotheses_.pixel[i], static_cast<float>(relative_sigma));
@@ -71,16 +71,16 @@ void DepthMap::guess_random(std::uint64_t seed) {
   }
 }
 
-bool DepthMap::needs_new_anchor(const FramePyramid& current, const SE3& T_cur_anchor) const {
+bool DepthMap::needs_new_host(const FramePyramid& current, const SE3& T_cur_host) const {
   return options_.propagate == PropagationPolicy::always ||
-         (options_.anchor.every > 0 && frames_since_anchor_ >= options_.anchor.every) ||
-         view_has_changed(current, T_cur_anchor);
+         (options_.host.every > 0 && frames_since_host_ >= options_.host.every) ||
+         view_has_changed(current, T_cur_host);
 }
 
-bool DepthMap::view_has_changed(const FramePyramid& current, const SE3& T_cur_anchor) const {
-  const AnchorOptions& options = options_.anchor;
+bool DepthMap::view_has_changed(const FramePyramid& current, const SE3& T_cur_host) const {
+  const HostOptions& options = options_.host;
   constexpr std::size_t kStride = 8;  // a share of the edges tells
-  const StereoPair pair(anchor_.levels.front(), current.levels.front(), {T_cur_anchor});
+  const StereoPair pair(host_.levels.front(), current.levels.front(), {T_cur_host});
   double asked = 0;
   double seen = 0;
   double flow = 0;
@@ -108,7 +108,7 @@ SearchTarget DepthMap::target(std::size_t i) const {
                       d,
                       static_cast<float>(1 / options_.min_depth),
                       static_cast<float>(1 / options_.max_depth)};
-  if (hypotheses_.knowledge[i] != Knowledge::none) {
+  if (hypotheses_.state[i] != DepthState::none) {
     const float reach =
         static_cast<float>(options_.epipolar.search_sigmas) * std::sqrt(hypotheses_.variance[i]);
     target.nearest = d + reach;
@@ -121,7 +121,7 @@ void DepthMap::count_and_fuse(const Observation& observation, std::size_t i, flo
                               ObservationCounts& counts) {
   const Innovation step = innovation(observation, i, hypotheses_);
   const auto gate = static_cast<float>(options_.gate_sigmas * options_.gate_sigmas);
-  const bool consistent = hypotheses_.knowledge[i] == Knowledge::none ||
+  const bool consistent = hypotheses_.state[i] == DepthState::none ||
                           options_.fusion == Fusion::gaussian_beta ||
                           step.difference * step.difference <= gate * step.variance;
   if (consistent) {
@@ -135,8 +135,8 @@ void DepthMap::count_and_fuse(const Observation& observation, std::size_t i, flo
 
 ObservationCounts DepthMap::observe(const FramePyramid& current, const FrameRelation& relation,
                                     const ObservationListener& listener) {
-  ++frames_since_anchor_;
-  const StereoPair pair(anchor_.levels.front(), current.levels.front(), relation);
+  ++frames_since_host_;
+  const StereoPair pair(host_.levels.front(), current.levels.front(), relation);
   std::vector<SearchTarget> targets;
   targets.reserve(hypotheses_.size());
   for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
@@ -187,40 +187,40 @@ void DepthMap::regularise() {
 PropagationCounts DepthMap::propagate(const FramePyramid& current, const FrameRelation& relation) {
   const float guess = median_inverse_depth(hypotheses_, static_cast<float>(2 / options_.max_depth));
   Hypotheses next = edge_hypotheses(current.levels.front(), options_, guess);
-  const StereoPair pair(anchor_.levels.front(), current.levels.front(), relation);
+  const StereoPair pair(host_.levels.front(), current.levels.front(), relation);
   const PropagationCounts counts = vo::propagate(pair, hypotheses_, options_, next);
   fill_from_neighbours(options_, next);
   hypotheses_ = std::move(next);
-  FramePyramid last_anchor = std::exchange(anchor_, current);
-  cells_ = point_cells(anchor_, hypotheses_);
+  FramePyramid last_host = std::exchange(host_, current);
+  cells_ = point_cells(host_, hypotheses_);
   if (options_.propagate == PropagationPolicy::always) {
-    look_back(std::move(last_anchor), relation);
+    look_back(std::move(last_host), relation);
   }
-  frames_since_anchor_ = 0;
+  frames_since_host_ = 0;
   return counts;
 }
 
-void DepthMap::look_back(FramePyramid last_anchor, const FrameRelation& relation) {
+void DepthMap::look_back(FramePyramid last_host, const FrameRelation& relation) {
   constexpr std::size_t kMostPast = 20;  // where the camera stands still
-  const SE3 T_last_anchor = relation.T_cur_anchor.inverse();
-  for (PastAnchor& past : past_anchors_) {
-    past.T_past_anchor = past.T_past_anchor * T_last_anchor;
+  const SE3 T_last_host = relation.T_cur_host.inverse();
+  for (PastHost& past : past_hosts_) {
+    past.T_past_host = past.T_past_host * T_last_host;
   }
-  past_anchors_.push_back({std::move(last_anchor), T_last_anchor});
-  const auto is_left_behind = [this](const PastAnchor& past) {
-    return past_anchors_.size() > kMostPast || view_has_changed(past.frame, past.T_past_anchor);
+  past_hosts_.push_back({std::move(last_host), T_last_host});
+  const auto is_left_behind = [this](const PastHost& past) {
+    return past_hosts_.size() > kMostPast || view_has_changed(past.frame, past.T_past_host);
   };
-  while (past_anchors_.size() > 1 && is_left_behind(past_anchors_.front())) {
-    past_anchors_.pop_front();
+  while (past_hosts_.size() > 1 && is_left_behind(past_hosts_.front())) {
+    past_hosts_.pop_front();
   }
-  if (past_anchors_.size() > 1) {
-    const PastAnchor& earliest = past_anchors_.front();
-    observe(earliest.frame, {earliest.T_past_anchor, relation.covariance});
+  if (past_hosts_.size() > 1) {
+    const PastHost& earliest = past_hosts_.front();
+    observe(earliest.frame, {earliest.T_past_host, relation.covariance});
   }
 }
 
 EdgePoints DepthMap::points(const EdgePointOptions& options, Guesses guesses) const {
-  return map_points(anchor_, cells_, hypotheses_, options, options_.confident_sigma, guesses);
+  return map_points(host_, cells_, hypotheses_, options, options_.confident_sigma, guesses);
 }
 
 std::size_t DepthMap::confident() const {

@@ -28,18 +28,18 @@ struct ObservationCounts {
 /// Told of each observation before it is fused; for tests and diagnostics.
 using ObservationListener = std::function<void(std::size_t hypothesis, const Observation&)>;
 
-/// Inverse depths of the edge pixels of one frame, the anchor, with their uncertainty. It is kept
-/// (`observe` with each frame) and carried from anchor to anchor (`propagate`).
+/// Inverse depths of the edge pixels of one frame, the host, with their uncertainty. It is kept
+/// (`observe` with each frame) and carried from host to host (`propagate`).
 ///
 /// Nothing here knows metres: scale is whatever the first depths and the poses have.
 class DepthMap {
  public:
   explicit DepthMap(const DepthMapOptions& options);
 
-  /// A new anchor, with edges, of which nothing is known but a guess of the depth, m.
-  void start(const FramePyramid& anchor, double guessed_depth);
+  /// A new host, with edges, of which nothing is known but a guess of the depth, m.
+  void start(const FramePyramid& host, double guessed_depth);
 
-  /// Depths of a dense depth image of the anchor's size with a relative standard deviation; where
+  /// Depths of a dense depth image of the host's size with a relative standard deviation; where
   /// it has none, nothing is known.
   void take_depth(const DepthImage& depth, double relative_sigma);
 
@@ -52,19 +52,19 @@ class DepthMap {
   /// Smooths along the edges and forgets what disagrees with its neighbours.
   void regularise();
 
-  /// Makes the current frame, with edges, the anchor. Where every frame becomes one, its edges are
+  /// Makes the current frame, with edges, the host. Where every frame becomes one, its edges are
   /// looked for in the earliest that still shows the same, too: from frame to frame there is hardly
   /// any parallax.
   PropagationCounts propagate(const FramePyramid& current, const FrameRelation& relation);
 
-  /// Whether it is time for a new anchor, as the options say.
-  bool needs_new_anchor(const FramePyramid& current, const SE3& T_cur_anchor) const;
+  /// Whether it is time for a new host, as the options say.
+  bool needs_new_host(const FramePyramid& current, const SE3& T_cur_host) const;
 
   /// As the tracker takes it: what is known with confidence, and guesses where they are wanted.
   EdgePoints points(const EdgePointOptions& options, Guesses guesses = Guesses::left_out) const;
 
-  bool empty() const { return anchor_.levels.empty(); }
-  const FramePyramid& anchor() const { return anchor_; }
+  bool empty() const { return host_.levels.empty(); }
+  const FramePyramid& host() const { return host_; }
   const Hypotheses& hypotheses() const { return hypotheses_; }
   const DepthMapOptions& options() const { return options_; }
   std::size_t confident() const;  ///< how many hypotheses are
@@ -73,20 +73,20 @@ class DepthMap {
   SearchTarget target(std::size_t i) const;
   void count_and_fuse(const Observation& observation, std::size_t i, float guess,
                       ObservationCounts& counts);
-  bool view_has_changed(const FramePyramid& current, const SE3& T_cur_anchor) const;
-  void look_back(FramePyramid last_anchor, const FrameRelation& relation);
+  bool view_has_changed(const FramePyramid& current, const SE3& T_cur_host) const;
+  void look_back(FramePyramid last_host, const FrameRelation& relation);
 
-  struct PastAnchor {
+  struct PastHost {
     FramePyramid frame;
-    SE3 T_past_anchor;
+    SE3 T_past_host;
   };
 
   DepthMapOptions options_;
-  FramePyramid anchor_;
-  std::deque<PastAnchor> past_anchors_;  ///< oldest first; where every frame becomes an anchor
+  FramePyramid host_;
+  std::deque<PastHost> past_hosts_;  ///< oldest first; where every frame becomes an host
   Hypotheses hypotheses_;
-  PointCells cells_;  ///< of the anchor, for the tracker's points
-  int frames_since_anchor_ = 0;
+  PointCells cells_;  ///< of the host, for the tracker's points
+  int frames_since_host_ = 0;
 };
 
 }  // namespace vo

@@ -18,10 +18,10 @@ void EpipolarOptions::validate() const {
           "epipolar: expected sigma_match_px above 0 and the other sigmas at least 0");
 }
 
-void AnchorOptions::validate() const {
-  require(every >= 0, "anchor.every: expected at least 0, got ", every);
+void HostOptions::validate() const {
+  require(every >= 0, "host.every: expected at least 0, got ", every);
   require(max_flow > 0 && min_overlap >= 0 && min_overlap <= 1,
-          "anchor: expected max_flow above 0 and min_overlap from 0 to 1");
+          "host: expected max_flow above 0 and min_overlap from 0 to 1");
 }
 
 void DepthMapOptions::validate() const {
@@ -35,7 +35,7 @@ void DepthMapOptions::validate() const {
   require(confident_sigma > min_sigma, "depth_map.confident_sigma: expected above min_sigma, got ",
           confident_sigma);
   require(max_failures >= 1, "depth_map.max_failures: expected at least 1, got ", max_failures);
-  anchor.validate();
+  host.validate();
   epipolar.validate();
 }
 

@@ -6,9 +6,9 @@
 
 namespace vo {
 
-/// When hypotheses move to a new anchor.
+/// When hypotheses move to a new host.
 enum class PropagationPolicy {
-  keyframe,  ///< when the view has changed enough; between them the anchor stays
+  keyframe,  ///< when the view has changed enough; between them the host stays
   always,    ///< every frame, "at each new time step" as the paper has it
 };
 
@@ -48,7 +48,7 @@ struct EpipolarOptions {
   double max_scale_change = 1.5;  ///< of the neighbourhood from frame to frame, either way
   double max_residual = 16;       ///< grey levels, RMS of five samples; more is no match
   double ambiguity = 1.5;         ///< second best over best squared difference, on longer lines
-  double sigma_offset_px = 0.15;  ///< of the edge in the anchor, the same for all frames
+  double sigma_offset_px = 0.15;  ///< of the edge in the host, the same for all frames
   double sigma_line_px = 0.11;    ///< of the line's position across itself
   double sigma_match_px = 0.11;   ///< of the match along the line
   double sigma_grey = 2;          ///< grey levels, of an intensity
@@ -67,14 +67,14 @@ void visit_fields(Visitor& visit, EpipolarOptions& options) {
   visit("max_residual", options.max_residual, "RMS of five samples, grey levels");
   visit("ambiguity", options.ambiguity, "second best over best squared difference");
   visit("sigma_offset_px", options.sigma_offset_px,
-        "of the edge in the anchor, alike in all frames, px");
+        "of the edge in the host keyframe, alike in all frames, px");
   visit("sigma_line_px", options.sigma_line_px, "of the line across itself, px");
   visit("sigma_match_px", options.sigma_match_px, "of the match along the line, px");
   visit("sigma_grey", options.sigma_grey, "of an intensity, grey levels");
 }
 
-/// When the view has changed so much that the next frame becomes the anchor.
-struct AnchorOptions {
+/// When the view has changed so much that the next frame becomes the host.
+struct HostOptions {
   int every = 0;             ///< frames; 0 is by view alone
   double max_flow = 0.06;    ///< mean displacement of the edges, image widths
   double min_overlap = 0.7;  ///< share of the edges in view
@@ -83,8 +83,8 @@ struct AnchorOptions {
 };
 
 template <typename Visitor>
-void visit_fields(Visitor& visit, AnchorOptions& options) {
-  visit("every", options.every, "frames from anchor to anchor; 0 is by view alone");
+void visit_fields(Visitor& visit, HostOptions& options) {
+  visit("every", options.every, "frames from host to host; 0 is by view alone");
   visit("max_flow", options.max_flow, "a new one beyond this mean displacement, image widths");
   visit("min_overlap", options.min_overlap, "a new one below this share of edges in view");
 }
@@ -93,17 +93,17 @@ struct DepthMapOptions {
   PropagationPolicy propagate = PropagationPolicy::keyframe;
   Fusion fusion = Fusion::gaussian;
   Regularisation regularise = Regularisation::chains;
-  int max_hypotheses = 8000;         ///< per anchor, spread evenly; 0 is no limit
+  int max_hypotheses = 8000;         ///< per host, spread evenly; 0 is no limit
   double min_depth = 0.25;           ///< m, where nothing is known yet
   double max_depth = 20;             ///< m
   double gate_sigmas = 3;            ///< an observation farther off is refused
   double min_sigma = 0.001;          ///< of an inverse depth, relative: what no averaging removes
-  double propagation_sigma = 0.002;  ///< relative, added when the anchor changes
+  double propagation_sigma = 0.002;  ///< relative, added when the host changes
   double confident_sigma = 0.1;      ///< relative; a hypothesis below it is used for tracking
   int max_failures = 3;              ///< more failed than successful observations: deleted
   double fill_sigma = 0.05;          ///< relative, of an edge pixel filled from its neighbours
   std::uint64_t seed = 0;            ///< of which edge pixels the limit leaves
-  AnchorOptions anchor;
+  HostOptions host;
   EpipolarOptions epipolar;
 
   void validate() const;  ///< throws Error
@@ -119,12 +119,12 @@ void visit_fields(Visitor& visit, DepthMapOptions& options) {
   visit("max_depth", options.max_depth, "searched to, where nothing is known, m");
   visit("gate_sigmas", options.gate_sigmas, "an observation farther off is refused");
   visit("min_sigma", options.min_sigma, "least relative standard deviation of an inverse depth");
-  visit("propagation_sigma", options.propagation_sigma, "relative, added when the anchor changes");
+  visit("propagation_sigma", options.propagation_sigma, "relative, added when the host changes");
   visit("confident_sigma", options.confident_sigma, "relative; below it used for tracking");
   visit("max_failures", options.max_failures, "more failures than successes: deleted");
   visit("fill_sigma", options.fill_sigma, "relative, of a pixel filled from its neighbours");
   visit("seed", options.seed, "of which edge pixels the limit leaves");
-  visit("anchor", options.anchor, "");
+  visit("host", options.host, "");
   visit("epipolar", options.epipolar, "");
 }
 

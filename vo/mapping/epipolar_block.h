@@ -30,45 +30,45 @@ constexpr std::int32_t code(SearchOutcome outcome) {
 struct SearchView {
   const StereoPair& pair;
   const EpipolarOptions& options;
-  LaneCamera anchor_camera, current_camera;
-  LaneImage anchor, current;
-  Eigen::Matrix3f R;  // cur_anchor
-  Eigen::Vector3f t;  // cur_anchor, m
-  Eigen::Vector3f c;  // current camera's centre in the anchor, m
+  LaneCamera host_camera, current_camera;
+  LaneImage host, current;
+  Eigen::Matrix3f R;  // cur_host
+  Eigen::Vector3f t;  // cur_host, m
+  Eigen::Vector3f c;  // current camera's centre in the host, m
 
   SearchView(const StereoPair& stereo_pair, const EpipolarOptions& search_options)
       : pair(stereo_pair),
         options(search_options),
-        anchor_camera(pair.anchor.camera),
+        host_camera(pair.host.camera),
         current_camera(pair.current.camera),
-        anchor(pair.anchor.intensity),
+        host(pair.host.intensity),
         current(pair.current.intensity),
-        R(pair.R_cur_anchor),
-        t(pair.t_cur_anchor),
-        c(pair.p_anchor_cur) {}
+        R(pair.R_cur_host),
+        t(pair.t_cur_host),
+        c(pair.p_host_cur) {}
 };
 
 /// Edges, their epipolar lines in the current image around the expected places, s = 0, and what the
-/// anchor shows along its own.
+/// host shows along its own.
 struct alignas(64) LineBlock {
-  LineRow u, v;                                    // px, in the anchor
-  LineRow ray_x, ray_y;                            // X / Z, Y / Z
-  LineRow gradient_u, gradient_v;                  // 1/px
-  LineRow inverse_depth, nearest, farthest;        // 1/m
-  LineRow towards_x, towards_y;                    // the line in the anchor, in ray coordinates
-  LineRow length;                                  // px, of that
-  LineRow along_u, along_v;                        // px, unit, of the line in the anchor
-  LineRow cosine, sine;                            // of gradient and line
-  LineRow R_ray_x, R_ray_y, R_ray_z;               // the point is along R_ray + d t
-  LineRow q_x, q_y;                                // ray coordinates of the expected place
-  LineRow dq_x, dq_y;                              // of one px along the line
-  ImagedLanes<kLines> imaged;                      // of q
-  LineRow step;                                    // px per sample of the anchor
-  LineRow s_min, s_max;                            // px, of the searched interval
-  LineRow s;                                       // px, of the match
-  LineRow information;                             // sum of squared slopes, per px^2
-  LineRow squares;                                 // sum of squared differences
-  std::array<LineRow, kSampled> anchor_intensity;  // as the current image should show them
+  LineRow u, v;                                  // px, in the host
+  LineRow ray_x, ray_y;                          // X / Z, Y / Z
+  LineRow gradient_u, gradient_v;                // 1/px
+  LineRow inverse_depth, nearest, farthest;      // 1/m
+  LineRow towards_x, towards_y;                  // the line in the host, in ray coordinates
+  LineRow length;                                // px, of that
+  LineRow along_u, along_v;                      // px, unit, of the line in the host
+  LineRow cosine, sine;                          // of gradient and line
+  LineRow R_ray_x, R_ray_y, R_ray_z;             // the point is along R_ray + d t
+  LineRow q_x, q_y;                              // ray coordinates of the expected place
+  LineRow dq_x, dq_y;                            // of one px along the line
+  ImagedLanes<kLines> imaged;                    // of q
+  LineRow step;                                  // px per sample of the host
+  LineRow s_min, s_max;                          // px, of the searched interval
+  LineRow s;                                     // px, of the match
+  LineRow information;                           // sum of squared slopes, per px^2
+  LineRow squares;                               // sum of squared differences
+  std::array<LineRow, kSampled> host_intensity;  // as the current image should show them
   LineOutcomes outcome;
 };
 
@@ -95,14 +95,14 @@ EDVO_INLINE void load_targets(const TargetOf& target_of, LineBlock& block) {
   }
 }
 
-/// The lines in the anchor. Unobservable is what tells nothing: no parallax, no gradient along the
+/// The lines in the host. Unobservable is what tells nothing: no parallax, no gradient along the
 /// line.
 EDVO_INLINE void aim_lines(const SearchView& view, LineBlock& block) {
   const auto min_parallax = static_cast<float>(view.options.min_parallax_px);
   const auto min_gradient = static_cast<float>(view.options.min_gradient) * kGreyLevel;
   const auto min_cos2 = static_cast<float>(view.options.min_cos2);
   ImagedLanes<kLines> imaged;
-  image_lanes(view.anchor_camera, block.ray_x, block.ray_y, imaged);
+  image_lanes(view.host_camera, block.ray_x, block.ray_y, imaged);
   for (std::size_t i = 0; i < kLines; ++i) {
     const float x = view.c[0] - view.c[2] * block.ray_x[i];
     const float y = view.c[1] - view.c[2] * block.ray_y[i];
@@ -179,21 +179,21 @@ EDVO_INLINE void project_lines(const SearchView& view, LineBlock& block) {
   }
 }
 
-/// Out of view is what is too near to the anchor's border.
-EDVO_INLINE void sample_anchor(const SearchView& view, LineBlock& block) {
+/// Out of view is what is too near to the host's border.
+EDVO_INLINE void sample_host(const SearchView& view, LineBlock& block) {
   LineRow at_u;
   LineRow at_v;
   for (std::size_t k = 0; k < kSampled; ++k) {
     const auto away = static_cast<float>(static_cast<int>(k) - kReach - 1);
-    LineRow& intensity = block.anchor_intensity[k];
+    LineRow& intensity = block.host_intensity[k];
     for (std::size_t i = 0; i < kLines; ++i) {
       at_u[i] = block.u[i] + away * block.along_u[i];
       at_v[i] = block.v[i] + away * block.along_v[i];
     }
-    sample_lanes(view.anchor, at_u, at_v, 0, intensity);
+    sample_lanes(view.host, at_u, at_v, 0, intensity);
     for (std::size_t i = 0; i < kLines; ++i) {
       intensity[i] = view.pair.gain * intensity[i] + view.pair.offset;
-      rule_out(!view.anchor.holds(at_u[i], at_v[i]), SearchOutcome::out_of_view, block.outcome[i]);
+      rule_out(!view.host.holds(at_u[i], at_v[i]), SearchOutcome::out_of_view, block.outcome[i]);
     }
   }
 }

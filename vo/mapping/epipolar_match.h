@@ -11,14 +11,14 @@
 
 #include "vo/mapping/epipolar_block.h"
 
-/// Where the current image looks like the anchor: the second half of a block's search.
+/// Where the current image looks like the host: the second half of a block's search.
 namespace vo::detail {
 
 /// Samples of a block's lines one behind the other, and what a line's differ by.
 struct LineSamples {
   std::array<std::size_t, kLines> first;  // of each line
   std::array<std::size_t, kLines>
-      shifts;               // of the anchor's samples along the line; 0 unless searched
+      shifts;               // of the host's samples along the line; 0 unless searched
   std::vector<float> u, v;  // px
   std::vector<float> intensity;
   std::vector<float> difference;  // sum of squares, per shift
@@ -117,7 +117,7 @@ EDVO_INLINE void compare_line(const LineBlock& block, std::size_t i, LineSamples
     for (std::size_t k = 0; k < kCompared; ++k) {
       Octet away;
       std::memcpy(&away, intensity + start + k, sizeof(away));
-      away -= block.anchor_intensity[k + 1][i];
+      away -= block.host_intensity[k + 1][i];
       sum += away * away;
     }
     sum = sum < kUnseen ? sum : Octet{} + kUnseen;
@@ -240,8 +240,8 @@ EDVO_INLINE void sum_lines(const LineView& seen, const LineBlock& block, LineSum
     for (std::size_t i = 0; i < kLines; ++i) {
       const float slope = 0.25F / block.step[i] *
                           ((seen.intensity[k + 1][i] - seen.intensity[k - 1][i]) +
-                           (block.anchor_intensity[k + 1][i] - block.anchor_intensity[k - 1][i]));
-      const float residual = seen.intensity[k][i] - block.anchor_intensity[k][i];
+                           (block.host_intensity[k + 1][i] - block.host_intensity[k - 1][i]));
+      const float residual = seen.intensity[k][i] - block.host_intensity[k][i];
       sums.information[i] += slope * slope;
       sums.right[i] += slope * residual;
       sums.squares[i] += residual * residual;

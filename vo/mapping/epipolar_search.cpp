@@ -14,7 +14,7 @@ using detail::code;
 using detail::kLines;
 using detail::LineBlock;
 using detail::LineSamples;
-using detail::LineWorth;
+using detail::LineVariance;
 using detail::SearchView;
 
 using Targets = std::span<const SearchTarget>;
@@ -43,19 +43,19 @@ EDVO_INLINE void search_block(const SearchView& view, Targets targets,
                block);
   aim_lines(view, block);
   project_lines(view, block);
-  sample_anchor(view, block);
+  sample_host(view, block);
   bound_lines(view, block);
   match_lines(view, samples, block);
   refine_lines(view, block);
-  LineWorth worth;
-  judge_lines(view, block, worth);
+  LineVariance line_variance;
+  judge_lines(view, block, line_variance);
   for (std::size_t i = 0; i < indices.size(); ++i) {
     Observation& observation = observations[indices[i]];
     observation.outcome = static_cast<SearchOutcome>(block.outcome[i]);
     if (block.outcome[i] == code(SearchOutcome::found)) {
-      observation.inverse_depth = worth.inverse_depth[i];
-      observation.variance = worth.variance[i];
-      observation.offset_slope = worth.offset_slope[i];
+      observation.inverse_depth = line_variance.inverse_depth[i];
+      observation.variance = line_variance.variance[i];
+      observation.offset_slope = line_variance.offset_slope[i];
     }
   }
 }
@@ -90,11 +90,11 @@ EDVO_TARGET_AVX512 void search_avx512(const SearchView& view, Targets targets,
 }  // namespace
 
 float epipolar_cos2(const StereoPair& pair, cv::Point pixel, const cv::Vec2f& gradient) {
-  const cv::Vec2f& at = pair.anchor.rays(pixel);
+  const cv::Vec2f& at = pair.host.rays(pixel);
   const Eigen::Vector2f ray(at[0], at[1]);
-  const Eigen::Vector3f& c = pair.p_anchor_cur;
+  const Eigen::Vector3f& c = pair.p_host_cur;
   const Eigen::Vector2f towards(c.x() - c.z() * ray.x(), c.y() - c.z() * ray.y());
-  const Eigen::Vector2f line = image_ray(pair.anchor.camera, ray).J * towards;
+  const Eigen::Vector2f line = image_ray(pair.host.camera, ray).J * towards;
   const float along = gradient[0] * line.x() + gradient[1] * line.y();
   const float norm2 = line.squaredNorm() * (gradient[0] * gradient[0] + gradient[1] * gradient[1]);
   return norm2 > 0 ? along * along / norm2 : 0;

@@ -29,7 +29,7 @@ constexpr auto enum_names(SearchOutcome) {
                     std::pair{SearchOutcome::no_match, "no_match"}};
 }
 
-/// An edge pixel of the anchor and where its depth is looked for.
+/// An edge pixel of the host and where its depth is looked for.
 struct SearchTarget {
   cv::Point pixel;
   cv::Vec2f ray;            ///< (X / Z, Y / Z)
@@ -43,15 +43,15 @@ struct Observation {
   SearchOutcome outcome = SearchOutcome::unobservable;
   float inverse_depth = 0;  ///< 1/m
   float variance = 0;       ///< 1/m^2, of what differs from frame to frame
-  float offset_slope = 0;   ///< 1/m, error from one standard deviation of the anchor's edge offset
+  float offset_slope = 0;   ///< 1/m, error from one standard deviation of the host's edge offset
 };
 
 /// Squared cosine of the angle between an edge pixel's gradient and its epipolar line in the
-/// anchor; 0 where there is no line.
+/// host; 0 where there is no line.
 float epipolar_cos2(const StereoPair& pair, cv::Point pixel, const cv::Vec2f& gradient);
 
-/// Looks for edges of the anchor along their epipolar lines in the current image: five samples one
-/// anchor pixel apart along the line, the least sum of squared differences, and Gauss-Newton on the
+/// Looks for edges of the host along their epipolar lines in the current image: five samples one
+/// host pixel apart along the line, the least sum of squared differences, and Gauss-Newton on the
 /// position along the line. The variance is
 ///
 ///   alpha^2 ((s_line^2 + s_pose^2) / cos^2 + s_I^2 / sum dI^2 + s_match^2)
@@ -59,7 +59,7 @@ float epipolar_cos2(const StereoPair& pair, cv::Point pixel, const cv::Vec2f& gr
 /// with alpha the inverse depth per px (Engel, Sturm, Cremers, "Semi-Dense Visual Odometry for a
 /// Monocular Camera", ICCV 2013, Eq. 4 to 9), s_pose the pose's uncertainty across the edge and
 /// s_I^2 the squared difference of the images: 2 s_grey^2 and what the samples say, by halves.
-/// Beside it the edge's offset in the anchor moves the match by s_offset / cos. One observation per
+/// Beside it the edge's offset in the host moves the match by s_offset / cos. One observation per
 /// target, the same bits with all instructions.
 std::vector<Observation> search_epipolar_lines(const StereoPair& pair,
                                                const EpipolarOptions& options,

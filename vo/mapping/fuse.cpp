@@ -98,11 +98,11 @@ Innovation innovation(const Observation& observation, std::size_t i, const Hypot
 
 void fuse(const Observation& observation, const DepthMapOptions& options, std::size_t i,
           Hypotheses& hypotheses) {
-  if (hypotheses.knowledge[i] == Knowledge::none) {
+  if (hypotheses.state[i] == DepthState::none) {
     const float k = observation.offset_slope;
     hypotheses.set(i, observation.inverse_depth, observation.variance + k * k);
     hypotheses.offset_covariance[i] = -k;
-    hypotheses.knowledge[i] = Knowledge::tentative;
+    hypotheses.state[i] = DepthState::tentative;
     hypotheses.inliers[i] = 1;
     return;
   }
@@ -113,14 +113,14 @@ void fuse(const Observation& observation, const DepthMapOptions& options, std::s
     hypotheses.inliers[i] = std::min(hypotheses.inliers[i] + 1, kMaxInliers);
     hypotheses.outliers[i] = std::max(hypotheses.outliers[i] - 1, 0.0F);
   }
-  hypotheses.knowledge[i] = Knowledge::known;
+  hypotheses.state[i] = DepthState::known;
 }
 
 void count_failure(const DepthMapOptions& options, float guess, std::size_t i,
                    Hypotheses& hypotheses) {
   hypotheses.outliers[i] += 1;
   hypotheses.variance[i] *= kFailureGrowth;
-  if (hypotheses.knowledge[i] == Knowledge::tentative ||
+  if (hypotheses.state[i] == DepthState::tentative ||
       is_hopeless(options, hypotheses.inliers[i], hypotheses.outliers[i])) {
     hypotheses.forget(i, guess);
   }

@@ -56,7 +56,7 @@ void add_hypothesis(const PyramidLevel& level, cv::Point pixel, Hypotheses& hypo
 /// Nothing is known of any depth.
 void guess_depths(float guess, Hypotheses& hypotheses) {
   const std::size_t count = hypotheses.size();
-  hypotheses.knowledge.assign(count, Knowledge::none);
+  hypotheses.state.assign(count, DepthState::none);
   for (std::vector<float>* depth : {&hypotheses.inverse_depth, &hypotheses.smoothed}) {
     depth->assign(count, guess);
   }
@@ -106,7 +106,7 @@ cv::Vec2f Hypotheses::edge_position(std::size_t i) const {
 }
 
 void Hypotheses::set(std::size_t i, float new_inverse_depth, float new_variance) {
-  knowledge[i] = Knowledge::known;
+  state[i] = DepthState::known;
   inverse_depth[i] = new_inverse_depth;
   smoothed[i] = new_inverse_depth;
   smoothed_variance[i] = new_variance;
@@ -120,7 +120,7 @@ void Hypotheses::set(std::size_t i, float new_inverse_depth, float new_variance)
 
 void Hypotheses::forget(std::size_t i, float guess) {
   set(i, guess, guess * guess);
-  knowledge[i] = Knowledge::none;
+  state[i] = DepthState::none;
 }
 
 Hypotheses edge_hypotheses(const PyramidLevel& level, const DepthMapOptions& options,
@@ -150,7 +150,7 @@ Hypotheses edge_hypotheses(const PyramidLevel& level, const DepthMapOptions& opt
 float median_inverse_depth(const Hypotheses& hypotheses, float fallback) {
   std::vector<float> known;
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
-    if (hypotheses.knowledge[i] != Knowledge::none) {
+    if (hypotheses.state[i] != DepthState::none) {
       known.push_back(hypotheses.inverse_depth[i]);
     }
   }

@@ -11,17 +11,17 @@
 namespace vo {
 
 /// What is known of one edge pixel's depth.
-enum class Knowledge : std::uint8_t {
+enum class DepthState : std::uint8_t {
   none,       ///< a guess; the whole range of depths is searched
   tentative,  ///< found once in the whole range; the next observation must confirm it
   filled,     ///< taken from neighbours
   known,      ///< observed or given
 };
 
-/// The depth of edge pixels of one frame, the anchor: one element per pixel in each array, in scan
+/// The depth of edge pixels of one frame, the host: one element per pixel in each array, in scan
 /// order. Depth is that of the edge, not of the background beside it.
 ///
-/// Every observation compares with the same five samples of the anchor: what the anchor shows
+/// Every observation compares with the same five samples of the host: what the host shows
 /// wrongly, as by aliasing, is the same in all of them and does not average away. This offset of
 /// the edge is estimated beside the inverse depth, in units of its standard deviation.
 struct Hypotheses {
@@ -30,10 +30,10 @@ struct Hypotheses {
   std::vector<cv::Vec2f> gradient;  ///< of the intensity at the pixel, 1/px
   std::vector<cv::Vec2f> across;    ///< its direction, unit
   std::vector<float> edge_offset;   ///< px, from the pixel's centre to the edge up the gradient
-  std::vector<Knowledge> knowledge;
+  std::vector<DepthState> state;
   std::vector<float> inverse_depth;      ///< 1/m
   std::vector<float> variance;           ///< 1/m^2
-  std::vector<float> offset;             ///< of the edge in the anchor, standard deviations
+  std::vector<float> offset;             ///< of the edge in the host, standard deviations
   std::vector<float> offset_variance;    ///< 1 where nothing is known of it
   std::vector<float> offset_covariance;  ///< with the inverse depth, 1/m
   std::vector<float> smoothed;           ///< 1/m, inverse depth agreed with the neighbours
@@ -42,7 +42,7 @@ struct Hypotheses {
   std::vector<float> outliers;           ///< failed ones; b of Beta(a, b)
   std::vector<int> previous;             ///< neighbour along the edge, -1 without
   std::vector<int> next;                 ///< the one on the other side
-  cv::Mat_<int> index;                   ///< of each pixel of the anchor, -1 where none
+  cv::Mat_<int> index;                   ///< of each pixel of the host, -1 where none
 
   std::size_t size() const { return pixel.size(); }
 
@@ -53,7 +53,7 @@ struct Hypotheses {
 
   /// Given, confirmed or filled in.
   bool is_trusted(std::size_t i) const {
-    return knowledge[i] == Knowledge::filled || knowledge[i] == Knowledge::known;
+    return state[i] == DepthState::filled || state[i] == DepthState::known;
   }
 
   bool is_confident(std::size_t i, double max_relative_sigma) const {

@@ -8,14 +8,14 @@
 /// What a block's matches say about inverse depths.
 namespace vo::detail {
 
-struct LineWorth {
+struct LineVariance {
   LineRow inverse_depth;  // 1/m
   LineRow variance;       // 1/m^2
   LineRow offset_slope;   // 1/m
 };
 
 /// The points at the places on the lines, in the current camera's frame over their depth in the
-/// anchor.
+/// host.
 struct LinePoints {
   LineRow inverse_depth;  // 1/m
   LineRow x, y, z;
@@ -103,7 +103,8 @@ EDVO_INLINE void vary_poses(const SearchView& view, const LineBlock& block,
   }
 }
 
-EDVO_INLINE void judge_lines(const SearchView& view, LineBlock& block, LineWorth& worth) {
+EDVO_INLINE void judge_lines(const SearchView& view, LineBlock& block,
+                             LineVariance& line_variance) {
   const auto sigma_offset = static_cast<float>(view.options.sigma_offset_px);
   const auto sigma_line = static_cast<float>(view.options.sigma_line_px);
   const auto sigma_match = static_cast<float>(view.options.sigma_match_px);
@@ -125,9 +126,9 @@ EDVO_INLINE void judge_lines(const SearchView& view, LineBlock& block, LineWorth
     const float variance_px = across / (block.cosine[i] * block.cosine[i]) +
                               noise / block.information[i] + sigma_match * sigma_match;
     const float offset_px = sigma_offset * block.step[i] / block.cosine[i];
-    worth.inverse_depth[i] = points.inverse_depth[i];
-    worth.variance[i] = variance_px / (px_per_inverse_depth * px_per_inverse_depth);
-    worth.offset_slope[i] = offset_px / px_per_inverse_depth;
+    line_variance.inverse_depth[i] = points.inverse_depth[i];
+    line_variance.variance[i] = variance_px / (px_per_inverse_depth * px_per_inverse_depth);
+    line_variance.offset_slope[i] = offset_px / px_per_inverse_depth;
   }
 }
 

@@ -52,8 +52,8 @@ EDVO_INLINE void distort_lanes(const LaneCamera& camera, const Distort& distort,
 template <std::size_t kLanes>
 EDVO_INLINE void image_lanes(const LaneCamera& camera, const Lanes<kLanes>& x,
                              const Lanes<kLanes>& y, ImagedLanes<kLanes>& imaged) {
-  visit_lens(camera.lens,
-             [&](const auto& distort) { distort_lanes(camera, distort, x, y, imaged); });
+  dispatch_lens(camera.lens,
+                [&](const auto& distort) { distort_lanes(camera, distort, x, y, imaged); });
 }
 
 /// An image as the loops read it.

@@ -98,18 +98,18 @@ std::vector<PixelDepth> usable_depths(const std::vector<PointCell>& cells,
 
 }  // namespace
 
-PointCells point_cells(const FramePyramid& anchor, const Hypotheses& hypotheses) {
-  PointCells cells(anchor.levels.size());
+PointCells point_cells(const FramePyramid& host, const Hypotheses& hypotheses) {
+  PointCells cells(host.levels.size());
   for (const cv::Point pixel : hypotheses.pixel) {
     cells.front().push_back({pixel});
   }
   for (std::size_t l = 1; l < cells.size(); ++l) {
-    cells[l] = cells_above(anchor.levels[l].intensity.size(), cells[l - 1]);
+    cells[l] = cells_above(host.levels[l].intensity.size(), cells[l - 1]);
   }
   return cells;
 }
 
-EdgePoints map_points(const FramePyramid& anchor, const PointCells& cells,
+EdgePoints map_points(const FramePyramid& host, const PointCells& cells,
                       const Hypotheses& hypotheses, const EdgePointOptions& options,
                       double max_sigma, Guesses guesses) {
   EdgePoints points;
@@ -118,7 +118,7 @@ EdgePoints map_points(const FramePyramid& anchor, const PointCells& cells,
     if (l > 0) {
       depths = halved(cells[l - 1], depths, cells[l].size());
     }
-    const PyramidLevel& level = anchor.levels[l];
+    const PyramidLevel& level = host.levels[l];
     const std::vector<PixelDepth> usable =
         usable_depths(cells[l], depths, options.at_level(l), level.intensity.cols);
     show_points(level, usable, available_instruction_set(), points.levels.emplace_back());

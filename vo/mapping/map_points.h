@@ -17,15 +17,15 @@ struct PointCell {
       -1;  ///< index of the cell above it on the next coarser level, -1 where there is none
 };
 
-/// The cells of each level of an anchor, in scan order, whatever their depths. Those of the finest
+/// The cells of each level of an host, in scan order, whatever their depths. Those of the finest
 /// are the hypotheses.
 using PointCells = std::vector<std::vector<PointCell>>;
 
-PointCells point_cells(const FramePyramid& anchor, const Hypotheses& hypotheses);
+PointCells point_cells(const FramePyramid& host, const Hypotheses& hypotheses);
 
 /// The hypotheses whose relative standard deviation is at most `max_sigma`, as the tracker takes
 /// them: on coarser levels every pixel that has one below it, at the nearest of their depths.
-EdgePoints map_points(const FramePyramid& anchor, const PointCells& cells,
+EdgePoints map_points(const FramePyramid& host, const PointCells& cells,
                       const Hypotheses& hypotheses, const EdgePointOptions& options,
                       double max_sigma, Guesses guesses);
 

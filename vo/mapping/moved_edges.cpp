@@ -25,23 +25,23 @@ struct MoveView {
   const Hypotheses& hypotheses;
   float relative_noise;
   LaneCamera camera;
-  LaneImage anchor, current;
-  Eigen::Matrix3f R;  // cur_anchor
-  Eigen::Vector3f t;  // cur_anchor, m
+  LaneImage host, current;
+  Eigen::Matrix3f R;  // cur_host
+  Eigen::Vector3f t;  // cur_host, m
 
   MoveView(const StereoPair& stereo_pair, const Hypotheses& edges, float noise)
       : pair(stereo_pair),
         hypotheses(edges),
         relative_noise(noise),
         camera(pair.current.camera),
-        anchor(pair.anchor.intensity),
+        host(pair.host.intensity),
         current(pair.current.intensity),
-        R(pair.R_cur_anchor),
-        t(pair.t_cur_anchor) {}
+        R(pair.R_cur_host),
+        t(pair.t_cur_host) {}
 };
 
 struct alignas(64) Block {
-  Row u, v, across_u, across_v;     // px, of the edge in the anchor; unit, of its gradient
+  Row u, v, across_u, across_v;     // px, of the edge in the host; unit, of its gradient
   Row gradient2;                    // 1/px^2
   Row inverse_depth, variance;      // 1/m, 1/m^2
   Row moved_depth, moved_variance;  // 1/m, 1/m^2
@@ -97,7 +97,7 @@ EDVO_INLINE void find_rays(const RayImage& rays, const Row& u, const Row& v, Row
   }
 }
 
-/// Points at places of the anchor in the current camera's frame, over their depth in the anchor,
+/// Points at places of the host in the current camera's frame, over their depth in the host,
 /// and where that images them.
 struct MovedPlaces {
   Row z;
@@ -108,7 +108,7 @@ EDVO_INLINE void move_places(const MoveView& view, const Row& u, const Row& v,
                              const Row& inverse_depth, MovedPlaces& places) {
   Row x;
   Row y;
-  find_rays(view.pair.anchor.rays, u, v, x, y);
+  find_rays(view.pair.host.rays, u, v, x, y);
   const Eigen::Matrix3f& R = view.R;
   for (std::size_t i = 0; i < kEdges; ++i) {
     const float d = inverse_depth[i];
@@ -159,7 +159,7 @@ EDVO_INLINE void compare_block(const MoveView& view, Block& block) {
   constexpr float kMaxDifference = 40.0F / 255;
   Row before;
   Row now;
-  sample_lanes(view.anchor, block.u, block.v, 0, before);
+  sample_lanes(view.host, block.u, block.v, 0, before);
   sample_lanes(view.current, block.position_u, block.position_v, 0, now);
   for (std::size_t i = 0; i < kEdges; ++i) {
     const float difference = now[i] - (view.pair.gain * before[i] + view.pair.offset);
@@ -205,7 +205,7 @@ std::vector<MovedEdge> move_edges(const StereoPair& pair, const Hypotheses& hypo
                                   float relative_noise, InstructionSet set) {
   std::vector<std::size_t> known;
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
-    if (hypotheses.knowledge[i] != Knowledge::none) {
+    if (hypotheses.state[i] != DepthState::none) {
       known.push_back(i);
     }
   }

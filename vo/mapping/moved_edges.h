@@ -8,11 +8,11 @@
 
 namespace vo {
 
-/// A hypothesis of the anchor of which something is known, and where it is in the current image.
+/// A hypothesis of the host of which something is known, and where it is in the current image.
 struct MovedEdge {
   std::size_t hypothesis = 0;
   bool is_visible = false;    ///< in front of the camera and in the image
-  bool is_changed = false;    ///< the image shows another intensity there than the anchor
+  bool is_changed = false;    ///< the image shows another intensity there than the host
   float inverse_depth = 0;    ///< 1/m
   float variance = 0;         ///< 1/m^2
   Eigen::Vector2f position;   ///< px

@@ -39,19 +39,19 @@ int nearest_edge(const Hypotheses& next, const MovedEdge& moved) {
   return best;
 }
 
-/// Puts a moved hypothesis at an edge pixel of the next anchor, or settles who stays there.
+/// Puts a moved hypothesis at an edge pixel of the next host, or settles who stays there.
 void settle(const Hypotheses& from, const MovedEdge& moved, std::size_t j, Hypotheses& next,
             PropagationCounts& counts) {
   const std::size_t i = moved.hypothesis;
   constexpr float kMinShare = 0.8F;  // of a variance: two copies of one measurement are not two
   const auto put = [&] {
     next.set(j, moved.inverse_depth, moved.variance);
-    next.knowledge[j] = from.knowledge[i];
+    next.state[j] = from.state[i];
     next.inliers[j] = from.inliers[i];
     next.outliers[j] = from.outliers[i];
   };
   ++counts.moved;
-  if (next.knowledge[j] == Knowledge::none) {
+  if (next.state[j] == DepthState::none) {
     put();
     return;
   }
@@ -70,7 +70,7 @@ void settle(const Hypotheses& from, const MovedEdge& moved, std::size_t j, Hypot
   next.smoothed[j] = next.inverse_depth[j];
   next.variance[j] = std::max(moved.variance * next.variance[j] / sum, least);
   next.smoothed_variance[j] = next.variance[j];
-  next.knowledge[j] = std::max(next.knowledge[j], from.knowledge[i]);
+  next.state[j] = std::max(next.state[j], from.state[i]);
   next.inliers[j] = std::max(next.inliers[j], from.inliers[i]);
   next.outliers[j] = std::min(next.outliers[j], from.outliers[i]);
 }
@@ -79,15 +79,14 @@ void settle(const Hypotheses& from, const MovedEdge& moved, std::size_t j, Hypot
 
 MovedDepth moved_depth(const StereoPair& pair, const Eigen::Vector2f& ray, float inverse_depth,
                        float variance, float relative_noise) {
-  const Eigen::Vector3f P =
-      pair.R_cur_anchor * ray.homogeneous() + inverse_depth * pair.t_cur_anchor;
+  const Eigen::Vector3f P = pair.R_cur_host * ray.homogeneous() + inverse_depth * pair.t_cur_host;
   constexpr float kMinDepthRatio = 0.01F;
   if (!(P.z() > kMinDepthRatio)) {
     return {};
   }
   const float d = inverse_depth / P.z();
   // d d'/d d = (R ray)_z / P_z^2: equal to (d'/d)^2 where the camera does not turn.
-  const float growth = (P.z() - inverse_depth * pair.t_cur_anchor.z()) / (P.z() * P.z());
+  const float growth = (P.z() - inverse_depth * pair.t_cur_host.z()) / (P.z() * P.z());
   const float noise = relative_noise * d;
   return {d, growth * growth * variance + noise * noise, P.hnormalized()};
 }

@@ -6,7 +6,7 @@
 
 namespace vo {
 
-/// What became of the hypotheses of one anchor in the next.
+/// What became of the hypotheses of one host in the next.
 struct PropagationCounts {
   std::size_t moved = 0;
   std::size_t merged = 0;    ///< two that met and agreed

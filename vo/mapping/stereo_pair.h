@@ -7,33 +7,33 @@
 
 namespace vo {
 
-/// How a frame lies to the anchor, as somebody knows it.
+/// How a frame lies to the host, as somebody knows it.
 struct FrameRelation {
-  SE3 T_cur_anchor;
-  Matrix6d covariance = Matrix6d::Zero();  ///< of the left increment of T_cur_anchor
-  double gain = 1;                         ///< the current image shows gain I_anchor + offset
+  SE3 T_cur_host;
+  Matrix6d covariance = Matrix6d::Zero();  ///< of the left increment of T_cur_host
+  double gain = 1;                         ///< the current image shows gain I_host + offset
   double offset = 0;                       ///< intensity
 };
 
 /// Two images and the geometry between them, in the precision of the loop over pixels.
 struct StereoPair {
-  const PyramidLevel& anchor;
+  const PyramidLevel& host;
   const PyramidLevel& current;
-  Eigen::Matrix3f R_cur_anchor;
-  Eigen::Vector3f t_cur_anchor;  ///< m
-  Eigen::Vector3f p_anchor_cur;  ///< m, the current camera's centre seen from the anchor
+  Eigen::Matrix3f R_cur_host;
+  Eigen::Vector3f t_cur_host;  ///< m
+  Eigen::Vector3f p_host_cur;  ///< m, the current camera's centre seen from the host
   Eigen::Matrix<float, 6, 6> covariance;
   bool pose_is_exact;
   float gain;
   float offset;
 
-  StereoPair(const PyramidLevel& anchor_level, const PyramidLevel& current_level,
+  StereoPair(const PyramidLevel& host_level, const PyramidLevel& current_level,
              const FrameRelation& relation)
-      : anchor(anchor_level),
+      : host(host_level),
         current(current_level),
-        R_cur_anchor(relation.T_cur_anchor.rotation_matrix().cast<float>()),
-        t_cur_anchor(relation.T_cur_anchor.translation().cast<float>()),
-        p_anchor_cur(relation.T_cur_anchor.inverse().translation().cast<float>()),
+        R_cur_host(relation.T_cur_host.rotation_matrix().cast<float>()),
+        t_cur_host(relation.T_cur_host.translation().cast<float>()),
+        p_host_cur(relation.T_cur_host.inverse().translation().cast<float>()),
         covariance(relation.covariance.cast<float>()),
         pose_is_exact(relation.covariance.isZero(0)),
         gain(static_cast<float>(relation.gain)),

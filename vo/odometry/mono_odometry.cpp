@@ -74,7 +74,7 @@ MonoOdometry::MonoOdometry(const PinholeCamera& camera, const MonoOptions& optio
       tracker_(std::make_unique<Tracker>(options.tracker, T_world_first)),
       map_(options.map),
       start_depth_(options.start_depth),
-      T_world_anchor_(T_world_first) {
+      T_world_host_(T_world_first) {
   options_.validate();
 }
 
@@ -92,7 +92,7 @@ MonoResult MonoOdometry::track(const RgbdFrame& frame) {
   stage_times_.edges_ms = timer.lap_ms();
   MonoResult result;
   result.tracking.timestamp = frame.timestamp;
-  result.tracking.T_world_camera = T_world_anchor_;
+  result.tracking.T_world_camera = T_world_host_;
   const bool depth_is_due = needs_depth(options_.bootstrap) && (!frame.depth.empty() || is_first_);
   is_first_ = false;
   if (state_ == MonoState::initialising && depth_is_due) {
@@ -114,7 +114,7 @@ std::optional<MonoResult> MonoOdometry::finish() {
   }
   MonoResult result;
   result.tracking.timestamp = current_.timestamp;
-  result.tracking.T_world_camera = T_world_anchor_;
+  result.tracking.T_world_camera = T_world_host_;
   result.initialiser = initialiser_->finish();
   if (result.initialiser.verdict != InitialiserVerdict::solved) {
     return std::nullopt;
@@ -130,14 +130,14 @@ void MonoOdometry::report_state(MonoResult& result) const {
   result.confident = map_.confident();
 }
 
-void MonoOdometry::begin_tracking(const FramePyramid& anchor, Guesses guesses, MonoResult& result) {
+void MonoOdometry::begin_tracking(const FramePyramid& host, Guesses guesses, MonoResult& result) {
   guesses_ = guesses;
-  tracker_ = std::make_unique<Tracker>(options_.tracker, T_world_anchor_);
-  tracker_->set_keyframe(anchor, T_world_anchor_, tracked_points());
+  tracker_ = std::make_unique<Tracker>(options_.tracker, T_world_host_);
+  tracker_->set_keyframe(host, T_world_host_, tracked_points());
   state_ = MonoState::tracking;
   lost_frames_ = 0;
   result.tracking.status = TrackingStatus::initialized;
-  result.tracking.T_world_camera = T_world_anchor_;
+  result.tracking.T_world_camera = T_world_host_;
   result.tracking.is_keyframe = true;
 }
 
@@ -152,7 +152,7 @@ void MonoOdometry::start_from_depth(const DepthImage& depth, MonoResult& result)
     return;
   }
   begin_tracking(current_, Guesses::left_out, result);
-  trajectory_.push_back({current_.timestamp, T_world_anchor_});
+  trajectory_.push_back({current_.timestamp, T_world_host_});
 }
 
 void MonoOdometry::start_from_guesses(MonoResult& result) {
@@ -165,7 +165,7 @@ void MonoOdometry::start_from_guesses(MonoResult& result) {
     return;
   }
   begin_tracking(current_, Guesses::included, result);
-  trajectory_.push_back({current_.timestamp, T_world_anchor_});
+  trajectory_.push_back({current_.timestamp, T_world_host_});
 }
 
 void MonoOdometry::initialise(MonoResult& result) {
@@ -209,7 +209,7 @@ void MonoOdometry::map_first_frame(const MonoInitialiser& solved) {
 void MonoOdometry::track_again(const MonoInitialiser& solved, MonoResult& result) {
   const std::vector<StartFrame>& frames = solved.frames();
   if (trajectory_.empty() || trajectory_.back().timestamp < frames.front().pyramid.timestamp) {
-    trajectory_.push_back({frames.front().pyramid.timestamp, T_world_anchor_});
+    trajectory_.push_back({frames.front().pyramid.timestamp, T_world_host_});
   }
   for (std::size_t i = 1; i < frames.size() && state_ == MonoState::tracking; ++i) {
     current_ = frames[i].pyramid;
@@ -235,10 +235,10 @@ void MonoOdometry::follow(MonoResult& result) {
   trajectory_.push_back({current_.timestamp, result.tracking.T_world_camera});
 }
 
-FrameRelation MonoOdometry::relation_to_anchor(const TrackingResult& tracked) const {
-  FrameRelation relation{tracked.T_world_camera.inverse() * T_world_anchor_,
+FrameRelation MonoOdometry::relation_to_host(const TrackingResult& tracked) const {
+  FrameRelation relation{tracked.T_world_camera.inverse() * T_world_host_,
                          tracked.alignment.covariance};
-  if (tracked.reference_timestamp == map_.anchor().timestamp) {
+  if (tracked.reference_timestamp == map_.host().timestamp) {
     relation.gain = tracked.alignment.gain;
     relation.offset = tracked.alignment.offset;
   }
@@ -246,18 +246,18 @@ FrameRelation MonoOdometry::relation_to_anchor(const TrackingResult& tracked) co
 }
 
 void MonoOdometry::update_map(MonoResult& result) {
-  const FrameRelation relation = relation_to_anchor(result.tracking);
+  const FrameRelation relation = relation_to_host(result.tracking);
   result.observations = map_.observe(current_, relation);
   map_.regularise();
   if (guesses_ == Guesses::included && 2 * map_.confident() > map_.hypotheses().size()) {
     guesses_ = Guesses::left_out;
   }
-  if (map_.needs_new_anchor(current_, relation.T_cur_anchor)) {
+  if (map_.needs_new_host(current_, relation.T_cur_host)) {
     tracker_->update_keyframe(tracked_points());
     map_.propagate(current_, relation);
     map_.regularise();
-    T_world_anchor_ = result.tracking.T_world_camera;
-    tracker_->set_keyframe(current_, T_world_anchor_, tracked_points());
+    T_world_host_ = result.tracking.T_world_camera;
+    tracker_->set_keyframe(current_, T_world_host_, tracked_points());
     result.tracking.is_keyframe = true;
   } else {
     tracker_->update_keyframe(tracked_points());
@@ -276,7 +276,7 @@ std::shared_ptr<const EdgePoints> MonoOdometry::tracked_points() const {
 /// A new map from where the camera was last seen, at the scale that the last one had.
 void MonoOdometry::reinitialise() {
   start_depth_ = 1 / median_inverse_depth(map_.hypotheses(), static_cast<float>(1 / start_depth_));
-  T_world_anchor_ = trajectory_.empty() ? T_world_anchor_ : trajectory_.back().T_world_camera;
+  T_world_host_ = trajectory_.empty() ? T_world_host_ : trajectory_.back().T_world_camera;
   initialiser_.reset();
   state_ = MonoState::reinitialising;
 }

@@ -57,7 +57,7 @@ class MonoOdometry {
   const Trajectory& trajectory() const { return trajectory_; }  ///< frames that are not lost
   const StageTimes& stage_times() const { return stage_times_; }
   const DepthMap& map() const { return map_; }
-  const SE3& T_world_anchor() const { return T_world_anchor_; }
+  const SE3& T_world_host() const { return T_world_host_; }
   const FramePyramid& current() const { return current_; }
   const Tracker& tracker() const { return *tracker_; }
 
@@ -68,9 +68,9 @@ class MonoOdometry {
   void start_from(const MonoInitialiser& solved, MonoResult& result);
   void map_first_frame(const MonoInitialiser& solved);
   void track_again(const MonoInitialiser& solved, MonoResult& result);
-  void begin_tracking(const FramePyramid& anchor, Guesses guesses, MonoResult& result);
+  void begin_tracking(const FramePyramid& host, Guesses guesses, MonoResult& result);
   void follow(MonoResult& result);
-  FrameRelation relation_to_anchor(const TrackingResult& tracked) const;
+  FrameRelation relation_to_host(const TrackingResult& tracked) const;
   void update_map(MonoResult& result);
   void reinitialise();
   void report_state(MonoResult& result) const;
@@ -85,7 +85,7 @@ class MonoOdometry {
   DepthMap map_;
   Guesses guesses_ = Guesses::left_out;  ///< whether they are tracked with, too
   double start_depth_ = 1;               ///< m, median depth of an unknown start
-  SE3 T_world_anchor_;
+  SE3 T_world_host_;
   FramePyramid current_;
   MonoState state_ = MonoState::initialising;
   bool is_first_ = true;

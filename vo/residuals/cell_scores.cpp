@@ -13,7 +13,7 @@ CellScores::CellScores(const PinholeCamera& camera)
   b_.resize(cell_of(0, last_row) + kColumns, Vector6d::Zero());
 }
 
-void CellScores::add(const PointScores& scores, const Projection& projection) {
+void CellScores::add(const PointTerms& scores, const Projection& projection) {
   using Vector8d = Eigen::Matrix<double, 8, 1>;
   std::vector<Vector8d> sums(b_.size(), Vector8d::Zero());
   for (std::size_t i = 0; i < scores.weight.size(); ++i) {

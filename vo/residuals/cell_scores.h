@@ -18,7 +18,7 @@ class CellScores {
 
   explicit CellScores(const PinholeCamera& camera);
 
-  void add(const PointScores& scores, const Projection& projection);
+  void add(const PointTerms& scores, const Projection& projection);
   void add(float u, float v, const Vector6d& b);  ///< px
 
   const std::vector<Vector6d>& b() const { return b_; }  ///< row by row; 0 where no point is

@@ -98,9 +98,9 @@ LinearSystem linearize(const PointView& view, const AlignOptions& options,
   return system;
 }
 
-void score_points(const PointView& view, const AlignOptions& options, const ResidualModel& model,
-                  PointScores& scores) {
-  score_points(view, pass_options(options, model), available_instruction_set(), scores);
+void compute_point_terms(const PointView& view, const AlignOptions& options,
+                         const ResidualModel& model, PointTerms& scores) {
+  compute_point_terms(view, pass_options(options, model), available_instruction_set(), scores);
 }
 
 std::vector<float> sampled_intensities(const PointView& view) {

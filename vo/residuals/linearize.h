@@ -46,8 +46,8 @@ LinearSystem linearize(const PointView& view, const AlignOptions& options,
                        const ResidualModel& model);
 
 /// What the system sums, point by point; `scores` are overwritten.
-void score_points(const PointView& view, const AlignOptions& options, const ResidualModel& model,
-                  PointScores& scores);
+void compute_point_terms(const PointView& view, const AlignOptions& options,
+                         const ResidualModel& model, PointTerms& scores);
 
 /// The image's intensity at each point, NaN where it is not seen.
 std::vector<float> sampled_intensities(const PointView& view);

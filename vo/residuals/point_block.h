@@ -146,7 +146,7 @@ EDVO_INLINE void warp_block(const PassWarp& warp, std::size_t count, Block& bloc
   for (std::size_t i = 0; i < kBlock; ++i) {
     block.inverse_z[i] = 1 / block.z[i];
   }
-  visit_lens(warp.lens, [&](const auto& distort) { distort_block(warp, distort, block); });
+  dispatch_lens(warp.lens, [&](const auto& distort) { distort_block(warp, distort, block); });
   for (std::size_t i = 0; i < kBlock; ++i) {
     const float u = block.u[i];
     const float v = block.v[i];

@@ -38,7 +38,7 @@ EDVO_INLINE void sum_blocks(const PointView& view, const PassOptions& options, P
 }
 
 EDVO_INLINE void score_blocks(const PointView& view, const PassOptions& options,
-                              PointScores& scores) {
+                              PointTerms& scores) {
   Block block{};
   const PassWarp warp(view);
   for (std::size_t first = 0; first < view.points.size(); first += kBlock) {
@@ -83,12 +83,12 @@ EDVO_TARGET_AVX512 void sum_avx512(const PointView& view, const PassOptions& opt
   sum_blocks(view, options, sums);
 }
 
-void score_baseline(const PointView& view, const PassOptions& options, PointScores& scores) {
+void score_baseline(const PointView& view, const PassOptions& options, PointTerms& scores) {
   score_blocks(view, options, scores);
 }
 
 EDVO_TARGET_AVX2 void score_avx2(const PointView& view, const PassOptions& options,
-                                 PointScores& scores) {
+                                 PointTerms& scores) {
   score_blocks(view, options, scores);
 }
 
@@ -103,7 +103,7 @@ EDVO_TARGET_AVX2 void sample_avx2(const PointView& view, std::size_t stride,
 
 }  // namespace
 
-void PointScores::resize(std::size_t points) {
+void PointTerms::resize(std::size_t points) {
   for (std::vector<float>* values : {&weight, &residual, &u, &v}) {
     values->resize(points);
   }
@@ -143,8 +143,8 @@ PassSums sum_points(const PointView& view, const PassOptions& options, Instructi
   return sums;
 }
 
-void score_points(const PointView& view, const PassOptions& options, InstructionSet set,
-                  PointScores& scores) {
+void compute_point_terms(const PointView& view, const PassOptions& options, InstructionSet set,
+                         PointTerms& scores) {
   scores.resize(view.points.size());
   if (set == InstructionSet::baseline) {
     score_baseline(view, options, scores);

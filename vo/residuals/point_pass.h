@@ -45,7 +45,7 @@ struct PassSums {
 
 /// What each point adds to the normal equations, one element per point in each array: to b, w r J.
 /// Where it is not seen its weight is 0.
-struct PointScores {
+struct PointTerms {
   std::array<std::vector<float>, kPassParameters> J;
   std::vector<float> weight;
   std::vector<float> residual;  ///< intensity
@@ -68,8 +68,8 @@ struct PointView {
 PassSums sum_points(const PointView& view, const PassOptions& options, InstructionSet set);
 
 /// The terms of the sums' b, point by point; `scores` are overwritten.
-void score_points(const PointView& view, const PassOptions& options, InstructionSet set,
-                  PointScores& scores);
+void compute_point_terms(const PointView& view, const PassOptions& options, InstructionSet set,
+                         PointTerms& scores);
 
 /// The image's intensity at each point, NaN where the point is not seen. With a stride, only every
 /// so many groups of 64 neighbouring points are looked up, and the others are NaN.

@@ -6,7 +6,7 @@ namespace {
 using Jacobian = Eigen::Matrix<float, kPassParameters, 1>;
 using Sum = Eigen::Matrix<float, kPassParameters, 6>;
 
-Jacobian jacobian_of(const PointScores& scores, std::size_t i) {
+Jacobian jacobian_of(const PointTerms& scores, std::size_t i) {
   Jacobian J;
   for (std::size_t p = 0; p < kPassParameters; ++p) {
     J[static_cast<Eigen::Index>(p)] = scores.J[p][i];
@@ -16,7 +16,7 @@ Jacobian jacobian_of(const PointScores& scores, std::size_t i) {
 
 }  // namespace
 
-RowMoments RowMoments::of(const PointView& view, const PointScores& scores) {
+RollingShutterMoments RollingShutterMoments::of(const PointView& view, const PointTerms& scores) {
   const float inverse_height = 1 / static_cast<float>(view.image.camera.height);
   Sum points = Sum::Zero();
   Sum image = Sum::Zero();
@@ -32,7 +32,7 @@ RowMoments RowMoments::of(const PointView& view, const PointScores& scores) {
   return {points.cast<double>(), image.cast<double>()};
 }
 
-ReadoutMoments ReadoutMoments::of(const PointView& view, const PointScores& scores,
+ReadoutMoments ReadoutMoments::of(const PointView& view, const PointTerms& scores,
                                   const Vector6d& points_twist, const Vector6d& image_twist) {
   using Twist = Eigen::Matrix<float, 6, 1>;
   const float inverse_height = 1 / static_cast<float>(view.image.camera.height);

@@ -13,14 +13,14 @@ namespace vo {
 /// Sums over the points of a pair of images of w s J J^T, where s is how far below the middle row a
 /// point is seen, in image heights. With a rolling shutter a velocity moves a point by s times
 /// itself over the read-out time, so these are how b changes with velocities.
-struct RowMoments {
+struct RollingShutterMoments {
   using Moment = Eigen::Matrix<double, kPassParameters, 6>;
 
   Moment points = Moment::Zero();  ///< s where the points are
   Moment image = Moment::Zero();   ///< s where they are looked up
 
   /// `scores` are of the view.
-  static RowMoments of(const PointView& view, const PointScores& scores);
+  static RollingShutterMoments of(const PointView& view, const PointTerms& scores);
 };
 
 /// How the residuals of a pair of images change with the read-out time: q = dr / dt of each point.
@@ -33,7 +33,7 @@ struct ReadoutMoments {
 
   /// `points_twist` and `image_twist` are the velocities while either frame was read, m/s and
   /// rad/s, in the camera frame of the image.
-  static ReadoutMoments of(const PointView& view, const PointScores& scores,
+  static ReadoutMoments of(const PointView& view, const PointTerms& scores,
                            const Vector6d& points_twist, const Vector6d& image_twist);
 };
 

@@ -27,7 +27,7 @@ using Matrix10d = Eigen::Matrix<double, kCoefficients + kParameters, kCoefficien
 /// A pair of images between which a vignette shows.
 struct VignettePair {
   PointView view;
-  const PointScores& scores;
+  const PointTerms& scores;
   ResidualModel model;
   const Vignette& of_points;  ///< taken out of the points' image
   const Vignette& of_image;   ///< taken out of the image they are looked up in
@@ -106,7 +106,7 @@ void VignetteEstimate::update(std::span<const AlignReference> references,
   const PointView view = problem.forward_view(0, T_cur_first);
   const ResidualModel& model = problem.models().front();
   const Vignette& present = current.frame.vignette;
-  score_points(view, options, model, scores_);
+  compute_point_terms(view, options, model, scores_);
   const VignetteSystem system = vignette_system({view, scores_, model, farthest.vignette, present});
   information_ += system.H;
   weighted_ += system.H * present.coefficients - system.b;

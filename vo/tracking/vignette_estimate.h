@@ -29,7 +29,7 @@ class VignetteEstimate {
   Eigen::Matrix2d information_;
   Eigen::Vector2d weighted_ = Eigen::Vector2d::Zero();  ///< information times the best coefficients
   Vignette vignette_;
-  PointScores scores_;  ///< of the last frame
+  PointTerms scores_;  ///< of the last frame
 };
 
 }  // namespace vo

@@ -106,7 +106,7 @@ class Window {
                (model.scale * model.scale);
       }
       if (adjusts_depth()) {
-        sum += firmness(host).dot(strayed(host, state).cwiseAbs2());
+        sum += information(host).dot(strayed(host, state).cwiseAbs2());
       }
     }
     return sum;
@@ -160,7 +160,7 @@ class Window {
   }
 
   /// Inverse variance of the measured inverse depths, m^2.
-  Eigen::VectorXd firmness(std::size_t host) const {
+  Eigen::VectorXd information(std::size_t host) const {
     const WindowFrame& frame = frames_[host];
     Eigen::VectorXd result(static_cast<Eigen::Index>(frame.points.size()));
     for (Eigen::Index i = 0; i < result.size(); ++i) {
@@ -184,7 +184,7 @@ class Window {
       system.add(k, view(pairs_[pairs[k]], points, state), state.models[pairs[k]]);
     }
     if (adjusts_depth()) {
-      system.hold_depth(firmness(host), strayed(host, state));
+      system.hold_depth(information(host), strayed(host, state));
     }
     return system;
   }

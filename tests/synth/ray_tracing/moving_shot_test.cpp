@@ -53,17 +53,17 @@ vo::SE3 against(double time) {
 
 RenderedFrame of_moving_things(const Shutter& shutter, RenderMode mode = RenderMode::direct) {
   const Scene scene = moving(square_before_wall(), 2);
-  Shot shot = still(wide_camera(), {});
-  shot.shutter = shutter;
-  shot.scene_time = kNow;
+  Capture capture = still(wide_camera(), {});
+  capture.shutter = shutter;
+  capture.scene_time = kNow;
   const SceneDuring during = scene_during(scene, kNow, kNow - 0.3, kNow + 0.3);
-  return make_renderer(during, {.mode = mode, .samples = 16})->render(shot);
+  return make_renderer(during, {.mode = mode, .samples = 16})->render(capture);
 }
 
 RenderedFrame of_moving_camera(const Shutter& shutter, RenderMode mode = RenderMode::direct) {
   const Scene scene = square_before_wall();
-  const Shot shot{.camera = wide_camera(), .motion = against, .shutter = shutter};
-  return make_renderer(scene, {.mode = mode, .samples = 16})->render(shot);
+  const Capture capture{.camera = wide_camera(), .motion = against, .shutter = shutter};
+  return make_renderer(scene, {.mode = mode, .samples = 16})->render(capture);
 }
 
 /// The share of pixels whose colour differs by more than a hundredth: rays along an edge may meet
@@ -97,24 +97,24 @@ TEST(MovingShot, OfARollingShutterHasTheDepthOfACameraThatMovesTheOtherWay) {
 
 TEST(MovingShot, LeavesWhatRestsWhereItIs) {
   const Scene scene = moving(square_before_wall(), 1);
-  Shot shot = still(wide_camera(), {});
-  shot.shutter = {.readout_time = 0.4};
-  shot.scene_time = kNow;
+  Capture capture = still(wide_camera(), {});
+  capture.shutter = {.readout_time = 0.4};
+  capture.scene_time = kNow;
   const SceneDuring during = scene_during(scene, kNow, kNow - 0.3, kNow + 0.3);
-  const RenderedFrame frame = make_renderer(during, {})->render(shot);
+  const RenderedFrame frame = make_renderer(during, {})->render(capture);
   EXPECT_FLOAT_EQ(frame.depth(0, 0), 2.5F);
-  const double time = shot.shutter.row_time(20, wide_camera().height);
+  const double time = capture.shutter.row_time(20, wide_camera().height);
   EXPECT_NEAR(frame.depth(20, 32), 2 + time * kVelocity.z(), 1e-6);
 }
 
 TEST(MovingShot, OfAnInstantIsThatOfTheSceneThen) {
   const Scene scene = moving(square_before_wall(), 2);
   const SceneDuring during = scene_during(scene, kNow, kNow - 0.3, kNow + 0.3);
-  Shot shot = still(wide_camera(), {});
-  shot.scene_time = kNow + 0.1;
-  const Scene then = scene_at(scene, shot.scene_time);
+  Capture capture = still(wide_camera(), {});
+  capture.scene_time = kNow + 0.1;
+  const Scene then = scene_at(scene, capture.scene_time);
   const RenderedFrame expected = make_renderer(then, {})->render(wide_camera(), {});
-  const RenderedFrame frame = make_renderer(during, {})->render(shot);
+  const RenderedFrame frame = make_renderer(during, {})->render(capture);
   EXPECT_LT(cv::norm(frame.depth, expected.depth, cv::NORM_INF), 1e-6);
   EXPECT_LT(share_that_differs(frame.radiance, expected.radiance), 0.002);
 }

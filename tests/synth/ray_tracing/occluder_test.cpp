@@ -13,13 +13,13 @@ namespace {
 /// it.
 struct Stage {
   Scene scene;
-  FlatScene flat;
+  WorldGeometry world;
   PlacedLight light;
 
   Stage() {
     add(scene, square_at(2, 0.5F), diffuse({1, 1, 1}));
-    flat = flatten(scene);
-    light.position = (Eigen::Vector3d(0, 0, 0.5) - flat.origin).cast<float>();
+    world = flatten(scene);
+    light.position = (Eigen::Vector3d(0, 0, 0.5) - world.origin).cast<float>();
     light.intensity.setOnes();
   }
 
@@ -30,7 +30,7 @@ struct Stage {
       SurfacePoint point;
       const Eigen::Vector3d place(4 * field.uniform(i, draw, 0) - 2,
                                   4 * field.uniform(i, draw, 1) - 2, 3);
-      point.position = (place - flat.origin).cast<float>();
+      point.position = (place - world.origin).cast<float>();
       point.face_normal = point.normal = point.to_viewer = -Eigen::Vector3f::UnitZ();
       point.base_color.setOnes();
       add_point(lit, point);
@@ -42,9 +42,9 @@ struct Stage {
   }
 };
 
-TEST(Blocker, StopsNothingThatEmbreeLetsPassAndMostOfTheRest) {
+TEST(Occluder, StopsNothingThatEmbreeLetsPassAndMostOfTheRest) {
   const Stage stage;
-  const EmbreeScene embree(stage.flat);
+  const EmbreeScene embree(stage.world);
   int doubtless = 0;
   int stopped = 0;
   for (int draw = 0; draw < 50; ++draw) {
@@ -54,7 +54,7 @@ TEST(Blocker, StopsNothingThatEmbreeLetsPassAndMostOfTheRest) {
     embree.occlude(traced, hit);
     ShadowPacket left = start;
     for (const int triangle : {0, 1}) {
-      Blocker(stage.flat, {0, triangle})
+      Occluder(stage.world, {0, triangle})
           .stop(left, shadow_reach(stage.light), vo::available_instruction_set());
     }
     for (std::size_t i = 0; i < kPacketSize; ++i) {
@@ -67,29 +67,29 @@ TEST(Blocker, StopsNothingThatEmbreeLetsPassAndMostOfTheRest) {
   EXPECT_GT(doubtless, 0.9 * stopped);
 }
 
-TEST(Blocker, HasTheSameBitsWithAllInstructionSets) {
+TEST(Occluder, HasTheSameBitsWithAllInstructionSets) {
   const Stage stage;
   ShadowPacket baseline = stage.rays(0);
   ShadowPacket available = baseline;
-  const Blocker blocker(stage.flat, {0, 1});
-  blocker.stop(baseline, 1, vo::InstructionSet::baseline);
-  blocker.stop(available, 1, vo::available_instruction_set());
+  const Occluder occluder(stage.world, {0, 1});
+  occluder.stop(baseline, 1, vo::InstructionSet::baseline);
+  occluder.stop(available, 1, vo::available_instruction_set());
   EXPECT_EQ(baseline.active, available.active);
 }
 
-TEST(Blocker, LeavesRaysThatEndBeforeIt) {
+TEST(Occluder, LeavesRaysThatEndBeforeIt) {
   Stage stage;
   stage.light.position.z() += 2;  // on the points' side of the square
   ShadowPacket rays = stage.rays(0);
   const LaneMask before = rays.active;
-  Blocker(stage.flat, {0, 0}).stop(rays, 1, vo::available_instruction_set());
+  Occluder(stage.world, {0, 0}).stop(rays, 1, vo::available_instruction_set());
   EXPECT_EQ(rays.active, before);
   EXPECT_TRUE(rays.has_rays());
 }
 
 TEST(EmbreeScene, NamesTheTriangleThatCastAShadow) {
   const Stage stage;
-  const EmbreeScene embree(stage.flat);
+  const EmbreeScene embree(stage.world);
   ShadowPacket rays = stage.rays(0);
   ShadowHit hit;
   embree.occlude(rays, hit);

@@ -91,11 +91,11 @@ TEST(SoftShadow, IsHalfLitAtTheEdgeAndAsWideAsSimilarTrianglesSay) {
 TEST(Path, DrawsTheSameNumbersEachTimeAndOthersForAnotherSeed) {
   const Scene scene = half_shaded_wall();
   const auto renderer = make_renderer(scene, {.mode = RenderMode::path});
-  Shot shot = still(wide_camera(), {});
-  const cv::Mat_<cv::Vec3f> first = renderer->render(shot).radiance;
-  EXPECT_EQ(cv::norm(first, renderer->render(shot).radiance, cv::NORM_INF), 0);
-  shot.seed = 1;
-  EXPECT_GT(cv::norm(first, renderer->render(shot).radiance, cv::NORM_INF), 0);
+  Capture capture = still(wide_camera(), {});
+  const cv::Mat_<cv::Vec3f> first = renderer->render(capture).radiance;
+  EXPECT_EQ(cv::norm(first, renderer->render(capture).radiance, cv::NORM_INF), 0);
+  capture.seed = 1;
+  EXPECT_GT(cv::norm(first, renderer->render(capture).radiance, cv::NORM_INF), 0);
 }
 
 }  // namespace

@@ -221,7 +221,7 @@ TEST(RayTracer, AnEdgePixelShowsTheShareOfItsAreaThatIsCovered) {
 
 TEST(RayTracer, ShadowsFallWhereTheLightIsBlocked) {
   constexpr float kScreen = 2;     // m; the light is 2 m behind the camera
-  constexpr float kShadow = 0.4F;  // m; a blocker's edge at 0.1, seen from 4 times as far
+  constexpr float kShadow = 0.4F;  // m; a occluder's edge at 0.1, seen from 4 times as far
   Scene scene;
   add(scene, square_at(kScreen, 4), diffuse({1, 1, 1}));
   add(scene, quad({0.1F, -4, -1}, {4, 0, 0}, {0, 8, 0}), diffuse({1, 1, 1}));

@@ -30,13 +30,13 @@ vo::SE3 sweep(double time) {
           Vector3d(1.5 * time, 0.1 * time, 0)};
 }
 
-Shot sweeping(const Shutter& shutter) {
+Capture sweeping(const Shutter& shutter) {
   return {.camera = wide_camera(), .motion = sweep, .shutter = shutter};
 }
 
-RenderedFrame taken(const Shot& shot, int samples = 4) {
+RenderedFrame taken(const Capture& capture, int samples = 4) {
   const Scene scene = square_before_wall();
-  return make_renderer(scene, {.samples = samples})->render(shot);
+  return make_renderer(scene, {.samples = samples})->render(capture);
 }
 
 RenderedFrame seen_at_rest(double time) {
@@ -61,13 +61,13 @@ TEST(Shutter, TimesAreNotNegative) {
               HasSubstr("readout_time"));
 }
 
-TEST(Shot, OfAnInstantIsWhatACameraAtRestSees) {
+TEST(Capture, OfAnInstantIsWhatACameraAtRestSees) {
   const RenderedFrame moving = taken(sweeping({}));
   EXPECT_EQ(max_difference(moving.radiance, seen_at_rest(0).radiance), 0);
   EXPECT_EQ(max_difference(moving.depth, seen_at_rest(0).depth), 0);
 }
 
-TEST(Shot, OfARollingShutterHasEachRowAsACameraAtRestSeesItAtThatTime) {
+TEST(Capture, OfARollingShutterHasEachRowAsACameraAtRestSeesItAtThatTime) {
   const Shutter shutter{.readout_time = 0.2};
   const RenderedFrame rolling = taken(sweeping(shutter));
   for (int v = 0; v < wide_camera().height; ++v) {
@@ -89,7 +89,7 @@ cv::Mat_<cv::Vec3f> mean_of_sharp(double exposure_time, int instants) {
   return mean;
 }
 
-TEST(Shot, OfAnExposureIsTheMeanOfSharpPictures) {
+TEST(Capture, OfAnExposureIsTheMeanOfSharpPictures) {
   constexpr double kExposure = 0.1;  // s; the square moves by 2.4 px
   const cv::Mat_<cv::Vec3f> expected = mean_of_sharp(kExposure, 32);
   const cv::Mat_<cv::Vec3f> blurred = taken(sweeping({.exposure_time = kExposure}), 64).radiance;
@@ -102,23 +102,23 @@ TEST(Shot, OfAnExposureIsTheMeanOfSharpPictures) {
   EXPECT_NEAR(cv::mean(blurred)[0], cv::mean(expected)[0], 1e-4);
 }
 
-TEST(Shot, OfAnExposureHasTheDepthOfItsMiddle) {
+TEST(Capture, OfAnExposureHasTheDepthOfItsMiddle) {
   EXPECT_EQ(max_difference(taken(sweeping({.exposure_time = 0.1})).depth, seen_at_rest(0).depth),
             0);
 }
 
-TEST(Shot, HasTheInstantsOfItsSeed) {
-  Shot shot = sweeping({.exposure_time = 0.1});
-  const cv::Mat first = taken(shot, 4).radiance;
-  EXPECT_EQ(max_difference(first, taken(shot, 4).radiance), 0);
-  shot.seed = 1;
-  EXPECT_GT(max_difference(first, taken(shot, 4).radiance), 0.1);
+TEST(Capture, HasTheInstantsOfItsSeed) {
+  Capture capture = sweeping({.exposure_time = 0.1});
+  const cv::Mat first = taken(capture, 4).radiance;
+  EXPECT_EQ(max_difference(first, taken(capture, 4).radiance), 0);
+  capture.seed = 1;
+  EXPECT_GT(max_difference(first, taken(capture, 4).radiance), 0.1);
 }
 
-TEST(Shot, HasTheChannelsThatAreAskedFor) {
-  Shot shot = still(wide_camera(), {});
-  shot.channels = {.color = false, .depth = false, .normal = true};
-  const RenderedFrame frame = taken(shot, 1);
+TEST(Capture, HasTheChannelsThatAreAskedFor) {
+  Capture capture = still(wide_camera(), {});
+  capture.channels = {.color = false, .depth = false, .normal = true};
+  const RenderedFrame frame = taken(capture, 1);
   EXPECT_TRUE(frame.radiance.empty());
   EXPECT_TRUE(frame.depth.empty());
   const Vector3d leaning = Vector3d(4, 0, -32).normalized();  // of the wall, towards the camera

@@ -42,9 +42,9 @@ Scene moving(Scene scene) {
 TEST(SharedMesh, IsOneOfManyTriangles) {
   EXPECT_EQ(flatten(apart(copies())).shared_meshes.size(), 0U);
   Scene scene = copies();
-  const FlatScene flat = flatten(scene);
-  ASSERT_EQ(flat.shared_meshes.size(), 2U);
-  EXPECT_EQ(flat.shared_meshes[0].mesh, &scene.meshes[1]);
+  const WorldGeometry world = flatten(scene);
+  ASSERT_EQ(world.shared_meshes.size(), 2U);
+  EXPECT_EQ(world.shared_meshes[0].mesh, &scene.meshes[1]);
   scene.instances.resize(1 + kCopies);  // half of them
   EXPECT_EQ(flatten(scene).shared_meshes.size(), 0U);
 }
@@ -66,8 +66,8 @@ TEST(SharedMesh, IsNotForWhatIsShearedFlatOrShortLived) {
 TEST(SharedMesh, PlacesVerticesWhereAMeshOfItsOwnHasThem) {
   const Scene scene = copies();
   const Scene separate = apart(scene);
-  const FlatScene shared = flatten(scene);
-  const FlatScene own = flatten(separate);
+  const WorldGeometry shared = flatten(scene);
+  const WorldGeometry own = flatten(separate);
   EXPECT_EQ(shared.origin, own.origin);
   for (std::size_t i = 0; i < own.meshes.size(); ++i) {
     for (const int vertex : {0, 1, 3}) {
@@ -80,11 +80,11 @@ TEST(SharedMesh, PlacesVerticesWhereAMeshOfItsOwnHasThem) {
 TEST(SharedMesh, IsSeenAsMeshesOfTheirOwnAre) {
   const Scene scene = copies();
   const Scene separate = apart(scene);
-  const Shot shot = all_of(still(camera(), {}));
+  const Capture capture = all_of(still(camera(), {}));
   for (const RenderMode mode : {RenderMode::unlit, RenderMode::direct, RenderMode::path}) {
     const RenderOptions options{.mode = mode, .samples = 4, .bounces = 2};
-    const RenderedFrame frame = make_renderer(scene, options)->render(shot);
-    const RenderedFrame expected = make_renderer(separate, options)->render(shot);
+    const RenderedFrame frame = make_renderer(scene, options)->render(capture);
+    const RenderedFrame expected = make_renderer(separate, options)->render(capture);
     if (mode != RenderMode::path) {  // whose random turns multiply roundings
       expect_same(frame, expected);
     }
@@ -95,15 +95,15 @@ TEST(SharedMesh, IsSeenAsMeshesOfTheirOwnAre) {
 TEST(SharedMesh, MovesAsMeshesOfTheirOwnDo) {
   const Scene scene = moving(copies());
   const Scene separate = moving(apart(copies()));
-  Shot shot = all_of(still(camera(), {}));
-  shot.shutter = {.exposure_time = 0.1, .readout_time = 0.2};
-  shot.scene_time = 2;
+  Capture capture = all_of(still(camera(), {}));
+  capture.shutter = {.exposure_time = 0.1, .readout_time = 0.2};
+  capture.scene_time = 2;
   const SceneDuring during = scene_during(scene, 2, 1.7, 2.3);
   const SceneDuring separately = scene_during(separate, 2, 1.7, 2.3);
   ASSERT_EQ(flatten(during).shared_meshes.size(), 2U);
   const RenderOptions options{.mode = RenderMode::direct, .samples = 4};
-  const RenderedFrame frame = make_renderer(during, options)->render(shot);
-  const RenderedFrame expected = make_renderer(separately, options)->render(shot);
+  const RenderedFrame frame = make_renderer(during, options)->render(capture);
+  const RenderedFrame expected = make_renderer(separately, options)->render(capture);
   expect_same(frame, expected);
   const RenderedFrame at_rest =
       make_renderer(during.now, options)->render(all_of(still(camera(), {})));
@@ -152,11 +152,11 @@ TEST(SharedMesh, IsAsFarAwayAsMeshesOfTheirOwn) {
   const SurfaceTracer own(separate, 0.1);
   for (const Eigen::Vector3f& point :
        {Eigen::Vector3f(0, 0, -2), Eigen::Vector3f(0.4F, 0.3F, -0.4F), Eigen::Vector3f(-1, 1, 0)}) {
-    EXPECT_NEAR(distance_to_surface(shared.embree(), shared.flat(), point, 9),
-                distance_to_surface(own.embree(), own.flat(), point, 9), 1e-5);
+    EXPECT_NEAR(distance_to_surface(shared.embree(), shared.world(), point, 9),
+                distance_to_surface(own.embree(), own.world(), point, 9), 1e-5);
     const std::vector<Eigen::Vector3f> ways = {{0.1F, 0.2F, 1}, {-0.3F, -0.1F, 1}, {0, 0.3F, 1}};
-    const std::vector<ProbeHit> hits = probe(shared.embree(), shared.flat(), point, ways);
-    const std::vector<ProbeHit> expected = probe(own.embree(), own.flat(), point, ways);
+    const std::vector<ProbeHit> hits = probe(shared.embree(), shared.world(), point, ways);
+    const std::vector<ProbeHit> expected = probe(own.embree(), own.world(), point, ways);
     for (std::size_t i = 0; i < hits.size(); ++i) {
       EXPECT_NEAR(hits[i].distance, expected[i].distance, 1e-5);
       EXPECT_EQ(hits[i].front, expected[i].front);

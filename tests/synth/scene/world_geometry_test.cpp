@@ -23,9 +23,9 @@ TEST(Flatten, KeepsTheMiddleOfTheSceneNearZero) {
   Scene scene;
   add(scene, square_at(2, 1), unlit({1, 1, 1}));
   scene.instances[0].T_world_mesh = Eigen::Translation3d(1e7, 2e7, 3e7);
-  const FlatScene flat = flatten(scene);
-  EXPECT_EQ(flat.origin, Vector3d(1e7, 2e7, 3e7 + 2));
-  EXPECT_EQ(flat.meshes[0].positions[2], Eigen::Vector3f(1, 1, 0));
+  const WorldGeometry world = flatten(scene);
+  EXPECT_EQ(world.origin, Vector3d(1e7, 2e7, 3e7 + 2));
+  EXPECT_EQ(world.meshes[0].positions[2], Eigen::Vector3f(1, 1, 0));
 }
 
 TEST(DepthOfPlane, IsTheClosedForm) {
@@ -40,10 +40,10 @@ TEST(DepthOfPlane, IsUnknownOfATriangleSeenEdgeOnOrOfNoWidth) {
   Scene scene;
   add(scene, quad({0, 0, 1}, {0, 0, 1}, {0, 1, 0}), unlit({1, 1, 1}));
   add(scene, quad({0, 0, 1}, {1, 0, 1}, {2, 0, 2}), unlit({1, 1, 1}));
-  const FlatScene flat = flatten(scene);
+  const WorldGeometry world = flatten(scene);
   const Vector3d along_the_first(0, 0.2, 1);
-  EXPECT_FALSE(depth_of_plane(flat.meshes[1], kAhead).has_value());
-  EXPECT_FALSE(depth_of_plane(flat.meshes[0], along_the_first).has_value());
+  EXPECT_FALSE(depth_of_plane(world.meshes[1], kAhead).has_value());
+  EXPECT_FALSE(depth_of_plane(world.meshes[0], along_the_first).has_value());
 }
 
 TEST(LitBounds, LeaveOutWhatIsUnlit) {

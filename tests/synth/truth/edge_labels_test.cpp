@@ -55,7 +55,7 @@ TEST(EdgeLabels, WhereNothingIsBehindTheLastSurfaceEnds) {
   EXPECT_EQ(count(labels_of(scene), bit(EdgeCause::depth)), 4 * 32);
 }
 
-/// Two walls that meet at x = 0, each 45 degrees off the view, and the same nearly flat.
+/// Two walls that meet at x = 0, each 45 degrees off the view, and the same nearly world.
 TEST(EdgeLabels, OfACornerAreACreaseIfItIsSharp) {
   for (const auto& [slope, has_crease] : {std::pair{1.0F, true}, std::pair{0.1F, false}}) {
     Scene scene;

@@ -8,9 +8,9 @@
 #include "tests/support/program.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/textured_plane.h"
-#include "tools/bench/baseline.h"
 #include "tools/bench/bench_report.h"
 #include "tools/bench/frames.h"
+#include "tools/bench/peer.h"
 #include "tools/bench/race.h"
 #include "tools/bench/summary.h"
 #include "tools/plot/linear_fit.h"
@@ -31,7 +31,7 @@ tools::Frames plane_frames() {
 }
 
 /// Tracks nothing; its frames cost 1, 2, 3, ... ms, and `scale` times that.
-tools::Contestant clockwork(const std::string& name, double scale, std::vector<std::string>& log) {
+tools::Peer clockwork(const std::string& name, double scale, std::vector<std::string>& log) {
   return {name, [=, &log](const vo::PinholeCamera&) {
             return [=, &log, frame = 0](const vo::RgbdFrame&) mutable {
               log.push_back(name);
@@ -47,7 +47,7 @@ TEST(BenchFrames, AreInMemoryWhenTheFolderIsGone) {
   const tools::Frames input = plane_frames();
   ASSERT_EQ(input.frames.size(), kFrames) << "all there are, where more were asked for";
   const auto results =
-      tools::race(input, tools::line_up({"edvo"}).contestants, {.repeats = 1}, [](auto, auto) {});
+      tools::race(input, tools::line_up({"edvo"}).peers, {.repeats = 1}, [](auto, auto) {});
   for (const tools::RaceResult& result : results) {
     EXPECT_EQ(tools::trajectory(result, input).size(), kFrames) << result.name;
   }
@@ -157,7 +157,7 @@ TEST(Race, TracksAsTheTrackCommandDoes) {
       sequence, vo::preset_options(vo::TrackerPreset::best_measured), {}, {}, [](auto, auto) {});
   const tools::Frames input = plane_frames();
   const auto results =
-      tools::race(input, tools::line_up({"edvo"}).contestants, {.repeats = 2}, [](auto, auto) {});
+      tools::race(input, tools::line_up({"edvo"}).peers, {.repeats = 2}, [](auto, auto) {});
   ASSERT_EQ(results[1].name, "default");
   const vo::Trajectory raced = tools::trajectory(results[1], input);
   ASSERT_EQ(raced.size(), tracked.trajectory.size());
@@ -169,11 +169,11 @@ TEST(Race, TracksAsTheTrackCommandDoes) {
 
 TEST(LineUp, HasEveryPeerOrSaysWhyNot) {
   const tools::LineUp line = tools::line_up(tools::peer_names());
-  EXPECT_EQ(line.contestants.size() + line.absent.size(), 8U);
+  EXPECT_EQ(line.peers.size() + line.absent.size(), 8U);
   for (const tools::Absence& absence : line.absent) {
     EXPECT_NE(absence.reason, "") << absence.name;
   }
-  EXPECT_TRUE(tools::line_up({}).contestants.empty());
+  EXPECT_TRUE(tools::line_up({}).peers.empty());
 }
 
 /// The greatest distance between where a motion and its estimate take a pixel of the plane's first
@@ -196,20 +196,20 @@ double worst_flow_error_px(const vo::SE3& T_world_true, const vo::SE3& T_world_f
 /// OpenCV compares whole pixels, so it is right to about half of one; the motion is 4 px.
 TEST(OpencvPeer, FindsTheMotionToHalfAPixel) {
   const tools::LineUp line = tools::line_up({"opencv-rgbd", "opencv-rgbd-all", "opencv-rgbd-icp"});
-  if (line.contestants.empty()) {
+  if (line.peers.empty()) {
     GTEST_SKIP() << line.absent.front().reason;
   }
   vo::Vector6d motion;
   motion << 0.02, 0, -0.01, 0, 0, 0.01;
   const vo::SE3 T_world_second = vo::SE3::exp(motion);
   const support::TexturedPlane plane;
-  for (const tools::Contestant& contestant : line.contestants) {
-    const tools::FrameTracker track = contestant.start(support::small_camera());
+  for (const tools::Peer& peer : line.peers) {
+    const tools::FrameTracker track = peer.start(support::small_camera());
     track(plane.render(support::small_camera(), {}, 0));
     const auto sample = track(plane.render(support::small_camera(), T_world_second, 1));
-    ASSERT_TRUE(sample.T_world_camera) << contestant.name;
-    EXPECT_LT(worst_flow_error_px(T_world_second, *sample.T_world_camera), 0.5) << contestant.name;
-    EXPECT_GT(sample.points, 1000U) << contestant.name;
+    ASSERT_TRUE(sample.T_world_camera) << peer.name;
+    EXPECT_LT(worst_flow_error_px(T_world_second, *sample.T_world_camera), 0.5) << peer.name;
+    EXPECT_GT(sample.points, 1000U) << peer.name;
   }
 }
 
@@ -219,7 +219,7 @@ TEST(BenchReport, TheYardstickIsOpencvElseTheSlowest) {
   EXPECT_EQ(tools::yardstick(rows)->name, "b");
   rows.insert(rows.begin(), {.name = "opencv-rgbd", .cpu_ms = 10});
   EXPECT_EQ(tools::yardstick(rows)->name, "opencv-rgbd");
-  const json report = tools::bench_json({.contestants = rows});
+  const json report = tools::bench_json({.peers = rows});
   EXPECT_EQ(report["contestants"][1]["faster_than"]["ratio"], 2.5);
   EXPECT_EQ(report["contestants"][2]["faster_than"]["ratio"], 0.5);
 }
@@ -255,7 +255,7 @@ TEST(BenchProgram, PrintsItsContract) {
 }
 
 TEST(BenchProgram, TableHasAColumnForEveryTitle) {
-  tools::BenchReport report{.contestants = {{.name = "paper", .cpu_ms = 2}},
+  tools::BenchReport report{.peers = {{.name = "paper", .cpu_ms = 2}},
                             .absent = {{"dense", "no such option"}}};
   const std::string table = tools::bench_table(report);
   EXPECT_THAT(table, HasSubstr("threads: 1"));

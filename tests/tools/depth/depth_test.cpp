@@ -73,10 +73,10 @@ TEST(MapErrors, CountWhatWasPutIn) {
   vo::RgbdFrame frame = support::TexturedPlane().render(camera, {});
   const vo::DepthImage truth = frame.depth.clone();
   frame.depth = vo::DepthImage();
-  vo::FramePyramid anchor = vo::build_pyramid(frame, camera, vo::PyramidOptions());
-  vo::add_edges(anchor, vo::EdgeOptions());
+  vo::FramePyramid host = vo::build_pyramid(frame, camera, vo::PyramidOptions());
+  vo::add_edges(host, vo::EdgeOptions());
   vo::DepthMap map({});
-  map.start(anchor, 2);
+  map.start(host, 2);
   vo::DepthImage wrong = truth.clone();
   wrong *= 1.03F;
   constexpr int kStep = 40;  // px
@@ -104,10 +104,10 @@ TEST(MapErrors, CountWhatWasPutIn) {
 TEST(MapErrors, AreToldByTheCausesOfEdges) {
   const vo::PinholeCamera camera = support::small_camera();
   const vo::RgbdFrame frame = support::TexturedPlane().render(camera, {});
-  vo::FramePyramid anchor = vo::build_pyramid({0, frame.image, {}}, camera, vo::PyramidOptions());
-  vo::add_edges(anchor, vo::EdgeOptions());
+  vo::FramePyramid host = vo::build_pyramid({0, frame.image, {}}, camera, vo::PyramidOptions());
+  vo::add_edges(host, vo::EdgeOptions());
   vo::DepthMap map({});
-  map.start(anchor, 2);
+  map.start(host, 2);
   map.take_depth(frame.depth, 0.01);
   constexpr int kLeft = 60;   // px
   constexpr int kRight = 90;  // px
@@ -135,7 +135,7 @@ TEST(DepthProgram, ReadsTheRenderersExactEdges) {
   const vo::ByteImage labels(120, 160, std::uint8_t{4});
   std::filesystem::create_directories(sequence / "truth/edges");
   vo::write_file(sequence / "truth/edges/000000.png", vo::encode_png(labels));
-  const std::string command = "depth '" + sequence.string() + "' --set map.anchor.max_flow=1 -q";
+  const std::string command = "depth '" + sequence.string() + "' --set map.host.max_flow=1 -q";
   EXPECT_THAT(run_program(command).out, HasSubstr("edge_albedo"));
   std::filesystem::remove_all(sequence / "truth");
   EXPECT_THAT(run_program(command).out, testing::Not(HasSubstr("edge_")));

@@ -117,7 +117,7 @@ constexpr const char* kMonoScenario = R"(why = "it would fail if"
 gltf = "room/room.gltf"
 [odometry]
 mono.bootstrap = "rgbd"
-mono.depth_map.anchor.every = 5
+mono.depth_map.host.every = 5
 mode = "mono"
 [expect]
 depth_error_percent = { max = 0.4 }
@@ -127,9 +127,9 @@ TEST(Scenario, TheModeDecidesWhichOptionsThereAre) {
   const tools::Scenario scenario = load(kMonoScenario);
   EXPECT_EQ(scenario.odometry.mode, tools::OdometryMode::mono);
   EXPECT_EQ(scenario.odometry.mono.bootstrap, vo::MonoBootstrap::rgbd);
-  EXPECT_EQ(scenario.odometry.mono.map.anchor.every, 5);
+  EXPECT_EQ(scenario.odometry.mono.map.host.every, 5);
   std::string text = kMonoScenario;
-  text.replace(text.find("mono.depth_map.anchor.every"), 27, "tracker.pyramid.levels");
+  text.replace(text.find("mono.depth_map.host.every"), 25, "tracker.pyramid.levels");
   EXPECT_THAT(error_text([&] { load(text); }),
               HasSubstr("unknown key 'odometry.tracker.pyramid.levels'"));
 }

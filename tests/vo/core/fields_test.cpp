@@ -96,4 +96,22 @@ TEST(Fields, NothingNearMeansNoSuggestion) {
   EXPECT_EQ(vo::nearest_key("cout", {"count", "length"}), "count");
 }
 
+struct Map {
+  Inner host;
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, Map& map) {
+  visit("host", map.host, "");
+}
+
+TEST(Fields, OldSpellingsOfKeysStillSetTheirFields) {
+  Map map;
+  std::vector<vo::Field> fields = vo::fields_of(map, "depth_map.");
+  EXPECT_EQ(vo::current_key("depth_map.anchor.count"), "depth_map.host.count");
+  EXPECT_EQ(vo::current_key("inner.count"), "inner.count");
+  vo::set_field(fields, "depth_map.anchor.count", "7");
+  EXPECT_EQ(map.host.count, 7);
+}
+
 }  // namespace

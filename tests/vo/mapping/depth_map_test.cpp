@@ -22,15 +22,15 @@ SE3 walk(int frame) {
 vo::DepthMap map_after(int frames, const vo::DepthMapOptions& options, int keyframe_interval) {
   vo::DepthMap map(options);
   map.start(grey_frame(small_camera(), walk(0)), 1);
-  int anchor = 0;
+  int host = 0;
   for (int i = 1; i <= frames; ++i) {
     const vo::FramePyramid current = grey_frame(small_camera(), walk(i));
-    const vo::FrameRelation relation{walk(i).inverse() * walk(anchor)};
+    const vo::FrameRelation relation{walk(i).inverse() * walk(host)};
     map.observe(current, relation);
     map.regularise();
     if (i % keyframe_interval == 0) {
       map.propagate(current, relation);
-      anchor = i;
+      host = i;
     }
   }
   return map;
@@ -47,7 +47,7 @@ TEST(DepthMap, FindsAnUnknownPlaneFromKnownPoses) {
   EXPECT_LT(static_cast<double>(outliers), 0.02 * static_cast<double>(errors.size()));
 }
 
-TEST(DepthMap, IsCarriedFromAnchorToAnchor) {
+TEST(DepthMap, IsCarriedFromHostToHost) {
   const vo::DepthMap map = map_after(20, {}, 5);
   const std::vector<double> errors = relative_errors(map, small_camera(), walk(20));
   ASSERT_GT(errors.size(), map.hypotheses().size() / 2);
@@ -56,7 +56,7 @@ TEST(DepthMap, IsCarriedFromAnchorToAnchor) {
 
 /// A centimetre, the way from frame to frame, is 1.4 px of parallax; eight times as much is looked
 /// back for.
-TEST(DepthMap, LooksBackWhereEveryFrameBecomesAnAnchor) {
+TEST(DepthMap, LooksBackWhereEveryFrameBecomesAnHost) {
   const vo::DepthMap map = map_after(20, {.propagate = vo::PropagationPolicy::always}, 1);
   const std::vector<double> errors = relative_errors(map, small_camera(), walk(20));
   ASSERT_GT(errors.size(), map.hypotheses().size() / 2);
@@ -144,11 +144,11 @@ TEST(DepthMap, AtAStepOfTheDepthTheNearSideIsTakenForLessCertain) {
 TEST(DepthMap, AStationaryCameraLeavesItAsItIs) {
   const vo::RgbdFrame frame = support::plane_frame(small_camera(), SE3(), 0);
   vo::DepthMap map({});
-  const vo::FramePyramid anchor = grey_frame(small_camera(), SE3());
-  map.start(anchor, 1);
+  const vo::FramePyramid host = grey_frame(small_camera(), SE3());
+  map.start(host, 1);
   map.take_depth(frame.depth, 0.01);
   const std::vector<float> before = map.hypotheses().inverse_depth;
-  const vo::ObservationCounts counts = map.observe(anchor, {});
+  const vo::ObservationCounts counts = map.observe(host, {});
   EXPECT_EQ(counts.unobservable, map.hypotheses().size());
   EXPECT_EQ(map.hypotheses().inverse_depth, before);
 }

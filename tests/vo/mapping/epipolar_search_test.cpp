@@ -25,7 +25,7 @@ struct Match {
 
 /// What is looked for and how.
 struct Trial {
-  SE3 T_anchor_cur;
+  SE3 T_host_cur;
   std::optional<vo::FrameRelation> believed;  ///< where it is not the truth
   float spread = 0.1F;                        ///< of the searched interval, relative to the truth
   double noise = 0;                           ///< grey levels
@@ -57,12 +57,12 @@ std::vector<vo::SearchTarget> targets_of(const vo::PinholeCamera& camera,
 
 /// Looks for all edges of the plane seen from the origin.
 std::vector<Match> matches(const vo::PinholeCamera& camera, const Trial& trial) {
-  const SE3 T_cur_anchor = trial.T_anchor_cur.inverse();
-  const vo::FramePyramid anchor = noisy_frame(camera, SE3(), trial.noise, 7);
-  const vo::FramePyramid current = noisy_frame(camera, trial.T_anchor_cur, trial.noise, 8);
-  const vo::FrameRelation relation = trial.believed.value_or(vo::FrameRelation{T_cur_anchor});
-  const vo::StereoPair pair(anchor.levels[0], current.levels[0], relation);
-  const vo::Hypotheses edges = vo::edge_hypotheses(anchor.levels[0], {}, 0.5F);
+  const SE3 T_cur_host = trial.T_host_cur.inverse();
+  const vo::FramePyramid host = noisy_frame(camera, SE3(), trial.noise, 7);
+  const vo::FramePyramid current = noisy_frame(camera, trial.T_host_cur, trial.noise, 8);
+  const vo::FrameRelation relation = trial.believed.value_or(vo::FrameRelation{T_cur_host});
+  const vo::StereoPair pair(host.levels[0], current.levels[0], relation);
+  const vo::Hypotheses edges = vo::edge_hypotheses(host.levels[0], {}, 0.5F);
   const std::vector<vo::SearchTarget> targets = targets_of(camera, edges, trial.spread);
   const std::vector<vo::Observation> observations =
       vo::search_epipolar_lines(pair, trial.options, targets);
@@ -73,7 +73,7 @@ std::vector<Match> matches(const vo::PinholeCamera& camera, const Trial& trial) 
     const vo::Observation& seen = observations[i];
     if (seen.outcome == vo::SearchOutcome::found) {
       const auto place = [&](double inverse_depth) {
-        return camera.project(T_cur_anchor * camera.unproject(pixel, 1 / inverse_depth));
+        return camera.project(T_cur_host * camera.unproject(pixel, 1 / inverse_depth));
       };
       const double sign = seen.inverse_depth > truth ? 1 : -1;
       found.push_back({sign * (place(seen.inverse_depth) - place(truth)).norm(),
@@ -103,11 +103,11 @@ const std::vector<SE3>& views() {
 }
 
 TEST(EpipolarSearch, IsUnbiasedBelowTwoHundredthsOfAPixel) {
-  for (const SE3& T_anchor_cur : views()) {
-    const std::vector<Match> found = matches(small_camera(), {T_anchor_cur, {}});
+  for (const SE3& T_host_cur : views()) {
+    const std::vector<Match> found = matches(small_camera(), {T_host_cur, {}});
     ASSERT_GT(found.size(), 1000U);
     EXPECT_LT(std::abs(mean(found, [](const Match& m) { return m.error_px; })), 0.02)
-        << T_anchor_cur.translation().transpose();
+        << T_host_cur.translation().transpose();
   }
 }
 
@@ -139,8 +139,8 @@ std::array<double, 3> nees_of_thirds(std::vector<Match> found) {
 TEST(EpipolarSearch, PredictsWhatNoiseDoes) {
   const vo::EpipolarOptions options{.sigma_line_px = 0, .sigma_match_px = 0.02, .sigma_grey = 4};
   std::vector<Match> found;
-  for (const SE3& T_anchor_cur : views()) {
-    const std::vector<Match> some = matches(small_camera(), {T_anchor_cur, {}, 0.1F, 4, options});
+  for (const SE3& T_host_cur : views()) {
+    const std::vector<Match> some = matches(small_camera(), {T_host_cur, {}, 0.1F, 4, options});
     found.insert(found.end(), some.begin(), some.end());
   }
   for (const double nees : nees_of_thirds(found)) {
@@ -160,8 +160,8 @@ TEST(EpipolarSearch, PredictsWhatAWrongPoseDoes) {
     for (int k = 0; k < 6; ++k) {
       error[k] = sigma[k] * support::hash_noise(6 * trial + static_cast<std::uint64_t>(k));
     }
-    const SE3 T_cur_anchor = SE3::exp(error) * views()[3].inverse();
-    vo::FrameRelation believed{T_cur_anchor};
+    const SE3 T_cur_host = SE3::exp(error) * views()[3].inverse();
+    vo::FrameRelation believed{T_cur_host};
     believed.covariance = sigma.cwiseAbs2().asDiagonal();
     const std::vector<Match> some =
         matches(small_camera(), {views()[3], believed, 0.1F, 0, options});
@@ -175,17 +175,17 @@ TEST(EpipolarSearch, PredictsWhatAWrongPoseDoes) {
 
 /// Two frames and what is looked for, from well known to unknown.
 struct Search {
-  vo::FramePyramid anchor;
+  vo::FramePyramid host;
   vo::FramePyramid current;
   vo::FrameRelation relation;
   std::vector<vo::SearchTarget> targets;
 
   explicit Search(const vo::PinholeCamera& camera)
-      : anchor(noisy_frame(camera, SE3(), 2, 7)),
+      : host(noisy_frame(camera, SE3(), 2, 7)),
         current(noisy_frame(camera, views()[3], 2, 8)),
         relation{views()[3].inverse()} {
     relation.covariance = vo::Matrix6d::Identity() * 1e-6;
-    const vo::Hypotheses edges = vo::edge_hypotheses(anchor.levels[0], {}, 0.5F);
+    const vo::Hypotheses edges = vo::edge_hypotheses(host.levels[0], {}, 0.5F);
     const std::vector<vo::SearchTarget> known = targets_of(camera, edges, 0.02F);
     const std::vector<vo::SearchTarget> unknown = targets_of(camera, edges, 0.8F);
     for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -195,7 +195,7 @@ struct Search {
 
   std::vector<vo::Observation> observe(std::span<const vo::SearchTarget> some,
                                        vo::InstructionSet set) const {
-    const vo::StereoPair pair(anchor.levels[0], current.levels[0], relation);
+    const vo::StereoPair pair(host.levels[0], current.levels[0], relation);
     return vo::search_epipolar_lines(pair, {}, some, set);
   }
 };

@@ -28,19 +28,19 @@ TEST(Fuse, IsTheProductOfTwoNormalDistributions) {
 TEST(Fuse, AFirstObservationReplacesAGuessUntilItIsConfirmed) {
   vo::Hypotheses hypotheses = one_hypothesis();
   vo::fuse({vo::SearchOutcome::found, 0.8F, 0.02F, 0.1F}, {}, 0, hypotheses);
-  EXPECT_EQ(hypotheses.knowledge[0], vo::Knowledge::tentative);
+  EXPECT_EQ(hypotheses.state[0], vo::DepthState::tentative);
   EXPECT_FLOAT_EQ(hypotheses.inverse_depth[0], 0.8F);
   EXPECT_FLOAT_EQ(hypotheses.variance[0], 0.02F + 0.1F * 0.1F);
   EXPECT_FALSE(hypotheses.is_confident(0, 10));
   vo::Hypotheses refuted = hypotheses;
   vo::count_failure({}, 0.3F, 0, refuted);
-  EXPECT_EQ(refuted.knowledge[0], vo::Knowledge::none);
+  EXPECT_EQ(refuted.state[0], vo::DepthState::none);
   vo::fuse({vo::SearchOutcome::found, 0.8F, 0.02F, 0.1F}, {}, 0, hypotheses);
-  EXPECT_EQ(hypotheses.knowledge[0], vo::Knowledge::known);
+  EXPECT_EQ(hypotheses.state[0], vo::DepthState::known);
   EXPECT_TRUE(hypotheses.is_confident(0, 10));
 }
 
-/// Five observations d + k o + noise, o the anchor's offset: the weighted least-squares solution of
+/// Five observations d + k o + noise, o the host's offset: the weighted least-squares solution of
 /// all at once, with o of variance 1 around 0 beforehand.
 TEST(Fuse, OneByOneIsLeastSquaresOfDepthAndOffset) {
   const std::array<vo::Observation, 5> seen = {
@@ -67,7 +67,7 @@ TEST(Fuse, OneByOneIsLeastSquaresOfDepthAndOffset) {
   EXPECT_NEAR(hypotheses.offset_variance[0], covariance(1, 1), 1e-5);
 }
 
-/// A camera that stands still after a step sees the anchor's error again and again.
+/// A camera that stands still after a step sees the host's error again and again.
 TEST(Fuse, WhatIsAlikeInAllFramesDoesNotAverageAway) {
   vo::Hypotheses hypotheses = one_hypothesis();
   for (int frame = 0; frame < 1000; ++frame) {
@@ -82,10 +82,10 @@ TEST(Fuse, ThreeNetFailuresForget) {
   vo::fuse({vo::SearchOutcome::found, 0.8F, 0.001F}, {}, 0, hypotheses);
   for (int failures = 0; failures < 3; ++failures) {
     vo::count_failure({}, 0.3F, 0, hypotheses);
-    EXPECT_EQ(hypotheses.knowledge[0], vo::Knowledge::known);
+    EXPECT_EQ(hypotheses.state[0], vo::DepthState::known);
   }
   vo::count_failure({}, 0.3F, 0, hypotheses);
-  EXPECT_EQ(hypotheses.knowledge[0], vo::Knowledge::none);
+  EXPECT_EQ(hypotheses.state[0], vo::DepthState::none);
   EXPECT_FLOAT_EQ(hypotheses.inverse_depth[0], 0.3F);
 }
 

@@ -16,16 +16,16 @@ constexpr float kNoise = 0.002F;  // relative
 /// The plane's edges at their true depths, and another view of them.
 struct TwoViews {
   vo::PinholeCamera camera;
-  SE3 T_cur_anchor = SE3::exp((vo::Vector6d() << 0.1, -0.05, 0.2, 0.02, -0.05, 0.1).finished());
-  vo::FramePyramid anchor;
+  SE3 T_cur_host = SE3::exp((vo::Vector6d() << 0.1, -0.05, 0.2, 0.02, -0.05, 0.1).finished());
+  vo::FramePyramid host;
   vo::FramePyramid current;
   vo::Hypotheses hypotheses;
 
   explicit TwoViews(const vo::PinholeCamera& lens)
       : camera(lens),
-        anchor(support::grey_frame(lens, SE3())),
-        current(support::grey_frame(lens, T_cur_anchor.inverse())),
-        hypotheses(vo::edge_hypotheses(anchor.levels[0], {}, 0.5F)) {
+        host(support::grey_frame(lens, SE3())),
+        current(support::grey_frame(lens, T_cur_host.inverse())),
+        hypotheses(vo::edge_hypotheses(host.levels[0], {}, 0.5F)) {
     for (std::size_t i = 0; i < hypotheses.size(); i += i % 5 == 0 ? 2 : 1) {
       const cv::Vec2f edge = hypotheses.edge_position(i);
       const double d = support::true_inverse_depth(camera, SE3(), edge[0], edge[1]);
@@ -33,7 +33,7 @@ struct TwoViews {
     }
   }
 
-  vo::StereoPair pair() const { return {anchor.levels[0], current.levels[0], {T_cur_anchor}}; }
+  vo::StereoPair pair() const { return {host.levels[0], current.levels[0], {T_cur_host}}; }
 };
 
 std::vector<vo::PinholeCamera> camera_lenses() {
@@ -57,14 +57,14 @@ TEST(MovedEdges, AreWhereTheCameraImagesThem) {
       const cv::Vec2f at = views.hypotheses.edge_position(i);
       const cv::Vec2f beside = at + views.hypotheses.across[i];
       const double depth = 1.0 / static_cast<double>(views.hypotheses.inverse_depth[i]);
-      const Eigen::Vector3d p_anchor = camera.unproject({at[0], at[1]}, depth);
+      const Eigen::Vector3d p_host = camera.unproject({at[0], at[1]}, depth);
       const Eigen::Vector3d p_beside = camera.unproject({beside[0], beside[1]}, depth);
-      const Eigen::Vector2d pixel = camera.project(views.T_cur_anchor * p_anchor);
-      const Eigen::Vector2d away = camera.project(views.T_cur_anchor * p_beside) - pixel;
+      const Eigen::Vector2d pixel = camera.project(views.T_cur_host * p_host);
+      const Eigen::Vector2d away = camera.project(views.T_cur_host * p_beside) - pixel;
       EXPECT_LT((edge.position.cast<double>() - pixel).norm(), 0.01) << "px";
       EXPECT_GT(edge.direction.cast<double>().dot(away.normalized()), 0.9999);
       const vo::MovedDepth expected =
-          vo::moved_depth(pair, (p_anchor / depth).head<2>().cast<float>(),
+          vo::moved_depth(pair, (p_host / depth).head<2>().cast<float>(),
                           views.hypotheses.inverse_depth[i], views.hypotheses.variance[i], kNoise);
       EXPECT_NEAR(edge.inverse_depth, expected.inverse_depth, 1e-5 * expected.inverse_depth);
       EXPECT_NEAR(edge.variance, expected.variance, 1e-4 * expected.variance);
@@ -83,12 +83,12 @@ TEST(MovedEdges, AreThoseOfWhichSomethingIsKnown) {
   const std::vector<vo::MovedEdge> edges =
       vo::move_edges(views.pair(), views.hypotheses, kNoise, vo::available_instruction_set());
   const auto known =
-      std::count_if(views.hypotheses.knowledge.begin(), views.hypotheses.knowledge.end(),
-                    [](vo::Knowledge each) { return each != vo::Knowledge::none; });
+      std::count_if(views.hypotheses.state.begin(), views.hypotheses.state.end(),
+                    [](vo::DepthState each) { return each != vo::DepthState::none; });
   EXPECT_EQ(edges.size(), static_cast<std::size_t>(known));
   EXPECT_LT(edges.size(), views.hypotheses.size());
   for (const vo::MovedEdge& edge : edges) {
-    EXPECT_NE(views.hypotheses.knowledge[edge.hypothesis], vo::Knowledge::none);
+    EXPECT_NE(views.hypotheses.state[edge.hypothesis], vo::DepthState::none);
   }
 }
 

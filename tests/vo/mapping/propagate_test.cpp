@@ -17,9 +17,9 @@ vo::PyramidLevel level_from(const SE3& T_world_camera) {
 
 /// The plane's depth has a closed form wherever the point lands; float resolves 1e-7 of it.
 TEST(Propagate, AKnownPlaneStaysThatPlane) {
-  const vo::PyramidLevel anchor = level_from(SE3());
+  const vo::PyramidLevel host = level_from(SE3());
   const vo::PyramidLevel current = level_from(kMoved);
-  const vo::StereoPair pair(anchor, current, {kMoved.inverse()});
+  const vo::StereoPair pair(host, current, {kMoved.inverse()});
   for (int v = 20; v < 240; v += 40) {
     for (int u = 20; u < 320; u += 40) {
       const double d = support::true_inverse_depth(small_camera(), SE3(), u, v);
@@ -35,9 +35,9 @@ TEST(Propagate, AKnownPlaneStaysThatPlane) {
 }
 
 TEST(Propagate, MovesTheVarianceWithTheDerivative) {
-  const vo::PyramidLevel anchor = level_from(SE3());
+  const vo::PyramidLevel host = level_from(SE3());
   const vo::PyramidLevel current = level_from(kMoved);
-  const vo::StereoPair pair(anchor, current, {kMoved.inverse()});
+  const vo::StereoPair pair(host, current, {kMoved.inverse()});
   const Eigen::Vector2f ray(0.3F, -0.2F);
   const float step = 0.01F;
   const float slope = (vo::moved_depth(pair, ray, 0.5F + step, 0, 0).inverse_depth -
@@ -49,10 +49,10 @@ TEST(Propagate, MovesTheVarianceWithTheDerivative) {
 /// A map of the true plane, moved: what snaps to an edge pixel has the depth of that pixel within
 /// the slope of the plane over the snapping distance.
 TEST(Propagate, SnapsToEdgesOfTheNewFrame) {
-  const vo::PyramidLevel anchor = level_from(SE3());
+  const vo::PyramidLevel host = level_from(SE3());
   const vo::PyramidLevel current = level_from(kMoved);
-  const vo::StereoPair pair(anchor, current, {kMoved.inverse()});
-  vo::Hypotheses from = vo::edge_hypotheses(anchor, {}, 0.5F);
+  const vo::StereoPair pair(host, current, {kMoved.inverse()});
+  vo::Hypotheses from = vo::edge_hypotheses(host, {}, 0.5F);
   for (std::size_t i = 0; i < from.size(); ++i) {
     const cv::Vec2f edge = from.edge_position(i);
     from.set(
@@ -64,7 +64,7 @@ TEST(Propagate, SnapsToEdgesOfTheNewFrame) {
   EXPECT_GT(counts.moved, from.size() * 7 / 10);
   EXPECT_LT(counts.occluded, from.size() / 100);
   for (std::size_t j = 0; j < next.size(); ++j) {
-    if (next.knowledge[j] == vo::Knowledge::known) {
+    if (next.state[j] == vo::DepthState::known) {
       const double truth =
           support::true_inverse_depth(small_camera(), kMoved, next.pixel[j].x, next.pixel[j].y);
       EXPECT_NEAR(next.inverse_depth[j] / truth, 1, 3e-3);

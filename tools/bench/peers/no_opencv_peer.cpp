@@ -2,7 +2,7 @@
 
 namespace tools {
 
-std::optional<Contestant> opencv_contestant(OpencvOdometry /*kind*/) {
+std::optional<Peer> opencv_peer(OpencvOdometry /*kind*/) {
   return std::nullopt;
 }
 

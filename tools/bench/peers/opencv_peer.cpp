@@ -92,12 +92,11 @@ class OpencvTracker {
 
 }  // namespace
 
-std::optional<Contestant> opencv_contestant(OpencvOdometry kind) {
-  return Contestant{std::string(vo::to_string(kind)), [kind](const vo::PinholeCamera& camera) {
-                      const auto tracker = std::make_shared<OpencvTracker>(kind, camera);
-                      return
-                          [tracker](const vo::RgbdFrame& frame) { return tracker->track(frame); };
-                    }};
+std::optional<Peer> opencv_peer(OpencvOdometry kind) {
+  return Peer{std::string(vo::to_string(kind)), [kind](const vo::PinholeCamera& camera) {
+                const auto tracker = std::make_shared<OpencvTracker>(kind, camera);
+                return [tracker](const vo::RgbdFrame& frame) { return tracker->track(frame); };
+              }};
 }
 
 }  // namespace tools
