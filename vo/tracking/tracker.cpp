@@ -10,8 +10,6 @@
 namespace vo {
 namespace {
 
-constexpr double kDoubtfulCorrelation = 0.8;  ///< below it other starting points are tried
-
 // A pose where the camera was not expected is built upon, too, and must show more.
 constexpr double kRecognisedCorrelation = 0.7;
 constexpr double kRecognisedDepthAgreement = 0.8;
@@ -31,6 +29,13 @@ bool is_more_credible(const TrackingResult& found, const TrackingResult& best) {
   }
   return found.alignment.correlation > best.alignment.correlation + kClearlyBetter &&
          found.alignment.depth_agreement >= best.alignment.depth_agreement - kWorse;
+}
+
+/// Whether other starting points are tried.
+bool is_doubtful(const TrackingResult& result) {
+  constexpr double kDoubtfulCorrelation = 0.8;
+  return result.status == TrackingStatus::lost ||
+         result.alignment.correlation < kDoubtfulCorrelation;
 }
 
 /// Whether the time between two frames says how fast the camera moved: a clock that stands still,
@@ -65,19 +70,19 @@ TrackingResult Tracker::track(const FramePyramid& current) {
     find_current_points(current);
   }
   ++frames_since_keyframe_;
-  TrackingResult result = aligned_from(current, starting_pose(current));
-  const bool doubtful =
-      result.status == TrackingStatus::lost || result.alignment.correlation < kDoubtfulCorrelation;
-  if (doubtful && options_.lost.recover) {
-    result = searched(current, result);
+  Attempt attempt = aligned_from(current, starting_pose(current), Start::expected);
+  if (is_doubtful(attempt.result) && options_.lost.recover) {
+    attempt = searched(current, std::move(attempt));
   }
-  if (result.status == TrackingStatus::tracked) {
-    accept(current, result);
+  reference_points_ = attempt.references.points.front();
+  if (attempt.result.status == TrackingStatus::tracked) {
+    calibrate(current, attempt);
+    accept(current, attempt);
   } else {
     T_last_predicted_ = SE3();
-    was_lost_ = true;
+    is_lost_ = true;
   }
-  return result;
+  return attempt.result;
 }
 
 /// In the memory of the last frame's, unless that became a keyframe.
@@ -118,50 +123,68 @@ bool Tracker::References::velocities_known() const {
                      [](const auto& keyframe) { return keyframe->velocity.has_value(); });
 }
 
-TrackingResult Tracker::aligned_from(const FramePyramid& current, const SE3& T_world_guess) {
-  const References references = references_for(current, T_world_guess);
-  const Keyframe& first = *references.keyframes.front();
-  const SE3& T_world_first = first.T_world_keyframe;
-  reference_points_ = references.points.front();
-  AlignCurrent frame{current, current_points_.get(), {}};
-  const double seconds = current.timestamp - last_timestamp_;
-  if (!was_lost_ && tells_velocity(seconds)) {
-    frame.previous = {T_world_last_.inverse() * T_world_first, seconds, mean_velocity_};
+/// The options of an alignment with the read-out time that is known by now.
+AlignOptions Tracker::align_options() const {
+  AlignOptions options = options_.align;
+  if (options_.shutter == ShutterModel::estimated) {
+    options.readout = readout_.seconds();
   }
-  TrackingResult result{.timestamp = current.timestamp, .T_world_camera = T_world_last_};
-  result.readout_s = options_.align.readout;
+  return options;
+}
+
+Tracker::Attempt Tracker::aligned_from(const FramePyramid& current, const SE3& T_world_guess,
+                                       Start start) const {
+  Attempt attempt{start,
+                  references_for(current, T_world_guess),
+                  {},
+                  {.timestamp = current.timestamp, .T_world_camera = T_world_last_}};
+  const Keyframe& first = *attempt.references.keyframes.front();
+  const SE3& T_world_first = first.T_world_keyframe;
+  const double seconds = current.timestamp - last_timestamp_;
+  if (follows_motion(attempt) && tells_velocity(seconds)) {
+    attempt.previous = {T_world_last_.inverse() * T_world_first, seconds, mean_velocity_};
+  }
+  const AlignOptions options = align_options();
+  TrackingResult& result = attempt.result;
+  result.readout_s = options.readout;
   result.vignette = current.vignette;
   result.reference_timestamp = first.pyramid.timestamp;
   result.T_cur_ref_guess = T_world_guess.inverse() * T_world_first;
-  result.alignment = align(references.views, frame, result.T_cur_ref_guess, options_.align);
-  result.reason = judge(result.alignment);
+  result.alignment =
+      align(attempt.references.views, {current, current_points_.get(), attempt.previous},
+            result.T_cur_ref_guess, options);
+  result.reason = judge(result.alignment, start);
   if (result.reason == LostReason::none) {
     result.status = TrackingStatus::tracked;
     result.T_world_camera = T_world_first * result.alignment.T_cur_ref.inverse();
-    calibrate(references, frame, result.alignment);
   }
-  return result;
+  return attempt;
 }
 
-/// Takes in what a frame that was aligned from where it was expected says of the camera.
-void Tracker::calibrate(const References& references, const AlignCurrent& frame,
-                        const AlignResult& aligned) {
-  if (!frame.previous) {
+/// Whether the camera was aligned where its motion since the last tracked frame leads it.
+bool Tracker::follows_motion(const Attempt& attempt) const {
+  return !is_lost_ && attempt.start == Start::expected;
+}
+
+/// Takes in what an accepted frame says of the camera's shutter and vignette.
+void Tracker::calibrate(const FramePyramid& current, const Attempt& attempt) {
+  if (!attempt.previous) {
     return;
   }
-  if (options_.shutter == ShutterModel::estimated && references.velocities_known()) {
-    readout_.update(aligned.loss_by_readout, options_.align.readout);
-    options_.align.readout = readout_.seconds();
+  const AlignResult& aligned = attempt.result.alignment;
+  if (options_.shutter == ShutterModel::estimated && attempt.references.velocities_known()) {
+    readout_.update(aligned.loss_by_readout, attempt.result.readout_s);
   }
   if (options_.vignette == VignetteModel::estimated) {
-    vignette_.update(references.views, frame, aligned.T_cur_ref, options_.align);
+    vignette_.update(attempt.references.views, {current, current_points_.get(), attempt.previous},
+                     aligned.T_cur_ref, align_options());
     map_.take_out(vignette_.vignette());
   }
 }
 
-/// Aligns from turned poses and from the keyframes that look most alike, too; the most credible
-/// result is believed. After a jump the motion model starts from rest.
-TrackingResult Tracker::searched(const FramePyramid& current, const TrackingResult& first) {
+/// Aligns from turned poses and from the keyframes that look most alike, too, and returns the most
+/// credible attempt.
+Tracker::Attempt Tracker::searched(const FramePyramid& current, Attempt first) const {
   constexpr std::size_t kTurnsTried = 3;
   constexpr std::size_t kKeyframesTried = 3;
   std::vector<SE3> guesses =
@@ -169,27 +192,17 @@ TrackingResult Tracker::searched(const FramePyramid& current, const TrackingResu
   for (const SE3& guess : similar_keyframes(map_, current, kKeyframesTried)) {
     guesses.push_back(guess);
   }
-  const bool knew_motion = !std::exchange(was_lost_, true);
-  bool jumped = false;
-  TrackingResult best = first;
-  std::shared_ptr<const EdgePoints> points_of_best = reference_points_;
+  Attempt best = std::move(first);
   for (const SE3& guess : guesses) {
-    TrackingResult result = aligned_from(current, guess);
-    if (is_more_credible(result, best)) {
-      best = std::move(result);
-      points_of_best = reference_points_;
-      jumped = true;
+    Attempt attempt = aligned_from(current, guess, Start::searched);
+    if (is_more_credible(attempt.result, best.result)) {
+      best = std::move(attempt);
     }
-  }
-  reference_points_ = points_of_best;
-  was_lost_ = jumped || !knew_motion;
-  if (jumped) {
-    T_last_predicted_ = SE3();
   }
   return best;
 }
 
-LostReason Tracker::judge(const AlignResult& alignment) const {
+LostReason Tracker::judge(const AlignResult& alignment, Start start) const {
   if (alignment.termination == Termination::too_few_points) {
     return LostReason::too_few_points;
   }
@@ -200,7 +213,7 @@ LostReason Tracker::judge(const AlignResult& alignment) const {
     return LostReason::out_of_view;
   }
   LostOptions least = options_.lost;
-  if (was_lost_ && least.recover) {  // or it is searched for
+  if ((is_lost_ || start == Start::searched) && least.recover) {
     least.min_correlation = std::max(least.min_correlation, kRecognisedCorrelation);
     least.min_depth_agreement = std::max(least.min_depth_agreement, kRecognisedDepthAgreement);
   }
@@ -211,24 +224,24 @@ LostReason Tracker::judge(const AlignResult& alignment) const {
                                                                 : LostReason::depths_disagree;
 }
 
-void Tracker::accept(const FramePyramid& current, TrackingResult& result) {
-  const SE3 T_last_cur = T_world_last_.inverse() * result.T_world_camera;
+void Tracker::accept(const FramePyramid& current, const Attempt& attempt) {
+  const SE3 T_last_cur = T_world_last_.inverse() * attempt.result.T_world_camera;
   const double seconds = current.timestamp - last_timestamp_;
+  const bool follows = follows_motion(attempt);
   const std::optional<MeanVelocity> before = std::exchange(mean_velocity_, std::nullopt);
   velocity_.reset();
-  if (!was_lost_ && tells_velocity(seconds)) {
+  if (follows && tells_velocity(seconds)) {
     mean_velocity_ = {T_last_cur.log() / seconds, seconds};
     velocity_ = velocity_at_end(*mean_velocity_, before);
     if (frames_since_keyframe_ == 1 && !map_.last()->velocity) {
       map_.set_last_velocity({mean_velocity_->twist, Vector6d::Zero()});
     }
   }
-  if (options_.motion_model != MotionModel::stationary && !was_lost_) {
-    T_last_predicted_ = T_last_cur;
-  }
-  T_world_last_ = result.T_world_camera;
+  T_last_predicted_ =
+      options_.motion_model != MotionModel::stationary && follows ? T_last_cur : SE3();
+  T_world_last_ = attempt.result.T_world_camera;
   last_timestamp_ = current.timestamp;
-  was_lost_ = false;
+  is_lost_ = false;
 }
 
 bool Tracker::needs_keyframe(const FramePyramid& current, const TrackingResult& result) const {
@@ -303,7 +316,7 @@ void Tracker::adjust_keyframes() {
     return;
   }
   std::vector<WindowFrame> frames = window(keyframes);
-  adjust_window(frames, options_.window, options_.align);
+  adjust_window(frames, options_.window, align_options());
   for (std::size_t n = 0; n < frames.size(); ++n) {
     map_.adjust(keyframes[n], frames[n].T_frame_world.inverse(), std::move(frames[n].points));
   }

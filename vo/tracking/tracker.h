@@ -54,17 +54,30 @@ class Tracker {
     bool velocities_known() const;  ///< the first keyframe's is known a frame later
   };
 
+  /// Where an alignment starts: at the pose that the motion model expects, or at one of those that
+  /// a search tries.
+  enum class Start { expected, searched };
+
+  /// A frame aligned from one start, and what it was aligned with.
+  struct Attempt {
+    Start start = Start::expected;
+    References references;
+    std::optional<PreviousFrame> previous;  ///< where the motion since it is known
+    TrackingResult result;
+  };
+
   void find_current_points(const FramePyramid& current);
   SE3 starting_pose(const FramePyramid& current) const;
-  TrackingResult aligned_from(const FramePyramid& current, const SE3& T_world_guess);
-  TrackingResult searched(const FramePyramid& current, const TrackingResult& first);
+  AlignOptions align_options() const;
+  Attempt aligned_from(const FramePyramid& current, const SE3& T_world_guess, Start start) const;
+  Attempt searched(const FramePyramid& current, Attempt first) const;
   References references_for(const FramePyramid& current, const SE3& T_world_guess) const;
-  void calibrate(const References& references, const AlignCurrent& frame,
-                 const AlignResult& aligned);
+  bool follows_motion(const Attempt& attempt) const;
+  void calibrate(const FramePyramid& current, const Attempt& attempt);
   std::vector<WindowFrame> window(const std::vector<std::size_t>& keyframes) const;
   void adjust_keyframes();
-  LostReason judge(const AlignResult& alignment) const;
-  void accept(const FramePyramid& current, TrackingResult& result);
+  LostReason judge(const AlignResult& alignment, Start start) const;
+  void accept(const FramePyramid& current, const Attempt& attempt);
   bool can_be_reference(const FramePyramid& frame) const;
   bool is_blurred(const FramePyramid& current, const SE3& T_cur_last) const;
 
@@ -78,7 +91,7 @@ class Tracker {
   std::shared_ptr<EdgePoints> current_points_;  ///< of the tracked frame, where symmetric
 
   int frames_since_keyframe_ = 0;
-  bool was_lost_ = false;      ///< the last frame, or it is being searched for
+  bool is_lost_ = false;       ///< whether the last frame was lost
   double last_timestamp_ = 0;  ///< s, of the last tracked frame
   SE3 T_world_last_;
   SE3 T_last_predicted_;                       ///< motion since the last frame, by the motion model
