@@ -1,10 +1,19 @@
 #pragma once
 
+#include <array>
+#include <utility>
+
 // Innermost loops are written once, as plain loops that the compiler turns into vector
 // instructions, inlined (EDVO_INLINE) into one function per instruction set (EDVO_TARGET_...).
 #define EDVO_INLINE inline __attribute__((always_inline))
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) && defined(__clang__)
+// Clang takes 512-bit registers only where a function asks for them and for no processor by name.
+#define EDVO_TARGET_AVX2 __attribute__((target("arch=x86-64-v3")))
+#define EDVO_TARGET_AVX512                                                                      \
+  __attribute__((target("avx512f,avx512bw,avx512cd,avx512dq,avx512vl,avx2,fma,bmi,bmi2,lzcnt"), \
+                 min_vector_width(512)))
+#elif defined(__x86_64__)
 #define EDVO_TARGET_AVX2 __attribute__((target("arch=x86-64-v3")))
 #define EDVO_TARGET_AVX512 __attribute__((target("arch=x86-64-v4,prefer-vector-width=512")))
 #else
@@ -18,7 +27,15 @@ namespace vo {
 /// in the same lanes, nothing is fused or approximated.
 enum class InstructionSet { baseline, avx2, avx512 };
 
-/// What this machine has; asked once.
+constexpr auto enum_names(InstructionSet) {
+  return std::array{std::pair{InstructionSet::baseline, "baseline"},
+                    std::pair{InstructionSet::avx2, "avx2"},
+                    std::pair{InstructionSet::avx512, "avx512"}};
+}
+
+/// The widest vector instructions of this machine, or those that the environment variable
+/// EDVO_INSTRUCTION_SET names, if the machine has them. Both are asked once. Throws Error of kind
+/// usage for another name, or for instructions that the machine lacks.
 InstructionSet available_instruction_set();
 
 }  // namespace vo

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-#if defined(__x86_64__) && !defined(__clang__)  // which ignores EDVO_TARGET_AVX512
+#if defined(__x86_64__)
 #define EDVO_HAS_MASKS
 #include <immintrin.h>
 #endif
