@@ -32,7 +32,10 @@ constexpr const char* kTrackHelp =
     "T_world_camera of every tracked frame in TUM format; the world is the first camera's frame.\n"
     "With --mode mono only the images are read, and the depth of the first for --bootstrap rgbd;\n"
     "--preset and --debug-images are for --mode rgbd.\n"
-    "Frames that are lost have no pose in the file, and the exit code is then 5.";
+    "Frames that are lost have no pose in the file, and the exit code is then 5. All options that "
+    "a\n"
+    "trajectory was tracked with are written beside it (e_config.toml for e.txt); --config reads "
+    "them.";
 
 std::string track_examples() {
   std::string text =
@@ -53,11 +56,9 @@ std::string track_examples() {
 
 vo::TrackerOptions chosen_options(const TrackArguments& arguments) {
   vo::TrackerOptions options =
-      vo::preset_options(vo::parse_enum<vo::TrackerPreset>(arguments.preset_name));
+      vo::preset_options(vo::parse_enum<vo::TrackerPreset>(arguments.preset));
   std::vector<vo::Field> fields = vo::fields_of(options);
-  for (const std::string& assignment : arguments.assignments) {
-    apply_assignment(assignment, fields);
-  }
+  apply_arguments(arguments, fields);
   check_usage([&] { options.validate(); });
   return options;
 }
@@ -71,7 +72,7 @@ nlohmann::ordered_json summary(const TrackArguments& arguments, vo::TrackerOptio
           {"tracked_fraction", result.tracked_fraction()},
           {"keyframes", result.keyframes()},
           {"ms_per_frame", time_json(vo::summarize(result.times))},
-          {"preset", arguments.preset_name},
+          {"preset", arguments.preset},
           {"options", fields_json(vo::fields_of(options))}};
 }
 
@@ -89,13 +90,6 @@ void print(const TrackArguments& arguments, const vo::TrackerOptions& options,
       << ", alignment " << times.alignment_ms << ")\n";
 }
 
-fs::path beside(const fs::path& file, const std::string& suffix) {
-  fs::path path = file;
-  path.replace_extension();
-  path += suffix;
-  return path;
-}
-
 void write_pictures(const TrackArguments& arguments, const vo::SequenceReader& sequence,
                     const vo::SequenceResult& result) {
   const vo::Trajectory& truth = sequence.ground_truth();
@@ -106,7 +100,7 @@ void write_pictures(const TrackArguments& arguments, const vo::SequenceReader& s
 }
 
 int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera) {
-  const vo::TrackerOptions options = chosen_options(arguments);
+  vo::TrackerOptions options = chosen_options(arguments);
   const vo::SequenceReader sequence(arguments.sequence, camera, arguments.max_time_difference);
   PanelWriter panels(beside(arguments.out, "_panels"), arguments.debug_images,
                      arguments.common.existing());
@@ -115,6 +109,7 @@ int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCame
       vo::track_sequence(sequence, options, {}, panels.observer(), bar.callback());
   vo::write_file(arguments.out, vo::format_trajectory(result.trajectory),
                  arguments.common.existing());
+  write_config(arguments, vo::fields_of(options));
   if (!arguments.frame_log.empty()) {
     vo::write_file(arguments.frame_log, vo::format_frame_log(result.frames),
                    arguments.common.existing());
@@ -127,7 +122,8 @@ int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCame
   return result.tracked_fraction() < 1 ? exit_code::kTrackingLost : exit_code::kOk;
 }
 
-int track(const TrackArguments& arguments) {
+int track(TrackArguments& arguments) {
+  read_config(arguments);
   std::optional<vo::RgbdCamera> camera;
   if (!arguments.camera.empty()) {
     camera = vo::load_camera(arguments.camera);
@@ -138,6 +134,7 @@ int track(const TrackArguments& arguments) {
   }
   return arguments.mode == "mono" ? track_mono(arguments, camera) : track_rgbd(arguments, camera);
 }
+
 }  // namespace
 
 void add_track_command(CLI::App& program, int& exit_code) {
@@ -157,7 +154,9 @@ void add_track_command(CLI::App& program, int& exit_code) {
   command.add_option(
       "--depth-file", arguments->depth_file,
       "mono, bootstrap file: depth of the first image, 16-bit PNG or .npy in metres");
-  command.add_option("--preset", arguments->preset_name, "paper | authors | default [default]")
+  command.add_option("--config", arguments->config,
+                     "TOML file with the keys of --set, and mode and preset");
+  command.add_option("--preset", arguments->preset, "paper | authors | default [default]")
       ->check(CLI::IsMember({"paper", "authors", "default"}));
   command.add_option("--set", arguments->assignments, "key=value, may be repeated; keys below")
       ->allow_extra_args(false);

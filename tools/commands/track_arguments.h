@@ -6,30 +6,47 @@
 #include <vector>
 
 #include "tools/cli/options.h"
+#include "vo/files/toml_file.h"
 #include "vo/geometry/camera.h"
 
 namespace tools {
 
-/// The command line of `edvo track`.
+/// The command line of `edvo track`, and the configuration file that it names.
 struct TrackArguments {
   CommonOptions common;
   std::string sequence;
   std::string camera;
-  std::string mode = "rgbd";
+  std::string mode;    ///< rgbd or mono; empty: as the configuration says, else rgbd
+  std::string preset;  ///< of mode rgbd; empty: as the configuration says, else default
+  std::string config;  ///< TOML file with keys as --set takes them; empty without one
   std::string bootstrap;
   std::string depth_file;
-  std::string preset_name = "default";
-  std::vector<std::string> assignments;
+  std::vector<std::string> assignments;  ///< key=value, applied after the configuration
   std::string out;
   std::string frame_log;
   int debug_images = 0;
-  double max_time_difference = 0.02;
+  double max_time_difference = 0.02;       ///< s
+  std::vector<vo::TomlValue> config_keys;  ///< of the configuration, without mode and preset
 };
 
-/// `--mode mono`; the exit code.
+/// Reads the configuration file, if there is one: `mode` and `preset` count where the command line
+/// names none. Throws vo::Error with file:line.
+void read_config(TrackArguments& arguments);
+
+/// Sets the fields that the configuration and --set name, in this order. Throws vo::Error.
+void apply_arguments(const TrackArguments& arguments, std::vector<vo::Field>& fields);
+
+/// Writes all that a run was tracked with, so that `--config` repeats it, beside the trajectory:
+/// `estimate_config.toml` for `estimate.txt`; nothing where the trajectory goes to stdout.
+void write_config(const TrackArguments& arguments, const std::vector<vo::Field>& fields);
+
+/// The path of a file with another ending: `a/e_panels` for `a/e.txt` and `_panels`.
+std::filesystem::path beside(const std::filesystem::path& file, const std::string& suffix);
+
+/// Tracks with `--mode mono`; returns the exit code.
 int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera);
 
-/// The keys of `--set` in that mode, with their values.
+/// The keys of `--set` with `--mode mono`, with their defaults and meanings.
 std::string describe_mono_fields();
 
 }  // namespace tools

@@ -19,9 +19,7 @@ namespace {
 vo::MonoOptions chosen_mono_options(const TrackArguments& arguments) {
   vo::MonoOptions options = vo::mono_options();
   std::vector<vo::Field> fields = vo::fields_of(options);
-  for (const std::string& assignment : arguments.assignments) {
-    apply_assignment(assignment, fields);
-  }
+  apply_arguments(arguments, fields);
   check_usage([&] {
     if (!arguments.bootstrap.empty()) {
       options.bootstrap = vo::parse_enum<vo::MonoBootstrap>(arguments.bootstrap);
@@ -82,13 +80,14 @@ int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCame
   vo::require(arguments.debug_images == 0,
               "track: --debug-images is for --mode rgbd; "
               "`edvo depth --track` draws monocular maps");
-  const vo::MonoOptions options = chosen_mono_options(arguments);
+  vo::MonoOptions options = chosen_mono_options(arguments);
   const vo::MonoInput input{arguments.sequence, camera, arguments.max_time_difference,
                             arguments.depth_file};
   ProgressBar bar("tracking", arguments.common.verbosity());
   const vo::MonoSequenceResult result = vo::track_mono_sequence(input, options, {}, bar.callback());
   vo::write_file(arguments.out, vo::format_trajectory(result.trajectory),
                  arguments.common.existing());
+  write_config(arguments, vo::fields_of(options));
   if (!arguments.frame_log.empty()) {
     vo::write_file(arguments.frame_log, vo::format_mono_log(result.frames),
                    arguments.common.existing());

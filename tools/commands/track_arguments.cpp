@@ -1,0 +1,70 @@
+#include "tools/commands/track_arguments.h"
+
+#include <algorithm>
+
+#include "vo/core/version.h"
+
+namespace tools {
+namespace {
+
+/// Takes a key out of the values; leaves `chosen` as it is unless it is empty.
+void take_key(std::vector<vo::TomlValue>& values, const std::string& key,
+              const std::vector<std::string_view>& choices, std::string& chosen) {
+  const auto found = std::find_if(values.begin(), values.end(),
+                                  [&](const vo::TomlValue& value) { return value.key == key; });
+  if (found == values.end()) {
+    return;
+  }
+  try {
+    vo::parse_choice(found->text, choices);
+  } catch (const vo::Error& error) {
+    vo::fail(found->place, ": ", key, ": ", error.what());
+  }
+  if (chosen.empty()) {
+    chosen = found->text;
+  }
+  values.erase(found);
+}
+
+}  // namespace
+
+void read_config(TrackArguments& arguments) {
+  if (!arguments.config.empty()) {
+    arguments.config_keys = vo::read_toml(arguments.config);
+  }
+  take_key(arguments.config_keys, "mode", {"rgbd", "mono"}, arguments.mode);
+  take_key(arguments.config_keys, "preset", {"paper", "authors", "default"}, arguments.preset);
+  if (arguments.mode.empty()) {
+    arguments.mode = "rgbd";
+  }
+  if (arguments.preset.empty()) {
+    arguments.preset = "default";
+  }
+}
+
+void apply_arguments(const TrackArguments& arguments, std::vector<vo::Field>& fields) {
+  vo::assign_fields(arguments.config_keys, fields);
+  for (const std::string& assignment : arguments.assignments) {
+    apply_assignment(assignment, fields);
+  }
+}
+
+void write_config(const TrackArguments& arguments, const std::vector<vo::Field>& fields) {
+  if (vo::is_stream(arguments.out)) {
+    return;
+  }
+  const std::string text =
+      vo::concat("# edvo ", vo::version(), ": all that the trajectory was tracked with.\n",
+                 "mode = ", vo::quoted_toml(arguments.mode), "\n",
+                 "preset = ", vo::quoted_toml(arguments.preset), "\n", vo::format_toml(fields));
+  vo::write_file(beside(arguments.out, "_config.toml"), text, arguments.common.existing());
+}
+
+std::filesystem::path beside(const std::filesystem::path& file, const std::string& suffix) {
+  std::filesystem::path path = file;
+  path.replace_extension();
+  path += suffix;
+  return path;
+}
+
+}  // namespace tools
