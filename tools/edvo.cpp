@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <limits>
 #include <new>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <malloc.h>
@@ -10,8 +13,10 @@
 
 #include "tools/cli/exit_code.h"
 #include "tools/cli/interrupt.h"
+#include "tools/cli/spelling.h"
 #include "tools/commands/commands.h"
 #include "vo/core/error.h"
+#include "vo/core/instruction_set.h"
 #include "vo/core/version.h"
 
 namespace {
@@ -37,7 +42,7 @@ constexpr const char* kDescription =
     "  edvo bench        ms per frame, ours beside others\n"
     "  edvo bench-render CPU s per rendered frame, and how it grows\n"
     "  edvo ablate       the paper's experiments on a sequence or scenario\n\n"
-    "`edvo COMMAND --help` explains each with examples.";
+    "`edvo help COMMAND` explains each with examples.";
 
 constexpr const char* kFooter =
     "Exit codes: 0 ok, 1 internal error, 2 wrong command line, 3 unusable input or output place,\n"
@@ -69,8 +74,12 @@ int run(int argc, char** argv) {
   tools::add_budget_command(program, exit_code);
   tools::add_basin_command(program, exit_code);
   tools::add_sweep_command(program, exit_code);
+  std::vector<std::string> words =
+      tools::without_help_command(std::vector<std::string>(argv + 1, argv + argc));
+  tools::require_known_words(program, words);
   try {
-    program.parse(argc, argv);
+    std::reverse(words.begin(), words.end());  // as CLI11 takes them
+    program.parse(words);
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? tools::exit_code::kOk : tools::exit_code::kUsage;
   }
@@ -97,6 +106,7 @@ int main(int argc, char** argv) {
     tools::remember_signals();
     cv::setNumThreads(1);
     keep_freed_memory();
+    vo::available_instruction_set();  // a name in the environment that is none ends here
     return run(argc, argv);
   } catch (const vo::Error& error) {
     std::cerr << "edvo: " << error.what() << "\n";

@@ -43,6 +43,7 @@ struct EvaluateArguments {
   std::string estimate;
   std::string align = "se3";
   std::string interval = "1s";
+  bool interval_is_chosen = false;
   std::string sequence;
   bool estimate_offset = false;
   vo::EvaluationOptions options;
@@ -59,11 +60,12 @@ struct Report {
 vo::RpeInterval parse_interval(const std::string& text) {
   try {
     vo::require(text.size() > 1 && (text.back() == 's' || text.back() == 'f'), "no unit");
-    return {vo::parse_real(std::string_view(text).substr(0, text.size() - 1)),
-            text.back() == 's' ? vo::IntervalUnit::seconds : vo::IntervalUnit::frames};
+    const double length = vo::parse_real(std::string_view(text).substr(0, text.size() - 1));
+    vo::require(length > 0, "not positive");
+    return {length, text.back() == 's' ? vo::IntervalUnit::seconds : vo::IntervalUnit::frames};
   } catch (const vo::Error&) {
     vo::fail_as(vo::ErrorKind::usage, "--interval ", text,
-                ": expected seconds or frames, such as 1s or 30f");
+                ": expected seconds or frames above 0, such as 1s or 30f");
   }
 }
 
@@ -175,6 +177,9 @@ void evaluate(EvaluateArguments& arguments) {
 
   Report report;
   report.errors = vo::evaluate(truth, estimate, arguments.options);
+  vo::require(report.errors.rpe.pairs > 0 || !arguments.interval_is_chosen, arguments.estimate,
+              ": no two of its ", estimate.size(), " poses lie --interval ", arguments.interval,
+              " apart, expected a shorter interval or a longer trajectory");
   if (!arguments.sequence.empty()) {
     report.tracked_fraction = tracked_fraction(arguments.sequence, estimate);
   }
@@ -199,7 +204,8 @@ void add_evaluate_command(CLI::App& program, int& /*exit_code*/) {
   command.add_option("ESTIMATE", arguments->estimate, "TUM trajectory")->required();
   command.add_option("--align", arguments->align, "none | se3 | sim3 [se3]")
       ->check(CLI::IsMember({"none", "se3", "sim3"}));
-  command.add_option("--interval", arguments->interval, "of the relative error: 1s, 30f, ... [1s]");
+  command.add_option("--interval", arguments->interval, "of the relative error: 1s, 30f, ... [1s]")
+      ->each([arguments](const std::string&) { arguments->interval_is_chosen = true; });
   command.add_option("--max-time-difference", arguments->options.max_time_difference,
                      "between matched poses, s [0.02]");
   command.add_option("--offset", arguments->options.time_offset,

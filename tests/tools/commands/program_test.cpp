@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/instruction_sets.h"
 #include "tests/support/plane_sequence.h"
 #include "tests/support/temp_folder.h"
 #include "vo/dataset/trajectory_file.h"
+#include "vo/core/fields.h"
 #include "vo/files/png.h"
 
 namespace {
@@ -88,6 +90,92 @@ TEST_F(Program, TwoRunsGiveTheSameBytesOnAnyNumberOfThreads) {
   EXPECT_EQ(vo::read_file(folder().path() / "one.txt"), vo::read_file(folder().path() / "two.txt"));
 }
 
+TEST_F(Program, AConfigurationRepeatsARunToTheByte) {
+  ASSERT_EQ(track("--preset paper --set keyframes.every=3 --out " + path("set.txt")).exit_code, 0);
+  ASSERT_EQ(
+      track("--config " + path("set_config.toml") + " --out " + path("configured.txt")).exit_code,
+      0);
+  const auto bytes = [](const std::string& name) { return vo::read_file(folder().path() / name); };
+  EXPECT_EQ(bytes("configured.txt"), bytes("set.txt"));
+  EXPECT_EQ(bytes("configured_config.toml"), bytes("set_config.toml"));
+  EXPECT_THAT(bytes("set_config.toml"), HasSubstr("preset = \"paper\"\n"));
+  EXPECT_THAT(bytes("set_config.toml"), HasSubstr("keyframes.every = 3\n"));
+}
+
+TEST_F(Program, TheCommandLineCountsMoreThanAConfiguration) {
+  folder().write("some.toml",
+                 "preset = \"paper\"\nkeyframes.every = 2\n[align]\nmin_points = 50\n");
+  ASSERT_EQ(track("--config " + path("some.toml") +
+                  " --preset authors --set keyframes.every=4 --out " + path("both.txt"))
+                .exit_code,
+            0);
+  const std::string config = vo::read_file(folder().path() / "both_config.toml");
+  EXPECT_THAT(config, HasSubstr("preset = \"authors\"\n"));
+  EXPECT_THAT(config, HasSubstr("keyframes.every = 4\n"));
+  EXPECT_THAT(config, HasSubstr("align.min_points = 50\n"));
+}
+
+TEST_F(Program, AConfigurationThatCannotBeUsedIsNamedWithItsLine) {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"[keyframes]\nevry = 3\n",
+       "bad.toml:2: unknown key 'keyframes.evry'; the nearest known key"},
+      {"align.min_points = \"many\"\n", "bad.toml:1: align.min_points: expected"},
+      {"preset = \"papr\"\n", "bad.toml:1: preset: expected one of paper, authors, default"},
+      {"mode = [\n", "bad.toml:"}};
+  for (const auto& [text, message] : cases) {
+    folder().write("bad.toml", text);
+    const ProgramResult result =
+        track("--config " + path("bad.toml") + " --out " + path("bad.txt"));
+    EXPECT_EQ(result.exit_code, 3) << text;
+    EXPECT_THAT(result.err, HasSubstr(message)) << text;
+    EXPECT_FALSE(exists("bad.txt"));
+  }
+}
+
+TEST_F(Program, EveryInstructionSetGivesTheSameBytes) {
+  for (const std::string mode : {"rgbd", "mono --bootstrap rgbd"}) {
+    std::string expected;
+    for (const vo::InstructionSet set : support::instruction_sets_of_this_machine()) {
+      const std::string name(vo::to_string<vo::InstructionSet>(set));
+      const ProgramResult result =
+          run_program("track " + path("sequence") + " --quiet --force --mode " + mode + " --out " +
+                          path("set.txt"),
+                      "EDVO_INSTRUCTION_SET=" + name + " ");
+      ASSERT_EQ(result.exit_code, 0) << name << ": " << result.err;
+      const std::string bytes = vo::read_file(folder().path() / "set.txt");
+      expected = expected.empty() ? bytes : expected;
+      EXPECT_EQ(bytes, expected) << mode << " with " << name;
+    }
+  }
+}
+
+TEST_F(Program, AnInstructionSetThatThereIsNotIsUsage) {
+  const ProgramResult result = run_program("--version", "EDVO_INSTRUCTION_SET=sse9 ");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("EDVO_INSTRUCTION_SET: expected one of baseline, avx2"));
+}
+
+TEST_F(Program, MisspeltWordsAreNamedWithTheNearestOne) {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"trak", "there is no command trak; the nearest is track"},
+      {"track a --otu b", "there is no option --otu; the nearest is --out"},
+      {"path chek", "there is no command chek; the nearest is check"},
+      {"--colour", "there is no option --colour"},
+      {"render scene.gltf --orbit.raduis=1", "; the nearest is --orbit.radius"},
+      {"help trak", "there is no command trak; the nearest is track"}};
+  for (const auto& [arguments, message] : cases) {
+    const ProgramResult result = run_program(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_THAT(result.err, HasSubstr(message)) << arguments;
+  }
+}
+
+TEST_F(Program, HelpOfACommandIsItsHelp) {
+  EXPECT_EQ(run_program("help track").out, run_program("track --help").out);
+  EXPECT_EQ(run_program("help").out, run_program("--help").out);
+  EXPECT_EQ(run_program("help path check").out, run_program("path check --help").out);
+}
+
 TEST_F(Program, DebugImagesLieBesideTheEstimate) {
   ASSERT_EQ(track("--debug-images 3 --out " + path("pictured.txt")).exit_code, 0);
   EXPECT_TRUE(exists("pictured_panels/000000.png"));
@@ -161,13 +249,17 @@ TEST_F(Program, ATrajectoryCanGoDownAPipe) {
   EXPECT_EQ(result.out, "6\n") << "poses alone; the summary is on stderr";
 }
 
-TEST_F(Program, AnIntervalWithoutPairsHasNoError) {
+TEST_F(Program, AnIntervalWithoutPairsIsRefused) {
   ASSERT_EQ(track("--force --out " + path("e.txt")).exit_code, 0);
-  const ProgramResult result = run_program("evaluate " + path("sequence/groundtruth.txt") + " " +
-                                           path("e.txt") + " --interval 100s --json");
-  const json errors = json::parse(result.out);
-  EXPECT_TRUE(errors["rpe"]["translation_rmse_m"].is_null());
-  EXPECT_EQ(errors["rpe"]["pairs"], 0);
+  const std::string files = path("sequence/groundtruth.txt") + " " + path("e.txt");
+  const ProgramResult result = run_program("evaluate " + files + " --interval 100s --json");
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.out, "");
+  EXPECT_THAT(result.err, HasSubstr("poses lie --interval 100s apart"));
+  for (const std::string interval : {"0s", "-1s", "nans", "infs", "1.5f", "0f"}) {
+    EXPECT_NE(run_program("evaluate " + files + " --interval " + interval).exit_code, 0)
+        << interval;
+  }
 }
 
 TEST_F(Program, ALostFrameIsSaidAndHasNoPose) {
