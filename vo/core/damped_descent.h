@@ -7,11 +7,11 @@ namespace vo {
 
 struct DampedDescentOptions {
   int iterations = 0;
-  double converged = 0;  ///< share of the loss; ends with a step that gains less
+  double converged = 0;  ///< least gain of a step, as a share of the loss, to go on
 };
 
-/// Levenberg and Marquardt's steps: `step(state, damping)` is the next state, taken where `loss` of
-/// it is less and else tried again, shorter. Returns the loss that it ends with.
+/// Minimises `loss(state)` by Levenberg-Marquardt: `step(state, damping)` returns a candidate,
+/// which replaces `state` if its loss is less; if not, the damping grows. Returns the final loss.
 template <typename State, typename Step, typename Loss>
 double descend(State& state, const Step& step, const Loss& loss,
                const DampedDescentOptions& options) {

@@ -6,13 +6,13 @@
 
 namespace vo {
 
-/// Why an operation could not be carried out. The program's exit code follows from it.
+/// The reason why an operation failed, from which the program's exit code follows.
 enum class ErrorKind {
   usage,          ///< the caller asked for something that does not exist
   input,          ///< a file, folder, scene or option value that cannot be used
   output_exists,  ///< the result would replace something else
   temporary,      ///< the same call may succeed later (disk full, terminated)
-  interrupted,    ///< the user stopped it
+  interrupted,    ///< the user stopped the operation
 };
 
 /// The only exception this project throws. Losing track is a value (`TrackingStatus`), a broken
@@ -28,7 +28,7 @@ class Error : public std::runtime_error {
   ErrorKind kind_;
 };
 
-/// The parts, streamed into one string.
+/// Returns the parts, streamed into one string.
 template <typename... Parts>
 std::string concat(const Parts&... parts) {
   std::ostringstream text;
@@ -43,13 +43,14 @@ template <typename... Parts>
   throw Error(concat(parts...));
 }
 
-/// As `fail`, of another kind.
+/// Throws an Error of the given kind whose message is the parts, streamed.
 template <typename... Parts>
 [[noreturn]] void fail_as(ErrorKind kind, const Parts&... parts) {
   throw Error(concat(parts...), kind);
 }
 
-/// Throws an Error of kind `input` with the message unless the condition holds.
+/// Throws an Error of kind `input` whose message is the parts, streamed, unless the condition
+/// holds.
 template <typename... Parts>
 void require(bool condition, const Parts&... parts) {
   if (!condition) {

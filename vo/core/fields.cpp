@@ -58,7 +58,7 @@ std::vector<double> split_reals(std::string_view text) {
   return values;
 }
 
-/// Parts of keys that were renamed: the old spelling and today's.
+/// The renamed parts of keys: the old spelling and the current one.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 1> kRenamed = {
     {{"map.anchor.", "map.host."}}};
 

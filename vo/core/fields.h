@@ -42,7 +42,7 @@ concept NamedEnum = std::is_enum_v<E> && requires(E value) {
   enum_names(value);
 };
 
-/// The name of an enumeration's value.
+/// Returns the name of an enumeration's value, or "?" if it has none.
 template <NamedEnum E>
 std::string_view to_string(E value) {
   for (const auto& [candidate, name] : enum_names(value)) {
@@ -58,13 +58,14 @@ double parse_real(std::string_view text);
 std::int64_t parse_integer(std::string_view text);
 bool parse_boolean(std::string_view text);
 
-/// Numbers with commas (and blanks) between them; throws Error unless there are `count`.
+/// Parses numbers separated by commas, with or without blanks; throws Error unless there are
+/// `count`.
 std::vector<double> parse_reals(std::string_view text, std::size_t count);
 
-/// As `parse_reals`, any multiple of three numbers: x,y,z,x,y,z,...
+/// Parses points x,y,z,x,y,z,...; throws Error unless the number of values is a multiple of three.
 std::vector<Eigen::Vector3d> parse_points(std::string_view text);
 
-/// Throws Error listing the names unless `text` is one of them; returns its index.
+/// Returns the index of `text` among the names; throws Error listing them if it is none of them.
 std::size_t parse_choice(std::string_view text, const std::vector<std::string_view>& names);
 
 template <NamedEnum E>
@@ -77,7 +78,7 @@ E parse_enum(std::string_view text) {
   return names[parse_choice(text, choices)].first;
 }
 
-/// The candidate that is fewest edits away from `key`; empty when none is near.
+/// Returns the candidate with the least edit distance to `key`; empty when none is near.
 std::string nearest_key(std::string_view key, const std::vector<std::string>& candidates);
 
 /// Collects the fields of an options struct, nested structs included. The fields refer to the
@@ -109,7 +110,7 @@ class FieldCollector {
         [&value](std::string_view text) { value = parse_enum<E>(text); });
   }
 
-  /// A nested options struct.
+  /// Adds the fields of a nested options struct.
   template <typename Options>
   void operator()(const char* name, Options& options, const char*) {
     FieldCollector nested(fields_, prefix_ + name + ".");
@@ -124,7 +125,7 @@ class FieldCollector {
   std::string prefix_;
 };
 
-/// All fields of an options struct, keys prefixed as given (`"sensor."`).
+/// Returns all fields of an options struct, their keys prefixed as given (`"sensor."`).
 template <typename Options>
 std::vector<Field> fields_of(Options& options, const std::string& prefix = "") {
   std::vector<Field> fields;
@@ -133,11 +134,12 @@ std::vector<Field> fields_of(Options& options, const std::string& prefix = "") {
   return fields;
 }
 
-/// Today's spelling of a field's key that had another one in an earlier version.
+/// Returns the current spelling of a field's key, which an earlier version may have spelt
+/// otherwise.
 std::string current_key(const std::string& key);
 
-/// The field of a key, in today's or an earlier spelling. Throws Error naming the nearest known key
-/// when there is no such field.
+/// Returns the field of a key, in its current or an earlier spelling. Throws Error naming the
+/// nearest known key when there is no such field.
 Field& find_field(std::vector<Field>& fields, const std::string& key);
 
 /// Sets one field from text; the Error names the key, what was expected and what was found.

@@ -9,7 +9,8 @@
 
 namespace vo {
 
-/// FNV-1a, 64 bit: tells whether two contents are the same, on any machine. Not for security.
+/// FNV-1a hash of 64 bits, to tell whether two contents are equal, on any machine. Not for
+/// security.
 class ContentHash {
  public:
   void add(std::string_view bytes) {
@@ -18,7 +19,7 @@ class ContentHash {
     }
   }
 
-  /// The bytes of plain values without padding.
+  /// Adds the bytes of plain values, whose type must have no padding.
   template <typename T>
   void add_values(std::span<const T> values) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -31,8 +32,7 @@ class ContentHash {
   std::uint64_t value_ = 0xcbf29ce484222325ULL;
 };
 
-/// A well-mixed 64-bit value of any other (splitmix64): what is chosen at random is the same
-/// wherever it is chosen.
+/// Returns a well-mixed hash of a 64-bit value (splitmix64), reproducible on any machine.
 constexpr std::uint64_t mixed(std::uint64_t value) {
   value += 0x9e3779b97f4a7c15U;
   value = (value ^ (value >> 30U)) * 0xbf58476d1ce4e5b9U;
@@ -40,12 +40,12 @@ constexpr std::uint64_t mixed(std::uint64_t value) {
   return value ^ (value >> 31U);
 }
 
-/// The same, in [0, 1).
+/// Returns the hash `mixed(value)` as a number in [0, 1).
 constexpr double mixed_uniform(std::uint64_t value) {
   return static_cast<double>(mixed(value) >> 11U) * 0x1p-53;
 }
 
-/// A random number in [0, 1) that is a fixed function of its key: seed, purpose, index, ...
+/// Returns a random number in [0, 1), a fixed function of its key: seed, purpose, index, ...
 inline double random_uniform(std::initializer_list<std::uint64_t> key) {
   std::uint64_t hash = 0;
   for (const std::uint64_t part : key) {
@@ -54,7 +54,7 @@ inline double random_uniform(std::initializer_list<std::uint64_t> key) {
   return static_cast<double>(hash >> 11U) * 0x1p-53;
 }
 
-/// Sixteen hexadecimal digits.
+/// Returns the value as sixteen hexadecimal digits.
 inline std::string to_hex(std::uint64_t value) {
   constexpr const char* kDigits = "0123456789abcdef";
   std::string text(16, '0');

@@ -9,7 +9,7 @@ using ByteImage = cv::Mat_<uchar>;          ///< sRGB-encoded grey, 0..255
 using GrayImage = cv::Mat_<float>;          ///< sRGB-encoded grey, 0..1
 using DepthImage = cv::Mat_<float>;         ///< metres along the optical axis; 0 = no measurement
 using GradientImage = cv::Mat_<cv::Vec2f>;  ///< (dI/du, dI/dv), intensity per px
-using RayImage = cv::Mat_<cv::Vec2f>;       ///< (X / Z, Y / Z) of what each pixel sees
+using RayImage = cv::Mat_<cv::Vec2f>;       ///< (X / Z, Y / Z) of each pixel's viewing ray
 using EdgeMask = cv::Mat_<uchar>;           ///< 0 or 255
 
 inline bool has_depth(float depth) {
@@ -18,12 +18,12 @@ inline bool has_depth(float depth) {
 
 /// One RGB-D measurement. Images share storage like any cv::Mat and are never written again.
 struct RgbdFrame {
-  double timestamp = 0;  ///< s, of the colour image
+  double timestamp = 0;  ///< s, stamp of the colour image
   cv::Mat image;         ///< ColorImage or ByteImage
   DepthImage depth;      ///< registered to the image
 };
 
-/// Makes an image of this size that may be written: in the memory it has if nobody else holds that.
+/// Gives an image this size and pixels that may be written: its own if no other image shares them.
 template <typename Pixel>
 void make_writable(cv::Mat_<Pixel>& image, cv::Size size) {
   if (image.u == nullptr || image.u->refcount != 1) {
@@ -32,11 +32,11 @@ void make_writable(cv::Mat_<Pixel>& image, cv::Size size) {
   image.create(size);
 }
 
-/// Luma of ITU-R BT.601 of a ColorImage, or the ByteImage itself, scaled to 0..1.
+/// Returns the luma (ITU-R BT.601) of a ColorImage, or the grey of a ByteImage, scaled to 0..1.
 GrayImage to_gray(const cv::Mat& image);
 
-/// The same in the memory that `gray` has, as far as it may be written; `luma` is memory, too, for
-/// a ColorImage.
+/// Writes the grey image, 0..1, to `gray`, reusing its memory if no other image shares it; `luma`
+/// is working memory for a ColorImage.
 void to_gray(const cv::Mat& image, ByteImage& luma, GrayImage& gray);
 
 }  // namespace vo

@@ -23,8 +23,8 @@
 
 namespace vo {
 
-/// Vector instructions that innermost loops are compiled for. All give the same bits: sums are kept
-/// in the same lanes, nothing is fused or approximated.
+/// Vector instructions that innermost loops are compiled for. All give bit-identical results: sums
+/// are kept in equal lanes, nothing is fused or approximated.
 enum class InstructionSet { baseline, avx2, avx512 };
 
 constexpr auto enum_names(InstructionSet) {

@@ -7,7 +7,7 @@
 
 namespace vo {
 
-/// The middle value; of an even number, the greater of the two in the middle; 0 without values.
+/// Returns the median, of an even number the greater of the two middle values; 0 without values.
 template <typename Value>
 Value upper_median(std::vector<Value> values) {
   if (values.empty()) {
@@ -18,8 +18,8 @@ Value upper_median(std::vector<Value> values) {
   return *middle;
 }
 
-/// Standard deviation of Gaussian values of these magnitudes, whatever outliers are among them:
-/// 1.4826 times their median.
+/// Returns a robust estimate of the standard deviation of Gaussian values with these magnitudes and
+/// some outliers: 1.4826 times the median.
 template <typename Value>
 double robust_sigma(std::vector<Value> magnitudes) {
   constexpr double kMadToSigma = 1.4826;

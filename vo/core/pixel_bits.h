@@ -21,7 +21,7 @@ inline int words_of(int cols) {
   return (cols + kPixelsPerWord - 1) / kPixelsPerWord;
 }
 
-/// The uppermost bit of each of 64 pixels side by side, the first one's lowest.
+/// Packs the uppermost bits of 64 adjacent pixels into a word, the first pixel in the lowest bit.
 inline std::uint64_t packed_word(const uchar* pixels) {
   std::uint64_t word = 0;
 #if defined(__SSE2__)
@@ -37,7 +37,8 @@ inline std::uint64_t packed_word(const uchar* pixels) {
   return word;
 }
 
-/// The same of a mask's row, whose pixels are 0 or 255, from column 64 `word` on; 0 beyond it.
+/// Packs the pixels of a mask's row, 0 or 255 each, from column 64 * `word` on into a word, the
+/// first pixel in the lowest bit; bits beyond the row are 0.
 inline std::uint64_t mask_word(const uchar* row, int cols, int word) {
   const int first = word * kPixelsPerWord;
   if (cols - first >= kPixelsPerWord) {
@@ -48,7 +49,7 @@ inline std::uint64_t mask_word(const uchar* row, int cols, int word) {
   return packed_word(last.data());
 }
 
-/// Calls `visit(i)` for each bit that is set.
+/// Calls `visit(i)` for each bit i that is set, from the lowest to the highest.
 template <typename Visit>
 void for_each_bit(std::uint64_t word, Visit visit) {
   for (; word != 0; word &= word - 1) {
@@ -56,7 +57,7 @@ void for_each_bit(std::uint64_t word, Visit visit) {
   }
 }
 
-/// Calls `visit(u)` for each pixel of a mask's row that is set, 0 or 255 each.
+/// Calls `visit(u)` for each column u of a mask's row that is set; pixels are 0 or 255.
 template <typename Visit>
 void for_each_set(const uchar* row, int cols, Visit visit) {
   for (int word = 0; word < words_of(cols); ++word) {

@@ -2,7 +2,7 @@
 
 namespace vo {
 
-/// Processor time of this process, ms: what others do on the machine counts little. The tracker
+/// Returns the processor time of this process, ms, which other processes hardly affect. The tracker
 /// works in one thread, so on an idle machine it is the time that passes.
 double processor_ms();
 

@@ -5,7 +5,8 @@
 
 namespace vo {
 
-/// Wall-clock milliseconds since it was made or last asked. Diagnostic: no result depends on it.
+/// Measures wall-clock time between calls, ms, the first from construction on. For diagnostics
+/// only: no result depends on it.
 class Stopwatch {
  public:
   double lap_ms() {
@@ -19,7 +20,8 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Milliseconds that this thread has run for since it was made: other processes add little to it.
+/// Measures the processor time of the calling thread since construction, ms, which other processes
+/// hardly affect.
 class CpuStopwatch {
  public:
   double elapsed_ms() const { return now_ms() - start_ms_; }

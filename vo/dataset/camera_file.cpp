@@ -59,7 +59,7 @@ RgbdCamera load_camera(const std::string& preset_or_path) {
 RgbdCamera read_camera(const std::filesystem::path& path) {
   RgbdCamera camera;
   camera.pinhole.cx =
-      std::numeric_limits<double>::quiet_NaN();  // no default is a guess worth taking
+      std::numeric_limits<double>::quiet_NaN();  // a file must give the principal point
   camera.pinhole.cy = camera.pinhole.cx;
   std::vector<Field> fields = fields_of(camera);
   assign_fields(read_toml(path), fields);

@@ -8,7 +8,7 @@
 
 namespace vo {
 
-/// The cameras of public data sets, by name.
+/// Camera of a public data set, known by name.
 struct CameraPreset {
   std::string name;
   std::string help;  ///< origin of the figures, and what to know before using them
@@ -17,7 +17,8 @@ struct CameraPreset {
 
 const std::vector<CameraPreset>& camera_presets();
 
-/// A preset's name, or the path of a camera.toml. Throws Error naming the nearest preset.
+/// Returns the preset of this name, or reads the camera.toml at this path. Throws Error naming the
+/// nearest preset if it is neither.
 RgbdCamera load_camera(const std::string& preset_or_path);
 
 RgbdCamera read_camera(const std::filesystem::path& path);

@@ -15,7 +15,7 @@
 namespace vo {
 namespace {
 
-/// The file that tells a folder of the format from somebody else's.
+/// Returns the marker file, which tells a folder of the format from somebody else's.
 const char* marker_of(SequenceFormat format) {
   switch (format) {
     case SequenceFormat::tum:
@@ -52,7 +52,8 @@ std::vector<NamedBytes> encode_frame(const SequenceSource& source, SequenceForma
   return {};
 }
 
-/// A TUM folder's lists have a line for each stamp; poses have their own.
+/// Encodes a TUM folder's lists, which have a line for each stamp, and its poses and IMU readings,
+/// which have stamps of their own.
 std::vector<NamedBytes> encode_tum_lists(const SequenceSource& source) {
   Trajectory stamps;
   for (const double timestamp : source.timestamps) {

@@ -13,8 +13,8 @@ namespace vo {
 
 struct ConvertJob {
   std::filesystem::path in;
-  std::optional<SequenceFormat> from;  ///< found out without it
-  std::optional<RgbdCamera> camera;    ///< instead of the folder's own
+  std::optional<SequenceFormat> from;  ///< detected from the folder if absent
+  std::optional<RgbdCamera> camera;    ///< replaces the camera that the folder holds
   std::filesystem::path out;
   SequenceFormat to = SequenceFormat::tum;
 };
@@ -24,10 +24,10 @@ struct ConvertOutcome {
   std::size_t frames = 0;
   std::size_t poses = 0;
   std::size_t imu_samples = 0;
-  std::size_t depth_beyond_16_bit = 0;  ///< pixels that became 0
+  std::size_t depth_beyond_16_bit = 0;  ///< depth pixels too far for 16 bits, written as 0
 };
 
-/// Writes a sequence in another format, into a folder that appears when it is complete.
+/// Converts a sequence to another format, in a folder that appears only when it is complete.
 ConvertOutcome convert_sequence(const ConvertJob& job, ExistingOutput existing,
                                 const Progress& progress);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMaxUnits = 65534;
 
-/// 16-bit depth at its ceiling is a sensor's or a writer's mark for "beyond range", not a distance.
+/// The greatest 16-bit depth: a sensor's or a writer's mark for "beyond range", not a distance.
 constexpr std::uint16_t kSaturatedDepth = 65535;
 
 }  // namespace

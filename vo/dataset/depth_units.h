@@ -11,17 +11,17 @@
 
 namespace vo {
 
-/// Depth as 16 bit; what they cannot hold is 0, no measurement.
+/// Returns depth, m, in 16-bit units; what they cannot hold becomes 0, which is no measurement.
 cv::Mat_<std::uint16_t> to_depth_units(const DepthImage& depth, double units_per_m);
 
-/// m
+/// Returns the greatest depth that 16-bit units hold, m.
 double farthest_in_16_bit(double units_per_m);
 
-/// The pixels that `to_depth_units` loses: farther than 65534 units.
+/// Returns the number of pixels farther than 65534 units, which `to_depth_units` sets to 0.
 std::size_t count_beyond_16_bit(const DepthImage& depth, double units_per_m);
 
-/// The opposite, of a PNG file. Throws Error naming the file unless it has 16 bits and the camera's
-/// size.
+/// Reads depth, m, from a 16-bit PNG; 0 and 65535 become 0, which is no measurement. Throws Error
+/// naming the file unless it has 16 bits and the camera's size.
 DepthImage read_depth_png(const std::filesystem::path& path, const RgbdCamera& camera);
 
 /// Throws Error naming the file unless an image has the camera's size.

@@ -24,7 +24,7 @@ constexpr const char* kDepth = "mav0/depth0";
 constexpr const char* kImu = "mav0/imu0";
 constexpr const char* kTruth = "mav0/state_groundtruth_estimate0";
 
-/// The value of `key: value` or of `key: [...]` over several lines; empty if absent.
+/// Returns the value of `key: value` or of `key: [...]` over several lines; empty if absent.
 std::string yaml_value(const std::string& text, const std::string& key) {
   std::size_t at = text.starts_with(key + ":") ? 0 : text.find("\n" + key + ":");
   if (at == std::string::npos) {
@@ -145,7 +145,7 @@ std::string format_sensor(const SequenceSource& source, const char* comment) {
                 "] #fu, fv, cu, cv\n", format_lens(camera.distortion));
 }
 
-/// EuRoC's names of the noise and its units.
+/// EuRoC's name and unit of a noise density.
 struct NoiseKey {
   const char* key;
   const char* unit;
@@ -168,7 +168,7 @@ std::string format_imu_sensor(const ImuNoise& noise) {
   return text;
 }
 
-/// What is not there is unknown.
+/// Reads an IMU's noise densities; those that the file does not give are 0, unknown.
 ImuNoise read_imu_sensor(const fs::path& path) {
   ImuNoise noise;
   if (!fs::exists(path)) {
@@ -192,7 +192,8 @@ std::string format_list(const std::vector<double>& timestamps) {
   return text;
 }
 
-/// Of the body; the states of an IMU have more than poses.
+/// Returns the ground truth as data.csv: the states of the IMU if there are any, else the body's
+/// poses.
 std::string format_truth(const SequenceSource& source) {
   if (!source.imu.states.empty()) {
     return format_states(source.imu.states);

@@ -27,7 +27,7 @@ std::string scene_file(std::size_t index, const char* extension) {
   return name.data();
 }
 
-/// In our frames.
+/// Returns the camera, with y down: the given one, the folder's camera.toml or the preset.
 RgbdCamera icl_nuim_camera(const fs::path& folder, const std::optional<RgbdCamera>& given) {
   const fs::path file = folder / "camera.toml";
   const RgbdCamera camera =
@@ -35,7 +35,7 @@ RgbdCamera icl_nuim_camera(const fs::path& folder, const std::optional<RgbdCamer
   return camera.pinhole.fy < 0 ? mirrored(camera) : camera;
 }
 
-/// Planar depth over the distance along a pixel's ray; 1 where the lens sees nothing.
+/// Returns planar depth over the distance along a pixel's ray; 1 where the lens images nothing.
 double share_of_distance(const PinholeCamera& camera, int u, int v) {
   const double share = 1 / camera.unproject({u, v}, 1).norm();
   return std::isnan(share) ? 1 : share;
@@ -80,7 +80,7 @@ DepthImage read_distances(const fs::path& path, const PinholeCamera& camera) {
   return depth;
 }
 
-/// `cam_pos = [x, y, z]';`
+/// Reads the vector of a line `cam_pos = [x, y, z]';`.
 Eigen::Vector3d read_vector(const fs::path& path, const std::string& text, const std::string& key) {
   const std::size_t begin = text.find('[', text.find(key));
   const std::size_t end = text.find(']', begin);
@@ -94,7 +94,8 @@ Eigen::Vector3d read_vector(const fs::path& path, const std::string& text, const
   }
 }
 
-/// In their frames: z is the viewing direction, x is across it and the up vector.
+/// Reads a pose in the data set's frames: z is the viewing direction, x is across it and the up
+/// vector.
 SE3 read_scene_pose(const fs::path& path) {
   const std::string text = read_file(path);
   const Eigen::Vector3d z = read_vector(path, text, "cam_dir").normalized();
@@ -113,9 +114,9 @@ std::string format_vector(const char* key, const Eigen::Vector3d& v) {
   return line.data();
 }
 
-/// POV-Ray's camera: `right` and `up` are as long as the image is wide and high at the end of
-/// `dir`, from which the data set's own programs find the focal lengths. The rest is constant
-/// there.
+/// Returns a pose as POV-Ray's camera: `right` and `up` are as long as the image is wide and high
+/// at the end of `dir`, from which the data set's own programs find the focal lengths. The other
+/// values are constant in the data set.
 std::string format_scene_pose(const PinholeCamera& camera, const SE3& T_world_camera) {
   const Eigen::Matrix3d R = T_world_camera.rotation_matrix();
   const double width = camera.width / camera.fx;

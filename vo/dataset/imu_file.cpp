@@ -23,7 +23,7 @@ void add_values(std::string& line, const Eigen::Vector3d& values) {
   line += text.data();
 }
 
-/// The numbers of a line, the stamp in s.
+/// Returns the numbers of a line, its stamp converted from ns to s.
 std::vector<double> parse_line(const TextLine& line, std::size_t count) {
   require(line.fields.size() == count, line.place, ": expected ", count, " values, got ",
           line.fields.size());

@@ -9,22 +9,22 @@
 
 namespace vo {
 
-/// Whole nanoseconds, as EuRoC's files have them.
+/// Returns seconds rounded to whole nanoseconds, the unit of stamps in EuRoC's files.
 std::int64_t to_nanoseconds(double seconds);
 
-/// EuRoC's imu0/data.csv: ns, angular velocity, specific force.
+/// Returns the samples as EuRoC's imu0/data.csv: ns, angular velocity, specific force.
 std::string format_imu(const std::vector<ImuSample>& samples);
 std::vector<ImuSample> read_imu(const std::filesystem::path& path);
 
-/// imu.toml, which is ours.
+/// Returns the noise densities as imu.toml, a format of this project.
 std::string format_imu_noise(const ImuNoise& noise);
 ImuNoise read_imu_noise(const std::filesystem::path& path);
 
-/// EuRoC's state_groundtruth_estimate0/data.csv: ns, position, quaternion (w first), velocity,
-/// gyroscope bias, accelerometer bias.
+/// Returns the states as EuRoC's state_groundtruth_estimate0/data.csv: ns, position, quaternion (w
+/// first), velocity, gyroscope bias, accelerometer bias.
 std::string format_states(const std::vector<BodyState>& states);
 
-/// Throws Error naming file and line.
+/// Reads what `format_states` writes. Throws Error naming file and line if a line is malformed.
 std::vector<BodyState> read_states(const std::filesystem::path& path);
 
 }  // namespace vo

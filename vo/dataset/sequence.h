@@ -14,7 +14,7 @@
 
 namespace vo {
 
-/// What of a sequence is read.
+/// The images of a sequence that are read.
 enum class SequenceContent {
   colour_and_depth,
   colour,  ///< depth.txt and its images are not touched; frames have no depth
@@ -26,8 +26,9 @@ enum class SequenceContent {
 /// camera.toml may be absent.
 class SequenceReader {
  public:
-  /// `camera` takes precedence over the folder's camera.toml; one of them must be there. Colour and
-  /// depth are paired by nearest stamp, greedily by smallest difference, each image once.
+  /// `camera` takes precedence over the folder's camera.toml; throws Error if there is neither.
+  /// Colour and depth are paired by nearest stamp, greedily by smallest difference, each image
+  /// once.
   explicit SequenceReader(const std::filesystem::path& folder,
                           std::optional<RgbdCamera> camera = std::nullopt,
                           double max_time_difference = 0.02,
@@ -39,7 +40,7 @@ class SequenceReader {
   double timestamp(std::size_t index) const { return entries_[index].timestamp; }
   const std::filesystem::path& image_file(std::size_t index) const { return entries_[index].image; }
 
-  /// Throws Error naming the image that cannot be read or has another size than the camera.
+  /// Reads a frame; throws Error naming an image that cannot be read or has not the camera's size.
   RgbdFrame read(std::size_t index) const;
 
  private:
@@ -54,13 +55,13 @@ class SequenceReader {
   std::vector<Entry> entries_;
 };
 
-/// The frames of a sequence in order, each decoded in a second thread while the one before it is
-/// being worked on.
+/// Reads the frames of a sequence in order, each decoded in a second thread while the one before
+/// it is being worked on.
 class FrameStream {
  public:
   explicit FrameStream(const SequenceReader& reader);
 
-  std::optional<RgbdFrame> next();  ///< nothing after the last frame
+  std::optional<RgbdFrame> next();  ///< the next frame; empty after the last one
 
  private:
   void read_ahead();
@@ -70,32 +71,33 @@ class FrameStream {
   std::future<RgbdFrame> ahead_;
 };
 
-/// How depth is written beside the 16-bit PNG, which rounds to 1 / depth_units_per_m and cannot
-/// hold more than 65534 units.
+/// Format of the float depth that is written besides the 16-bit PNG, which rounds to 1 /
+/// depth_units_per_m and cannot hold more than 65534 units.
 enum class FloatDepth { none, npy };
 
-/// What a writer of sequences must know.
+/// Camera and depth options of a sequence that is written in the TUM layout.
 struct SequenceLayout {
   RgbdCamera camera;
   FloatDepth float_depth = FloatDepth::none;
-  double depth_delay = 0;  ///< s, the stamps of depth after those of colour
+  double depth_delay = 0;  ///< s, from the stamp of a colour image to that of its depth
 };
 
-/// `depth/000012.png`: where everything about a frame lies.
+/// Returns the path of a frame's file within the sequence: `depth/000012.png`.
 std::string frame_file(const std::string& folder, std::size_t index, const std::string& extension);
 
-/// The names of a frame's files in the same layout: rgb/000000.png, depth/000000.png, on request
+/// Returns the paths of a frame's files: rgb/000000.png, depth/000000.png, on request
 /// depth_float/000000.npy (metres, float32).
 std::vector<std::string> frame_files(const SequenceLayout& layout, std::size_t index);
 
-/// These files.
+/// Encodes a frame as the files that `frame_files` names.
 std::vector<NamedBytes> encode_frame(const SequenceLayout& layout, std::size_t index,
                                      const RgbdFrame& frame);
 
-/// The lists, groundtruth.txt and camera.toml for frames 0 to truth.size() - 1.
+/// Encodes the lists, groundtruth.txt and camera.toml for frames 0 to truth.size() - 1.
 std::vector<NamedBytes> encode_lists(const SequenceLayout& layout, const Trajectory& truth);
 
-/// Writes sequences. Frames may be written in any order and from several threads.
+/// Writes a sequence in the TUM layout. Frames may be written in any order and from several
+/// threads.
 class SequenceWriter {
  public:
   /// Makes the sub-folders of `folder`, which must exist.
@@ -104,14 +106,14 @@ class SequenceWriter {
 
   void write_frame(std::size_t index, const RgbdFrame& frame) const;
 
-  void finish(const Trajectory& truth) const;  ///< `encode_lists`
+  void finish(const Trajectory& truth) const;  ///< writes the files of `encode_lists`
 
  private:
   std::filesystem::path folder_;
   SequenceLayout layout_;
 };
 
-/// `0.033333`: how every list of a sequence writes a stamp.
+/// Returns a stamp, s, as every list of a sequence writes it: `0.033333`.
 std::string format_timestamp(double timestamp);
 
 }  // namespace vo

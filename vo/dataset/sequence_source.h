@@ -16,10 +16,10 @@
 namespace vo {
 
 enum class SequenceFormat {
-  tum,       ///< vo/dataset/sequence.h
-  euroc,     ///< vo/dataset/euroc.h
-  icl_nuim,  ///< vo/dataset/icl_nuim.h: as rendered
-  icl_tum,   ///< vo/dataset/icl_nuim.h: the "TUM compatible" files
+  tum,       ///< TUM RGB-D, vo/dataset/sequence.h
+  euroc,     ///< EuRoC MAV, vo/dataset/euroc.h
+  icl_nuim,  ///< ICL-NUIM as rendered, vo/dataset/icl_nuim.h
+  icl_tum,   ///< ICL-NUIM's "TUM compatible" files, vo/dataset/icl_nuim.h
 };
 
 constexpr auto enum_names(SequenceFormat) {
@@ -30,20 +30,20 @@ constexpr auto enum_names(SequenceFormat) {
 }
 
 /// A sequence on disk, whatever its format. The camera is x right, y down, z forward, the world
-/// right-handed; readers of formats that have it otherwise turn it round.
+/// right-handed; readers of formats with other conventions convert them.
 struct SequenceSource {
   RgbdCamera camera;
   std::vector<double> timestamps;                    ///< s, of the frames, increasing
-  std::function<RgbdFrame(std::size_t index)> read;  ///< from any thread; depth is empty if absent
-  Trajectory truth;                                  ///< T_world_camera; empty if absent
-  ImuRecord imu;                                     ///< of a body; empty if absent
+  std::function<RgbdFrame(std::size_t index)> read;  ///< for any thread; depth is empty if absent
+  Trajectory truth;                                  ///< ground truth; empty if absent
+  ImuRecord imu;  ///< of the body that carries the camera; empty if absent
   SE3 T_body_camera;
 };
 
-/// Throws Error unless the folder holds a sequence of a known format.
+/// Returns the format of the sequence in a folder; throws Error unless it is a known one.
 SequenceFormat detect_format(const std::filesystem::path& folder);
 
-/// `camera` takes precedence over the folder's own.
+/// Opens a sequence; `camera` takes precedence over the one in the folder.
 SequenceSource open_sequence(const std::filesystem::path& folder, SequenceFormat format,
                              const std::optional<RgbdCamera>& camera = std::nullopt);
 

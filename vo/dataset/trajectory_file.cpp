@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kValues = 8;
 constexpr double kMaxSeconds = 1e12;
 constexpr double kMaxMetres = 1e9;
-constexpr double kUnitTolerance = 0.01;  // of a quaternion's norm; files carry 4 decimals
+constexpr double kUnitTolerance = 0.01;  // of a quaternion's norm from 1; files carry 4 decimals
 
 using Values = std::array<double, kValues>;
 
@@ -26,7 +26,8 @@ Values first_values(const TextLine& line) {
   return v;
 }
 
-/// Of a stamp in units of `unit_s` seconds, the position and the quaternion, w last.
+/// Returns the pose of a stamp in units of `unit_s` seconds, a position and a quaternion, w last.
+/// Throws Error if one of them is out of range.
 StampedPose checked_pose(const TextLine& line, const Values& v, double unit_s) {
   const double timestamp = v[0] * unit_s;
   require(std::abs(timestamp) < kMaxSeconds, line.place, ": expected seconds below 1e12, got ",

@@ -7,19 +7,20 @@
 
 namespace vo {
 
-/// TUM format: `timestamp tx ty tz qx qy qz qw` of T_world_camera, seconds and metres, '#' starts a
-/// comment. Throws Error naming file and line: numbers that are missing, not finite or not a
-/// rotation, and stamps that do not increase.
+/// Reads a file in the TUM format: `timestamp tx ty tz qx qy qz qw` of T_world_camera, seconds and
+/// metres, '#' starts a comment. Throws Error naming file and line: numbers that are missing, not
+/// finite or not a rotation, and stamps that do not increase.
 Trajectory read_trajectory(const std::filesystem::path& path);
 
-/// EuRoC's ground truth: `timestamp px py pz qw qx qy qz ...` of T_world_body, nanoseconds and
-/// metres, whatever follows left out. Errors as above.
+/// Reads EuRoC's ground truth: `timestamp px py pz qw qx qy qz ...` of T_world_body, nanoseconds
+/// and metres; what follows is ignored. Throws Error as `read_trajectory` does.
 Trajectory read_euroc_trajectory(const std::filesystem::path& path);
 
-/// A line of that format, without velocity and biases.
+/// Returns a pose of the body as a line of EuRoC's ground truth without velocity, biases and
+/// newline.
 std::string format_euroc_pose(const StampedPose& pose);
 
-/// The TUM format with 6 decimals of a second and 9 decimals of a pose.
+/// Returns a trajectory in the TUM format, with 6 decimals of a second and 9 decimals of a pose.
 std::string format_trajectory(const Trajectory& trajectory);
 
 }  // namespace vo

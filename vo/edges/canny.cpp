@@ -17,7 +17,7 @@
 namespace vo {
 namespace {
 
-/// Squared magnitudes that a pixel must exceed.
+/// Squared gradient magnitudes that a pixel must exceed.
 struct SquaredThresholds {
   int weak = 0;
   int strong = 0;
@@ -32,7 +32,7 @@ SquaredThresholds squared_thresholds(double weak, double strong) {
   return {squared(weak), squared(strong)};
 }
 
-/// The squared magnitudes of three rows and the gradient of the middle one, from some column on.
+/// Squared gradient magnitudes of three rows and the gradient of the middle one, from column u on.
 struct Neighbourhood {
   const int* above;
   const int* here;
@@ -51,8 +51,8 @@ struct Neighbourhood {
 constexpr int kTanShift = 15;
 constexpr int kTan22 = 13573;  // tan(22.5 deg) 2^15
 
-/// Keeps the maxima across the edge. The direction is horizontal below 22.5 deg, vertical above
-/// 67.5 deg, else one of the diagonals.
+/// Marks the maxima across the edge in 64 pixels. The gradient's direction is horizontal below 22.5
+/// deg, vertical above 67.5 deg, else one of the diagonals.
 EDVO_INLINE void suppress(const Neighbourhood& at, SquaredThresholds thresholds,
                           uchar* __restrict edges, uchar* __restrict strong) {
   for (int u = 0; u < kPixelsPerWord; ++u) {
@@ -86,7 +86,7 @@ EDVO_INLINE bool any_above(const int* squared, int threshold) {
   return greatest > threshold;
 }
 
-/// Where no gradient is strong enough there is nothing to suppress.
+/// Returns the maxima of 64 pixels; where no gradient is strong enough the search is skipped.
 EDVO_INLINE EdgeWord suppressed(const Neighbourhood& at, SquaredThresholds thresholds) {
   if (!any_above(at.here, thresholds.weak)) {
     return {};
@@ -108,12 +108,12 @@ EDVO_TARGET_AVX512 Lanes load_lanes(const std::int16_t* values) {
   return __builtin_convertvector(lanes, Lanes);
 }
 
-/// A bit for each lane where a > b.
+/// Returns a bit for each lane where a > b.
 EDVO_TARGET_AVX512 __mmask16 greater(const Lanes& a, const Lanes& b) {
   return _mm512_cmpgt_epi32_mask(reinterpret_cast<__m512i>(a), reinterpret_cast<__m512i>(b));
 }
 
-/// Which of 16 pixels are maxima, by the same comparisons as `suppress`.
+/// Returns a bit for each of 16 pixels that is a maximum, by the comparisons of `suppress`.
 EDVO_TARGET_AVX512 std::uint64_t maxima(const Neighbourhood& at, int u) {
   const Lanes gx = load_lanes(at.dx + u);
   const Lanes gy = load_lanes(at.dy + u);
@@ -135,7 +135,7 @@ EDVO_TARGET_AVX512 std::uint64_t maxima(const Neighbourhood& at, int u) {
   return _mm512_cmpgt_epi32_mask(m, before) & (_mm512_cmpgt_epi32_mask(m, after) | ties);
 }
 
-/// A bit for each of 64 pixels above a threshold.
+/// Returns a bit for each of 64 pixels above a threshold.
 EDVO_TARGET_AVX512 std::uint64_t above(const int* squared, int threshold) {
   std::uint64_t bits = 0;
   for (int u = 0; u < kPixelsPerWord; u += kLanes) {
@@ -146,7 +146,7 @@ EDVO_TARGET_AVX512 std::uint64_t above(const int* squared, int threshold) {
   return bits;
 }
 
-/// The same as `suppressed`, with comparisons that give a bit a pixel.
+/// Returns the maxima that `suppressed` returns, by comparisons that give a bit for each pixel.
 EDVO_TARGET_AVX512 EdgeWord suppressed_avx512(const Neighbourhood& at,
                                               SquaredThresholds thresholds) {
   EdgeWord word{above(at.here, thresholds.weak), 0};
@@ -162,7 +162,7 @@ EDVO_TARGET_AVX512 EdgeWord suppressed_avx512(const Neighbourhood& at,
 }
 #endif
 
-/// Each pixel's class.
+/// Finds each pixel's class, no edge, weak or strong, keeping the gradients of three rows.
 template <typename SuppressWord>
 EDVO_INLINE void classify(const ByteImage& image, const SuppressWord& suppress_word,
                           std::array<GradientRow, 3>& buffers, Hysteresis& edges) {

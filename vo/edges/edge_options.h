@@ -6,7 +6,7 @@
 
 namespace vo {
 
-/// What finds the edges.
+/// The detector that finds the edges.
 enum class EdgeDetector {
   canny,              ///< gradient maxima, linked by hysteresis
   log,                ///< zero crossings of the Laplacian of a Gaussian
@@ -20,12 +20,13 @@ constexpr auto enum_names(EdgeDetector) {
                     std::pair{EdgeDetector::structured_forest, "structured_forest"}};
 }
 
-/// How the strong gradient threshold is chosen, per image and so per pyramid level.
+/// The way in which the strong gradient threshold is chosen, for each image and so each pyramid
+/// level.
 enum class EdgeThreshold {
   otsu,          ///< Otsu's threshold of the intensities, as the paper's authors use it
-  percentile,    ///< a percentile of the gradient magnitudes: as many edges whatever the contrast
+  percentile,    ///< a percentile of the gradient magnitudes, independent of contrast
   fixed,         ///< a given gradient magnitude
-  target_count,  ///< as many pixels above it whatever contrast and resolution
+  target_count,  ///< a number of pixels above it, independent of contrast and resolution
 };
 
 constexpr auto enum_names(EdgeThreshold) {
@@ -35,23 +36,24 @@ constexpr auto enum_names(EdgeThreshold) {
                     std::pair{EdgeThreshold::target_count, "target_count"}};
 }
 
-/// Gradient magnitudes are Euclidean, of 3x3 Sobel kernels on intensities 0..255.
+/// Options of the edge detectors. Gradient magnitudes are Euclidean, of 3x3 Sobel kernels on
+/// intensities 0..255.
 struct EdgeOptions {
   EdgeDetector detector = EdgeDetector::canny;
   EdgeThreshold threshold = EdgeThreshold::percentile;  ///< for canny and sobel
-  double percentile = 88;    ///< %, of pixels with a weaker gradient than the strong threshold
-  int target_count = 20000;  ///< pixels at most with a gradient above the strong threshold
-  double strong = 100;       ///< Sobel magnitude, for `fixed`
+  double percentile = 88;    ///< % of pixels with a weaker gradient than the strong threshold
+  int target_count = 20000;  ///< most pixels with a gradient of at least the strong threshold
+  double strong = 100;       ///< strong threshold, Sobel magnitude, for `fixed`
   double weak_ratio = 0.5;   ///< canny: weak threshold, as a share of the strong one
-  double floor = 20;         ///< Sobel magnitude below which a percentile or a count is noise
-  bool sobel_thin = true;    ///< keep only maxima across the edge
-  double log_sigma = 1.4;    ///< px, of the Gaussian
-  double log_strength = 4;   ///< intensity (0..255) per px^2 that a zero crossing steps over
+  double floor = 20;         ///< Sobel magnitude, least threshold by percentile or count
+  bool sobel_thin = true;    ///< sobel: keep only maxima across the edge
+  double log_sigma = 1.4;    ///< px, standard deviation of the Gaussian
+  double log_strength = 4;   ///< least step of the Laplacian, intensity (0..255) per px^2
   std::filesystem::path forest_model;  ///< OpenCV's model format, .yml or .yml.gz
-  int forest_scale = 2;                ///< the forest looks at the image enlarged this much
-  double forest_strength = 0.4;        ///< 0..1, of edges after thinning
+  int forest_scale = 2;                ///< factor by which the image is enlarged for the forest
+  double forest_strength = 0.4;        ///< 0..1, least strength of edges after thinning
 
-  void validate() const;  ///< throws Error
+  void validate() const;  ///< throws Error unless the values are usable
 };
 
 template <typename Visitor>

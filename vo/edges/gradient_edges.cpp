@@ -13,8 +13,8 @@
 namespace vo {
 namespace {
 
-/// One row as 0..255. In a sum with 1.5 2^23 the last bits of a float count ones: a half is rounded
-/// to the even number, as cv::Mat::convertTo does.
+/// Converts a row from 0..1 to 0..255. In a sum with 1.5 2^23 the last bits of a float count ones:
+/// a half is rounded to the even number, as cv::Mat::convertTo does.
 EDVO_INLINE void convert_row(const float* gray, std::size_t cols, uchar* __restrict bytes) {
   constexpr float kOnes = 0x1.8p23F;
   for (std::size_t u = 0; u < cols; ++u) {
@@ -31,7 +31,7 @@ void convert_row_baseline(const float* gray, std::size_t cols, uchar* bytes) {
   convert_row(gray, cols, bytes);
 }
 
-/// The image in this memory.
+/// Returns the image as 0..255, its pixels in `memory`.
 ByteImage to_bytes(const GrayImage& gray, std::vector<uchar>& memory) {
   const auto convert_row = available_instruction_set() == InstructionSet::baseline
                                ? convert_row_baseline
@@ -49,7 +49,7 @@ double otsu_threshold(const ByteImage& image) {
   return cv::threshold(image, unused, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU);
 }
 
-/// The least whole magnitude that is great enough, which all greater ones are, too.
+/// Returns the least whole magnitude that is great enough, if all greater ones are, too.
 template <typename IsGreatEnough>
 int least_magnitude(int greatest, IsGreatEnough is_great_enough) {
   int low = 0;
@@ -65,7 +65,7 @@ int least_magnitude(int greatest, IsGreatEnough is_great_enough) {
   return high;
 }
 
-/// The magnitude below which a share of the pixels lies. Evenly spread rows stand for the image.
+/// Returns the magnitude below which a share of the pixels lies, estimated from evenly spread rows.
 double gradient_quantile(const ByteImage& image, double share, SobelMagnitudes& magnitudes) {
   constexpr int kRows = 60;
   magnitudes.measure(image, std::max(1, image.rows / kRows), available_instruction_set());
@@ -75,7 +75,7 @@ double gradient_quantile(const ByteImage& image, double share, SobelMagnitudes& 
   });
 }
 
-/// The least whole magnitude that at most `count` pixels reach.
+/// Returns the least whole magnitude that at most `count` pixels reach.
 double gradient_of_count(const ByteImage& image, int count, SobelMagnitudes& magnitudes) {
   magnitudes.measure(image, 1, available_instruction_set());
   return least_magnitude(SobelMagnitudes::kGreatest + 1, [&](int magnitude) {

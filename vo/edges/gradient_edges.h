@@ -9,19 +9,20 @@
 
 namespace vo {
 
-/// Canny's edges with the options' threshold, one image after the other in the same memory.
+/// Canny's edge detector with the threshold of EdgeOptions; it reuses its memory from image to
+/// image.
 class CannyEdges {
  public:
   void find(const GrayImage& gray, const EdgeOptions& options, EdgeMask& edges);
 
  private:
-  std::vector<uchar> bytes_;  ///< 0..255, of the image
+  std::vector<uchar> bytes_;  ///< pixels of the image, 0..255
   SobelMagnitudes magnitudes_;
   Canny canny_;
 };
 
-/// Pixels whose gradient is at least the options' strong threshold; with `sobel_thin` only where
-/// it is greatest across the edge.
+/// Returns the pixels whose gradient is at least the options' strong threshold; with `sobel_thin`
+/// only where it is greatest across the edge.
 EdgeMask sobel_edges(const GrayImage& gray, const EdgeOptions& options);
 
 }  // namespace vo

@@ -11,8 +11,8 @@
 
 namespace vo {
 
-/// Gradients of one row of an image, by 3x3 Sobel kernels with the border replicated; zeros beyond
-/// it up to whole words of 64 pixels. Squared magnitudes have a zero on the left, too.
+/// Gradients of one row of an image, by 3x3 Sobel kernels with the border replicated, and zeros
+/// beyond the row up to whole words of 64 pixels. Squared magnitudes also have a zero on the left.
 class GradientRow {
  public:
   void resize(int cols) {
@@ -59,8 +59,8 @@ class GradientRow {
 
  private:
   std::size_t cols_ = 0;
-  std::vector<std::int16_t> smooth_;      ///< of the columns, a pixel more on either side
-  std::vector<std::int16_t> difference_;  ///< likewise
+  std::vector<std::int16_t> smooth_;      ///< vertical [1 2 1] sums, a pixel more on either side
+  std::vector<std::int16_t> difference_;  ///< vertical differences, a pixel more on either side
   std::vector<std::int16_t> dx_, dy_;
   std::vector<int> squared_;
 };

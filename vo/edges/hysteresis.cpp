@@ -12,7 +12,7 @@ namespace {
 
 using Word = std::uint64_t;
 
-/// Eight mask pixels for each value of eight bits.
+/// Returns a table of eight mask pixels, 0 or 255, for each value of eight bits.
 constexpr std::array<Word, 256> mask_pixels() {
   std::array<Word, 256> pixels{};
   for (Word bits = 0; bits < pixels.size(); ++bits) {
@@ -23,8 +23,8 @@ constexpr std::array<Word, 256> mask_pixels() {
   return pixels;
 }
 
-/// Makes edges strong that touch the row beside theirs; whether any are new. There is a word before
-/// and after each row.
+/// Makes the edges of a row strong that touch strong ones of the row beside it, `source`; returns
+/// whether any did. A word lies before and after each row.
 EDVO_INLINE bool spread_row(const Word* source, std::size_t words, const Word* __restrict edges,
                             Word* __restrict strong) {
   constexpr unsigned kLast = 63;
@@ -84,7 +84,7 @@ void Hysteresis::follow() {
   }
 }
 
-/// From one row to the one beside it; whether anything became strong.
+/// Spreads strong edges from one row to the one beside it; returns whether any became strong.
 bool Hysteresis::spread(int from, int to) {
   const auto spread_row = available_instruction_set() == InstructionSet::baseline
                               ? spread_row_baseline
@@ -102,7 +102,8 @@ void Hysteresis::grow(int v) {
   grow_left(strong_.data() + offset(v), edges_.data() + offset(v));
 }
 
-/// Adding a seed to a run of ones carries from the seed to the run's end, where it leaves zeros.
+/// Grows strong edges to the right: adding a seed to a run of ones carries from the seed to the
+/// run's end, where it leaves zeros.
 void Hysteresis::grow_right(Word* strong, const Word* edges) const {
   Word carry = 0;
   for (std::size_t w = 0; w < words_; ++w) {
@@ -113,7 +114,8 @@ void Hysteresis::grow_right(Word* strong, const Word* edges) const {
   }
 }
 
-/// Parallel prefix: seeds move by 1, 2, 4, ... pixels where all pixels on the way are edges.
+/// Grows strong edges to the left by parallel prefix: seeds move by 1, 2, 4, ... pixels where all
+/// pixels on the way are edges.
 void Hysteresis::grow_left(Word* strong, const Word* edges) const {
   Word from_right = 0;
   for (std::size_t w = words_; w-- > 0;) {

@@ -8,20 +8,20 @@
 
 namespace vo {
 
-/// 64 pixels of a row before weak edges are followed, the leftmost in the lowest bit.
+/// Edge bits of 64 pixels of a row before weak edges are followed, the leftmost in the lowest bit.
 struct EdgeWord {
-  std::uint64_t edges = 0;   ///< weak and strong
-  std::uint64_t strong = 0;  ///< of these
+  std::uint64_t edges = 0;   ///< weak and strong edges
+  std::uint64_t strong = 0;  ///< the strong ones among `edges`
 };
 
 /// Canny's hysteresis: weak edges that touch a strong one, in any of eight directions or through
 /// other weak ones, are strong. 64 pixels of a row are one word, whose runs grow all at once.
 class Hysteresis {
  public:
-  /// Starts again with an image of this size and no edges.
+  /// Sets the image size and removes all edges.
   void reset(cv::Size size);
 
-  /// Of row v from column 64 `word` on; no edges beyond the image.
+  /// Sets the pixels of row v from column 64 * `word` on; bits beyond the image must be 0.
   void set(int v, int word, const EdgeWord& pixels) {
     const std::size_t index = offset(v) + static_cast<std::size_t>(word);
     edges_[index] = pixels.edges;
@@ -30,7 +30,7 @@ class Hysteresis {
 
   void follow();
 
-  void write_strong(EdgeMask& mask) const;  ///< of the same size
+  void write_strong(EdgeMask& mask) const;  ///< `mask` must have the image's size
 
  private:
   using Word = std::uint64_t;
@@ -43,10 +43,10 @@ class Hysteresis {
   std::size_t offset(int v) const { return static_cast<std::size_t>(v) * (words_ + 1) + 1; }
 
   cv::Size size_;
-  std::size_t words_ = 0;     ///< of a row
+  std::size_t words_ = 0;     ///< words of a row
   std::vector<Word> strong_;  ///< row by row, an empty word before, between and after them
-  std::vector<Word> edges_;   ///< weak and strong
-  std::vector<char> unseen_below_, unseen_above_;  ///< rows that changed since they were spread
+  std::vector<Word> edges_;   ///< weak and strong pixels, laid out as `strong_`
+  std::vector<char> unseen_below_, unseen_above_;  ///< rows changed since spread down, up
 };
 
 }  // namespace vo

@@ -9,13 +9,13 @@
 
 namespace vo {
 
-/// The gradient's Euclidean magnitudes, of 3x3 Sobel kernels on intensities 0..255; the border is
+/// Euclidean magnitudes of the gradient, of 3x3 Sobel kernels on intensities 0..255; the border is
 /// replicated.
 class SobelMagnitudes {
  public:
-  static constexpr int kGreatest = 1442;  ///< floor(1020 sqrt(2))
+  static constexpr int kGreatest = 1442;  ///< greatest possible magnitude, floor(1020 sqrt(2))
 
-  /// Of every `row_step`-th row. Memory of an image before is used again.
+  /// Measures every `row_step`-th row. Working memory is reused from image to image.
   void measure(const ByteImage& image, int row_step, InstructionSet set);
 
   int count() const { return static_cast<int>(count_); }
@@ -25,7 +25,7 @@ class SobelMagnitudes {
   InstructionSet set_ = InstructionSet::baseline;
   GradientRow row_;
   std::size_t count_ = 0;
-  std::vector<int> squares_;  ///< the first `count_` of them
+  std::vector<int> squares_;  ///< squared magnitudes, of which the first `count_` are valid
 };
 
 }  // namespace vo

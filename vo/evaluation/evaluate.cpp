@@ -33,7 +33,7 @@ std::string describe_span(const std::vector<double>& timestamps) {
                                      format_real(timestamps.back()), " s");
 }
 
-/// Pairs (index in the truth, index in the estimate).
+/// Returns pairs (index in the truth, index in the estimate) of associated poses.
 Matches match(const Trajectory& truth, const Trajectory& estimate,
               const EvaluationOptions& options) {
   const std::vector<double> truth_stamps = timestamps(truth, 0);

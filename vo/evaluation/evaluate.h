@@ -10,7 +10,7 @@
 
 namespace vo {
 
-/// Which transform is fitted between estimate and truth before the absolute error is taken.
+/// The transform that is fitted between estimate and truth before the absolute error is taken.
 enum class TrajectoryAlignment { none, se3, sim3 };
 
 constexpr auto enum_names(TrajectoryAlignment) {
@@ -19,7 +19,7 @@ constexpr auto enum_names(TrajectoryAlignment) {
                     std::pair{TrajectoryAlignment::sim3, "sim3"}};
 }
 
-/// Over what the relative error is taken.
+/// The unit of the intervals over which the relative error is taken.
 enum class IntervalUnit { seconds, frames };
 
 struct RpeInterval {
@@ -30,10 +30,10 @@ struct RpeInterval {
 struct EvaluationOptions {
   TrajectoryAlignment alignment = TrajectoryAlignment::se3;
   RpeInterval interval = {};
-  double max_time_difference = 0.02;  ///< s, between associated poses
+  double max_time_difference = 0.02;  ///< s, greatest between associated poses
   double time_offset = 0;             ///< s, added to the estimate's stamps
 
-  void validate() const;  ///< throws Error
+  void validate() const;  ///< throws Error unless the values are usable
 };
 
 struct Statistics {
@@ -43,7 +43,7 @@ struct Statistics {
   double max = 0;
 };
 
-/// NaN without errors.
+/// Returns the statistics of the errors, NaN if there are none.
 Statistics summarize(std::span<const double> errors);
 
 struct RelativeErrors {
@@ -52,39 +52,43 @@ struct RelativeErrors {
   std::size_t pairs = 0;    ///< intervals compared; the statistics are NaN without any
 };
 
-/// With P the estimate, Q the truth and (i, j) an interval, the relative error is a rigid motion of
-/// which the translation's norm and the rotation's angle are taken. Both definitions have the same
-/// angle and differ in the translation.
+/// Errors of an estimate P against the truth Q. For an interval (i, j) the relative error E is a
+/// rigid motion of which the translation's norm and the rotation's angle are taken. Both
+/// definitions have the same angle and differ in the translation.
 struct TrajectoryErrors {
   Statistics ate;      ///< m, of positions after alignment (evaluate_ate.py, evo_ape)
   RelativeErrors rpe;  ///< E = P_i^-1 P_j (Q_i^-1 Q_j)^-1 as evaluate_rpe.py of the TUM benchmark
-  RelativeErrors rpe_evo;       ///< E = (Q_i^-1 Q_j)^-1 P_i^-1 P_j as evo_rpe and the paper
-  double scale = 1;             ///< of the estimate that fits the truth, 1 unless Sim(3) is fitted
-  std::size_t matched = 0;      ///< poses of the estimate that have a partner in the truth
-  double matched_fraction = 0;  ///< of the estimate's poses
+  RelativeErrors rpe_evo;   ///< E = (Q_i^-1 Q_j)^-1 P_i^-1 P_j as evo_rpe and the benchmark's paper
+  double scale = 1;         ///< factor from estimate to truth, 1 unless Sim(3) is fitted
+  std::size_t matched = 0;  ///< poses of the estimate that have a partner in the truth
+  double matched_fraction = 0;  ///< `matched` as a share of the estimate's poses
 };
 
-/// Throws Error when fewer than three poses match.
+/// Returns the absolute and relative errors of an estimate. Throws Error when the options are
+/// invalid or fewer than three poses match.
 TrajectoryErrors evaluate(const Trajectory& truth, const Trajectory& estimate,
                           const EvaluationOptions& options = {});
 
-/// The estimate moved rigidly onto the truth, as for the absolute error. Throws as `evaluate`.
+/// Returns the estimate moved rigidly onto the truth, as for the absolute error with SE(3)
+/// alignment. Throws Error when fewer than three poses match.
 Trajectory align_trajectory(const Trajectory& truth, const Trajectory& estimate,
                             const EvaluationOptions& options = {});
 
-/// The offset of the estimate's stamps, at most `range` from `options.time_offset`, that makes an
-/// error least, as a diagnostic of the clocks: the figures at zero offset are the result. Truth is
-/// interpolated, not associated, so the error is a smooth function of the offset. Only poses that
-/// stay within the truth's time span are compared; throws Error when they are fewer than three.
+/// Offsets of the estimate's stamps that make an error least, as a diagnostic of the clocks: the
+/// figures at zero offset remain the result.
 struct TimeOffset {
-  double ate_offset = 0;              ///< s, least ATE
-  double ate_rmse = 0;                ///< m, there
-  double rpe_translation_offset = 0;  ///< s, least RPE of the translation
-  double rpe_translation_rmse = 0;    ///< m, there
-  double rpe_rotation_offset = 0;     ///< s, least RPE of the rotation
-  double rpe_rotation_rmse_deg = 0;   ///< deg, there
+  double ate_offset = 0;              ///< s, offset of the least ATE
+  double ate_rmse = 0;                ///< m, ATE at `ate_offset`
+  double rpe_translation_offset = 0;  ///< s, offset of the least RPE of the translation
+  double rpe_translation_rmse = 0;    ///< m, RPE at `rpe_translation_offset`
+  double rpe_rotation_offset = 0;     ///< s, offset of the least RPE of the rotation
+  double rpe_rotation_rmse_deg = 0;   ///< deg, RPE at `rpe_rotation_offset`
 };
 
+/// Returns the offsets, at most `range` from `options.time_offset`, with the least errors. Truth is
+/// interpolated, not associated, so an error is a smooth function of the offset. Only poses that
+/// stay within the truth's time span at every offset are compared; throws Error when they are fewer
+/// than three.
 TimeOffset estimate_time_offset(const Trajectory& truth, const Trajectory& estimate,
                                 const EvaluationOptions& options, double range = 0.1);
 

@@ -8,7 +8,7 @@
 namespace vo {
 namespace {
 
-/// What the camera did over one interval, seen from its start.
+/// Motions of the camera over one interval, in the frame of the interval's start.
 struct Motions {
   SE3 T_begin_end_estimate;  ///< P_i^-1 P_j
   SE3 T_begin_end_truth;     ///< Q_i^-1 Q_j
@@ -19,8 +19,8 @@ struct Interval {
   std::size_t end;
 };
 
-/// Index of the nearest stamp. Which of two equally near ones is taken follows from the order in
-/// which evaluate_rpe.py's bisection visits them.
+/// Returns the index of the nearest stamp. Which of two equally near ones is taken follows from the
+/// order in which evaluate_rpe.py's bisection visits them.
 std::size_t nearest_by_bisection(const Trajectory& trajectory, double timestamp) {
   std::size_t low = 0;
   std::size_t high = trajectory.size();
@@ -42,7 +42,7 @@ std::size_t nearest_by_bisection(const Trajectory& trajectory, double timestamp)
   return nearest;
 }
 
-/// Index of the nearest stamp, the earlier of two equally near ones.
+/// Returns the index of the nearest stamp, the earlier of two equally near ones.
 std::size_t nearest_earlier(const Trajectory& trajectory, double timestamp) {
   const auto after =
       std::lower_bound(trajectory.begin(), trajectory.end(), timestamp,
@@ -64,7 +64,7 @@ double median_interval(const Trajectory& trajectory) {
   return summarize(intervals).median;
 }
 
-/// The intervals of evaluate_rpe.py.
+/// Returns the intervals of evaluate_rpe.py, which leaves out those that end at the last pose.
 std::vector<Interval> intervals_before_last(const Trajectory& trajectory,
                                             const RpeInterval& interval) {
   std::vector<Interval> result;
@@ -82,7 +82,7 @@ std::vector<Interval> intervals_before_last(const Trajectory& trajectory,
   return result;
 }
 
-/// The intervals of evo_rpe --all_pairs.
+/// Returns the intervals of evo_rpe --all_pairs, one from each pose over `frames` poses.
 std::vector<Interval> all_frame_intervals(std::size_t poses, double frames) {
   std::vector<Interval> result;
   for (std::size_t i = 0; static_cast<double>(i) + frames < static_cast<double>(poses); ++i) {
@@ -110,7 +110,7 @@ RelativeErrors summarize_motions(const std::vector<SE3>& errors) {
   return {summarize(translations), summarize(rotations_deg), errors.size()};
 }
 
-/// The poses that evo associates, in both trajectories at the same index.
+/// The poses that evo associates, partners at equal indices of both trajectories.
 struct AssociatedPoses {
   Trajectory truth;
   Trajectory estimate;

@@ -21,8 +21,8 @@ struct Sample {
   double error;
 };
 
-/// The poses whose time stays within the truth's at every offset, so that all offsets are compared
-/// over the same poses.
+/// Returns the poses whose time stays within the truth's at every offset, so that all offsets are
+/// compared over the same poses.
 Trajectory poses_inside(const Trajectory& truth, const Trajectory& estimate, double min_offset,
                         double max_offset) {
   Trajectory inside;
@@ -39,18 +39,18 @@ Trajectory poses_inside(const Trajectory& truth, const Trajectory& estimate, dou
   return inside;
 }
 
-/// The truth at the shifted times of the estimate's poses, with the estimate's stamps.
+/// Returns the truth at the shifted times of the estimate's poses, with the estimate's stamps.
 Trajectory interpolate(const Trajectory& truth, const Trajectory& estimate, double offset) {
   Trajectory result;
   for (const StampedPose& pose : estimate) {
     const double timestamp = std::clamp(pose.timestamp + offset, truth.front().timestamp,
-                                        truth.back().timestamp);  // against rounding
+                                        truth.back().timestamp);  // guards against rounding
     result.push_back({pose.timestamp, *pose_at(truth, timestamp)});
   }
   return result;
 }
 
-/// Offsets at most a grid step apart, the centre first and then by distance from it.
+/// Returns offsets at most a grid step apart, the centre first and then by distance from it.
 std::vector<double> grid(double centre, double range) {
   std::vector<double> offsets = {centre};
   const auto steps = static_cast<int>(std::ceil(range / kGridStep));
@@ -65,8 +65,8 @@ Sample better(const Sample& a, const Sample& b) {
   return b.error < a.error ? b : a;
 }
 
-/// Golden-section search between `low` and `high`; the best sample so far is returned unless a
-/// better one is found.
+/// Searches by golden section between `low` and `high`; returns the best sample so far unless it
+/// finds a better one.
 Sample refine(const std::function<Sample(double)>& sample_at, double low, double high,
               const Sample& best) {
   Sample left = sample_at(high - kGoldenSection * (high - low));
@@ -85,12 +85,12 @@ Sample refine(const std::function<Sample(double)>& sample_at, double low, double
   return better(best, better(left, right));
 }
 
-/// What the search for each of the errors starts from.
+/// The range, the error function and the coarse grid that the searches for all errors share.
 struct Search {
-  double low;   ///< s
-  double high;  ///< s
+  double low;   ///< s, least offset
+  double high;  ///< s, greatest offset
   std::function<TrajectoryErrors(double offset)> errors_at;
-  std::vector<std::pair<double, TrajectoryErrors>> coarse;  ///< offsets of the grid
+  std::vector<std::pair<double, TrajectoryErrors>> coarse;  ///< (offset, errors) on the grid
 };
 
 Sample least(const Search& search, double (*error_of)(const TrajectoryErrors&)) {

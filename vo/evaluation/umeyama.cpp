@@ -8,14 +8,15 @@
 namespace vo {
 namespace {
 
-/// Points nearer to each other than this part of their distance from the origin coincide.
+/// Source points coincide if their standard deviation is below this share of their mean's distance
+/// from the origin.
 constexpr double kRounding = 1e-12;
 
 struct Moments {
   Eigen::Vector3d source_mean = Eigen::Vector3d::Zero();
   Eigen::Vector3d target_mean = Eigen::Vector3d::Zero();
   double source_variance = 0;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< target times source, transposed
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< mean of centred target times source^T
 };
 
 Eigen::Vector3d mean(std::span<const Eigen::Vector3d> points) {
@@ -43,7 +44,7 @@ Moments moments(std::span<const Eigen::Vector3d> source, std::span<const Eigen::
 
 enum class Scale { fixed, fitted };
 
-/// Equations (39) to (42) of the paper.
+/// Fits by equations (39) to (42) of Umeyama's paper.
 Similarity fit(const Moments& moments, Scale scale) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(moments.covariance,
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);

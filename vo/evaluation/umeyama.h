@@ -15,15 +15,16 @@ struct Similarity {
 
 Eigen::Vector3d operator*(const Similarity& similarity, const Eigen::Vector3d& point);
 
-/// The rigid motion with the least sum of squared distances between its images of the source points
-/// and the target points (S. Umeyama, "Least-Squares Estimation of Transformation Parameters
-/// Between Two Point Patterns", PAMI 1991). Both spans have the same size, at least one. The
-/// rotation is proper even where the points leave it undetermined, because they coincide or lie on
-/// a line.
+/// Returns the rigid motion with the least sum of squared distances between its images of the
+/// source points and the target points (S. Umeyama, "Least-Squares Estimation of Transformation
+/// Parameters Between Two Point Patterns", PAMI 1991). Both spans have equal sizes of at least one.
+/// The rotation is proper even where the points leave it undetermined, because they coincide or lie
+/// on a line.
 Similarity fit_rigid(std::span<const Eigen::Vector3d> source,
                      std::span<const Eigen::Vector3d> target);
 
-/// As `fit_rigid` with the scale fitted too; it stays 1 when all source points coincide.
+/// Returns the similarity of least squares: as `fit_rigid` with the scale fitted too, which stays 1
+/// when all source points coincide.
 Similarity fit_similarity(std::span<const Eigen::Vector3d> source,
                           std::span<const Eigen::Vector3d> target);
 

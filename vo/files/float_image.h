@@ -20,10 +20,11 @@ constexpr auto enum_names(FloatFormat) {
                     std::pair{FloatFormat::tiff, "tiff"}};
 }
 
-/// An image of one or three float channels as the bytes of a file, little-endian.
+/// Encodes an image of one or three float channels as the bytes of a little-endian file.
 std::string encode_float_image(const cv::Mat& image, FloatFormat format);
 
-/// Reads such a file by what its name ends with. Throws Error naming the file.
+/// Reads a float image in the format of the path's extension, .npy, .pfm, .tiff or .tif. Throws
+/// Error naming the file if it cannot be read.
 cv::Mat read_float_image(const std::filesystem::path& path);
 
 }  // namespace vo

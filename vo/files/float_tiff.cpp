@@ -10,8 +10,8 @@
 namespace vo {
 namespace {
 
-// TIFF 6.0: the header, the pixels, the bits and formats of three samples, one directory.
-constexpr std::uint32_t kPixelsAt = 8;  // bytes, behind the header
+// The layout (TIFF 6.0): header, pixels, bits and formats of three samples, one directory.
+constexpr std::uint32_t kPixelsAt = 8;  // bytes from the start, just after the header
 constexpr std::uint32_t kFloat = 3;     // SampleFormat: IEEE floating point
 constexpr std::uint32_t kBlackIsZero = 1;
 constexpr std::uint32_t kRgb = 2;
@@ -39,7 +39,8 @@ class Bytes {
   std::string bytes_;
 };
 
-/// The three equal 16-bit values of a colour image do not fit into a field.
+/// Returns the bytes of the two triples of 16-bit values, bits and formats, that do not fit into
+/// the fields of a colour image.
 std::uint32_t size_of_triples(std::uint32_t channels) {
   return channels == 1 ? 0 : 12;
 }
@@ -55,7 +56,7 @@ std::string directory(const cv::Mat& image, std::uint32_t pixel_bytes) {
       bytes.add(value, 2);
     }
   }
-  bytes.add(11, 2);  // fields, by increasing tag
+  bytes.add(11, 2);  // number of fields, which follow by increasing tag
   bytes.add_field(256, long_field, 1, static_cast<std::uint32_t>(image.cols));
   bytes.add_field(257, long_field, 1, static_cast<std::uint32_t>(image.rows));
   bytes.add_field(258, short_field, channels, channels == 1 ? 32 : triples_at);
@@ -65,7 +66,7 @@ std::string directory(const cv::Mat& image, std::uint32_t pixel_bytes) {
   bytes.add_field(277, short_field, 1, channels);
   bytes.add_field(278, long_field, 1, static_cast<std::uint32_t>(image.rows));
   bytes.add_field(279, long_field, 1, pixel_bytes);
-  bytes.add_field(284, short_field, 1, 1);  // channels of a pixel together
+  bytes.add_field(284, short_field, 1, 1);  // the channels of a pixel lie together
   bytes.add_field(339, short_field, channels, channels == 1 ? kFloat : triples_at + 6);
   bytes.add(0, 4);  // no further directory
   return bytes.take();
@@ -97,7 +98,8 @@ std::string encode_float_tiff(const cv::Mat& image) {
   return bytes + directory(image, pixel_bytes);
 }
 
-/// Size and channels come from the directory; all the rest must be as `encode_float_tiff` has it.
+/// The size and the number of channels come from the directory; all else must be equal to what
+/// `encode_float_tiff` writes.
 cv::Mat read_float_tiff(const std::filesystem::path& path) {
   constexpr std::uint32_t kMaxSize = 16384;  // px
   constexpr std::size_t kDirectoryBytes = 2 + 11 * 12 + 4;

@@ -7,7 +7,8 @@
 
 namespace vo {
 
-/// An image of one or three float channels as a TIFF: little-endian, one strip, not compressed.
+/// Encodes an image of one or three float channels as a TIFF: little-endian, one strip, not
+/// compressed.
 std::string encode_float_tiff(const cv::Mat& image);
 
 /// Reads what `encode_float_tiff` writes; throws Error naming the file for anything else.

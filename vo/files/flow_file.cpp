@@ -11,7 +11,7 @@ namespace vo {
 namespace {
 
 constexpr std::string_view kFlowMagic = "PIEH";  // 202021.25 as a float
-constexpr std::size_t kHeaderBytes = 12;         // and width, height
+constexpr std::size_t kHeaderBytes = 12;         // magic number, width and height
 
 }  // namespace
 

@@ -7,7 +7,7 @@
 namespace vo {
 
 std::string gzip(std::string_view bytes) {
-  constexpr int kGzipWindow = 15 + 16;  // the largest, with gzip's header
+  constexpr int kGzipWindow = 15 + 16;  // log2 of the largest window; + 16 asks for gzip's header
   constexpr int kMemory = 9;
   z_stream stream{};
   require(deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kGzipWindow, kMemory,

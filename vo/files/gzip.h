@@ -5,7 +5,7 @@
 
 namespace vo {
 
-/// The bytes as a .gz file, without name and time: the same bytes give the same file.
+/// Compresses the bytes to a .gz file without name and time, so that equal bytes give equal files.
 std::string gzip(std::string_view bytes);
 
 }  // namespace vo

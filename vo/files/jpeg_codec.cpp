@@ -20,7 +20,7 @@ struct ReleaseBytes {
   void operator()(unsigned char* bytes) const { tjFree(bytes); }
 };
 
-/// A warning is of what does not keep the image from being decoded.
+/// Throws Error if a call of libjpeg-turbo failed. A warning does not count: the image was decoded.
 void require_done(int status, const Codec& codec) {
   require(status == 0 || tjGetErrorCode(codec.get()) == TJERR_WARNING,
           "JPEG: ", tjGetErrorStr2(codec.get()));
@@ -44,7 +44,7 @@ std::vector<std::uint8_t> encode_jpeg(const ColorImage& image, int quality, Chro
   const ColorImage pixels = image.isContinuous() ? image : image.clone();
   const Codec encoder(tjInitCompress());
   unsigned char* bytes = nullptr;
-  unsigned long size = 0;  // NOLINT(google-runtime-int): libjpeg's
+  unsigned long size = 0;  // NOLINT(google-runtime-int): libjpeg's type
   const int status =
       tjCompress2(encoder.get(), pixels.data, pixels.cols, kTightRows, pixels.rows, TJPF_BGR,
                   &bytes, &size, subsampling(chroma), quality, TJFLAG_ACCURATEDCT);

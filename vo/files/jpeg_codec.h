@@ -22,10 +22,11 @@ constexpr auto enum_names(ChromaSampling) {
                     std::pair{ChromaSampling::quarter, "quarter"}};
 }
 
-/// `quality` from 1 to 100.
+/// Encodes the image as a JPEG file, with a `quality` from 1 to 100.
 std::vector<std::uint8_t> encode_jpeg(const ColorImage& image, int quality, ChromaSampling chroma);
 
-/// Throws vo::Error where the file is damaged or not of this size, before it allocates anything.
+/// Decodes a JPEG file. Throws vo::Error if it cannot be decoded, or if its size is not the
+/// expected one, which is found before the image is allocated.
 ColorImage decode_jpeg(std::span<const std::uint8_t> bytes, cv::Size size);
 
 }  // namespace vo

@@ -10,7 +10,7 @@ namespace vo {
 namespace {
 
 constexpr std::string_view kNpyMagic("\x93NUMPY\x01\x00", 8);
-constexpr std::size_t kAlignment = 64;  // bytes, of the data's start
+constexpr std::size_t kAlignment = 64;  // bytes, a multiple of which the data starts at
 
 }  // namespace
 

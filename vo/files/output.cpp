@@ -53,7 +53,7 @@ void write_bytes(const fs::path& path, std::string_view bytes, OpenMode mode) {
 
 constexpr const char* kPartial = "partial";
 
-/// A name beside `path` that nothing has: `.name.partial-1234`, 1234 being this process.
+/// Returns an unused name beside `path`: `.name.partial-1234`, 1234 being this process.
 fs::path unused_name(const fs::path& path, const char* purpose) {
   for (int attempt = 0;; ++attempt) {
     fs::path name =
@@ -65,7 +65,7 @@ fs::path unused_name(const fs::path& path, const char* purpose) {
   }
 }
 
-/// Absolute, without dots, links or a slash at its end: the place itself.
+/// Returns the absolute path without dots, links or a slash at its end.
 fs::path resolved(const fs::path& path) {
   std::error_code error;
   fs::path place = fs::weakly_canonical(fs::absolute(path), error);
@@ -99,7 +99,7 @@ bool have_same_files(const fs::path& a, const fs::path& b) {
          });
 }
 
-/// Renames a folder to where nothing is, or another folder, which is gone then.
+/// Renames a folder to `path`, replacing and removing a folder that is there.
 void put_in_place(const fs::path& made, const fs::path& path) {
   const fs::path old = unused_name(path, "old");
   std::error_code error;
@@ -119,14 +119,14 @@ void put_in_place(const fs::path& made, const fs::path& path) {
   remove_quietly(old);
 }
 
-/// A folder that is to be replaced cannot hold the one the program runs in.
+/// Throws Error if the current folder is `path` or lies in it, because `path` is to be replaced.
 void require_elsewhere(const fs::path& path) {
   const std::string here = fs::current_path().string() + "/";
   require(!here.starts_with(path.string() + "/") || !fs::exists(path) || fs::is_empty(path),
           path.string(), ": is the current folder or one above it, expected another to write");
 }
 
-/// Files that `write_file` was writing when its process was killed.
+/// Removes files that `write_file` was writing when its process was killed.
 void remove_unfinished(const fs::path& folder) {
   for (const fs::path& file : files_below(folder)) {
     const std::string name = file.filename().string();
@@ -136,7 +136,8 @@ void remove_unfinished(const fs::path& folder) {
   }
 }
 
-/// Makes a folder that has its marker from the start. Does nothing where another process was first.
+/// Makes a folder that holds its marker from the start. Does nothing where another process was
+/// first.
 void begin(const fs::path& folder, const NamedBytes& marker) {
   const fs::path fresh = unused_name(folder, kPartial);
   std::error_code error;

@@ -13,17 +13,18 @@ struct NamedBytes {
   std::string bytes;
 };
 
-/// What to do when the output is there already and is not the same.
+/// What to do when the output exists already and differs from the new one.
 enum class ExistingOutput {
-  keep,     ///< Error of kind output_exists
-  replace,  ///< what was there is gone once the new output is complete
+  keep,     ///< throw Error of kind output_exists
+  replace,  ///< remove the existing output once the new one is complete
 };
 
-/// A device or pipe: it has no "final name" to protect and is written directly.
+/// Returns whether the path is a device or pipe: it has no "final name" to protect and is written
+/// directly.
 bool is_stream(const std::filesystem::path& path);
 
-/// Throws Error of kind output_exists when `write_file` would: to find out before any of several
-/// files is written.
+/// Throws Error of kind output_exists when `write_file` would, so that a conflict is found before
+/// any of several files is written.
 void require_no_conflict(const std::filesystem::path& path, std::string_view bytes,
                          ExistingOutput existing);
 
@@ -34,14 +35,14 @@ void require_no_conflict(const std::filesystem::path& path, std::string_view byt
 void write_file(const std::filesystem::path& path, std::string_view bytes,
                 ExistingOutput existing = ExistingOutput::keep);
 
-/// The whole file as bytes; throws Error naming the path.
+/// Returns the whole file as bytes; throws Error naming the path if it cannot be read.
 std::string read_file(const std::filesystem::path& path);
 
-/// Makes the folders within `folder` that files of these names lie in.
+/// Makes the folders within `folder` that hold the files of these names.
 void make_folders_of(const std::filesystem::path& folder, const std::vector<std::string>& names);
 
 /// Throws Error unless a file could be made at `path`, so that a mistyped output is reported before
-/// the work and not after it. Makes nothing.
+/// the work and not after it. Creates nothing.
 void require_writable(const std::filesystem::path& path);
 
 /// Throws Error unless a folder of results may be put at `path`: nothing is there, or an empty
@@ -51,11 +52,12 @@ void require_replaceable(const std::filesystem::path& path, const std::string& m
                          ExistingOutput existing);
 
 /// A folder that appears under its name only when it is complete: it is filled as
-/// `.<name>.partial-<process>` beside it and renamed by `commit`; without it, the destructor
-/// removes it again.
+/// `.<name>.partial-<process>` beside that name and renamed by `commit`. The destructor removes a
+/// folder that was not committed.
 class OutputFolder {
  public:
-  /// `marker` as in `require_replaceable`.
+  /// Makes the partial folder; `marker` is the file that `require_replaceable` looks for. Throws
+  /// Error if the folder cannot be made.
   OutputFolder(const std::filesystem::path& path, std::string marker, ExistingOutput existing);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
@@ -63,9 +65,10 @@ class OutputFolder {
   OutputFolder(OutputFolder&&) = delete;
   OutputFolder& operator=(OutputFolder&&) = delete;
 
-  const std::filesystem::path& partial() const { return partial_; }  ///< write here
+  const std::filesystem::path& partial() const { return partial_; }  ///< folder to write into
 
-  /// An existing folder with the same files is left alone; otherwise as `require_replaceable`.
+  /// Renames the partial folder to its final name, which must be free as `require_replaceable`
+  /// demands. An existing folder with equal files is left alone.
   void commit();
 
  private:
@@ -77,20 +80,20 @@ class OutputFolder {
 
 /// A folder that several runs fill, at once or one after the other: it is `<name>.part` beside its
 /// final name until `commit`, and stays there when a run ends early. A file in it, the marker, says
-/// what it is being filled with; only runs with the same marker share it.
+/// what it is being filled with; only runs with equal markers share it.
 class StagedFolder {
  public:
-  /// Makes the folder, or joins it. One with another marker is begun anew with `replace`; with
-  /// `keep` it is an Error of kind output_exists.
+  /// Makes the folder, or joins one with an equal marker. One with another marker is begun anew
+  /// with `replace`; with `keep` it is an Error of kind output_exists.
   StagedFolder(const std::filesystem::path& path, const NamedBytes& marker,
                ExistingOutput existing);
 
   static std::filesystem::path staging_of(const std::filesystem::path& path);
 
-  const std::filesystem::path& staging() const { return staging_; }  ///< write here
+  const std::filesystem::path& staging() const { return staging_; }  ///< folder to write into
 
-  /// Puts it under its final name, as `require_replaceable` allows, without what runs that were
-  /// killed left unfinished.
+  /// Removes files that killed runs left unfinished and renames the folder to its final name, which
+  /// must be free as `require_replaceable` demands.
   void commit();
 
  private:

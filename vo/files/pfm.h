@@ -7,7 +7,8 @@
 
 namespace vo {
 
-/// An image of one ("Pf") or three ("PF") float channels as a portable float map, little-endian.
+/// Encodes an image of one ("Pf") or three ("PF") float channels as a little-endian portable float
+/// map.
 std::string encode_pfm(const cv::Mat& image);
 
 /// Reads what `encode_pfm` writes; throws Error naming the file for anything else.

@@ -15,11 +15,11 @@ namespace {
 
 constexpr int kSignatureBytes = 8;
 constexpr png_uint_32 kMaxSize = 16384;  // px
-constexpr int kCompressionLevel = 3;     // beyond it: half the speed for 5 % fewer bytes
+constexpr int kCompressionLevel = 3;     // a higher level halves the speed for 5 % fewer bytes
 
-/// What libpng's callbacks see. libpng reports an error by calling `on_error`, which must not
-/// return: it leaves by longjmp to the setjmp of the function that called libpng. Those functions
-/// hold no object with a destructor.
+/// Error message that libpng's callbacks leave. libpng reports an error by calling `on_error`,
+/// which must not return: it leaves by longjmp to the setjmp of the function that called libpng.
+/// Those functions hold no object with a destructor.
 struct PngError {
   std::array<char, 128> message{};
 };
@@ -93,7 +93,7 @@ class PngWriteState {
   png_infop info_;
 };
 
-/// Reads the header and asks libpng for one of the three kinds of image; false on error.
+/// Reads the header and asks libpng for CV_8UC1, CV_8UC3 or CV_16UC1 pixels; false on error.
 bool read_header(png_structp png, png_infop info, ByteSource* source) {
   if (setjmp(png_jmpbuf(png)) != 0) {  // NOLINT(cert-err52-cpp)
     return false;

@@ -7,11 +7,12 @@
 
 namespace vo {
 
-/// An 8-bit grey (CV_8UC1), 8-bit colour (CV_8UC3, BGR; palette resolved, alpha dropped) or 16-bit
-/// grey (CV_16UC1) PNG. Throws Error naming the file when it is missing, truncated or damaged.
+/// Reads a PNG as 8-bit grey (CV_8UC1), 8-bit colour (CV_8UC3, BGR; palette resolved, alpha
+/// dropped) or 16-bit grey (CV_16UC1). Throws Error naming the file when it is missing, truncated
+/// or damaged.
 cv::Mat read_png(const std::filesystem::path& path);
 
-/// The same three kinds of image as the bytes of a PNG file.
+/// Encodes an image of type CV_8UC1, CV_8UC3 (BGR) or CV_16UC1 as the bytes of a PNG file.
 std::string encode_png(const cv::Mat& image);
 
 }  // namespace vo

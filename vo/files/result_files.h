@@ -7,11 +7,12 @@
 
 namespace vo {
 
-/// Either all are written or, when one of them would replace another result, none.
+/// Writes all files into the folder, or none and throws Error when one of them would replace
+/// another result.
 void write_results(const std::filesystem::path& folder, const std::vector<NamedBytes>& files,
                    ExistingOutput existing);
 
-/// Throws vo::Error when it cannot be made.
+/// Makes the folder and its parents; throws vo::Error when that fails.
 void make_folder(const std::filesystem::path& folder);
 
 }  // namespace vo

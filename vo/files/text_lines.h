@@ -13,11 +13,11 @@ struct TextLine {
   std::vector<std::string> fields;  ///< split at blanks, tabs and commas
 };
 
-/// The lines of a file without comments ('#' to the end of the line). Accepts CRLF and a last line
-/// without newline.
+/// Returns the lines of a file without comments ('#' to the end of the line) and empty lines.
+/// Accepts CRLF and a last line without newline.
 std::vector<TextLine> read_text_lines(const std::filesystem::path& path);
 
-/// A field as a finite number; throws Error with the place.
+/// Returns a field as a finite number; throws Error with the line's place if it is none.
 double parse_number(const TextLine& line, std::size_t field);
 
 }  // namespace vo

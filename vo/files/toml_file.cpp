@@ -9,7 +9,7 @@ namespace {
 
 using Path = std::filesystem::path;
 
-/// The text and type of a TOML value that is no table.
+/// Reads the text and the type of a TOML value that is no table.
 class ValueReader {
  public:
   ValueReader(std::string key, std::string place)
@@ -39,7 +39,7 @@ class ValueReader {
     return {key_, std::move(text), type, place_};
   }
 
-  /// Numbers, or points as arrays of numbers, one after the other.
+  /// Returns the numbers of an array, or of nested arrays such as points, with commas between.
   std::string numbers(const toml::array& array) const {
     std::string text;
     for (const toml::node& element : array) {
@@ -70,7 +70,8 @@ void flatten(const toml::table& table, const std::string& prefix, const Path& pa
   }
 }
 
-/// TOML's integers are numbers too, and a text stands for any type only where the field is text.
+/// Returns whether a field takes a TOML value of this type: its own, or an integer for a real
+/// field.
 bool is_accepted(FieldType field, FieldType value) {
   return field == value || (field == FieldType::real && value == FieldType::integer);
 }

@@ -13,7 +13,7 @@ struct Candidate {
   std::size_t b;
 };
 
-/// All pairs closer than the limit, in increasing order of a, then b.
+/// Returns all pairs closer than the limit, in increasing order of a, then b.
 std::vector<Candidate> candidates(std::span<const double> a, std::span<const double> b,
                                   double max_difference) {
   std::vector<Candidate> result;

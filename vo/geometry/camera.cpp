@@ -11,8 +11,8 @@
 namespace vo {
 namespace {
 
-/// Whether the lens maps the direction that it images at a pixel, if there is one, there and
-/// nowhere else near it.
+/// Returns whether the direction that the lens images at a pixel, if there is one, is imaged there
+/// again and the distortion is invertible around it.
 bool is_invertible_at(const PinholeCamera& camera, double u, double v) {
   constexpr double kSamePixel = 1e-6;  // px
   const Eigen::Vector3d direction = camera.unproject({u, v}, 1);
@@ -26,7 +26,8 @@ bool is_invertible_at(const PinholeCamera& camera, double u, double v) {
   return imaged.dx_dx > 0 && imaged.dx_dx * imaged.dy_dy > imaged.dx_dy * imaged.dx_dy;
 }
 
-/// Distortion grows towards the border, so it folds over there first.
+/// Returns whether the distortion is invertible along the image border (and at the centre), where
+/// it folds over first because it grows outwards.
 bool has_invertible_border(const PinholeCamera& camera) {
   const double right = camera.width - 1;
   const double bottom = camera.height - 1;
@@ -40,7 +41,8 @@ bool has_invertible_border(const PinholeCamera& camera) {
   return true;
 }
 
-/// Of the corner that is farthest from the principal point, at a focal length of 1.
+/// Returns the radius of the image corner farthest from the principal point, at a focal length of
+/// 1.
 double image_radius(const PinholeCamera& camera) {
   const double x = std::max(std::abs(camera.cx), std::abs(camera.width - 1 - camera.cx));
   const double y = std::max(std::abs(camera.cy), std::abs(camera.height - 1 - camera.cy));

@@ -10,27 +10,29 @@ namespace vo {
 /// CENTRE of the top-left pixel, so the image spans [-0.5, width - 0.5) x [-0.5, height - 0.5).
 /// A negative fy means a frame with y up (ICL-NUIM); nothing here takes its absolute value.
 struct PinholeCamera {
-  int width = 0;   ///< px
-  int height = 0;  ///< px
-  double fx = 0;   ///< px
-  double fy = 0;   ///< px
-  double cx = 0;   ///< px
-  double cy = 0;   ///< px
+  int width = 0;   ///< px, columns of the image
+  int height = 0;  ///< px, rows of the image
+  double fx = 0;   ///< px, focal length along x
+  double fy = 0;   ///< px, focal length along y
+  double cx = 0;   ///< px, principal point along x
+  double cy = 0;   ///< px, principal point along y
   Distortion distortion;
 
-  /// Square pixels, principal point in the middle. Throws Error unless 0 < fov_deg < 180.
+  /// Returns a camera with square pixels and its principal point at the image centre. Throws Error
+  /// unless 0 < fov_deg < 180.
   static PinholeCamera from_horizontal_fov(int width, int height, double fov_deg);
 
-  Eigen::Vector2d project(const Eigen::Vector3d& p_camera) const;  ///< needs p_camera.z() > 0
+  Eigen::Vector2d project(const Eigen::Vector3d& p_camera) const;  ///< px, needs p_camera.z() > 0
 
-  /// Depth along z, m. Not a number where the lens sees nothing.
+  /// Returns the point at a pixel, m in the camera frame, given its depth along z, m. Not a number
+  /// where the lens images nothing.
   Eigen::Vector3d unproject(const Eigen::Vector2d& pixel, double depth) const;
   bool contains(const Eigen::Vector2d& pixel, double border_px = 0) const;
 
   PinholeCamera halved() const;              ///< the next pyramid level: cx' = (cx + 0.5) / 2 - 0.5
-  PinholeCamera without_distortion() const;  ///< the same intrinsics, a perfect lens
+  PinholeCamera without_distortion() const;  ///< these intrinsics with a perfect lens
 
-  void validate() const;  ///< throws Error
+  void validate() const;  ///< throws Error unless the values are usable
 };
 
 template <typename Visitor>
@@ -49,7 +51,7 @@ struct RgbdCamera {
   PinholeCamera pinhole;
   double depth_units_per_m = 5000;  ///< a 16-bit depth pixel divided by this is metres
 
-  void validate() const;  ///< throws Error
+  void validate() const;  ///< throws Error unless the values are usable
 };
 
 template <typename Visitor>

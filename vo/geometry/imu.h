@@ -8,30 +8,30 @@
 
 namespace vo {
 
-/// What an inertial measurement unit reads, in its own axes.
+/// One reading of an inertial measurement unit (IMU), in the axes of the IMU.
 struct ImuSample {
   double timestamp = 0;                                        ///< s
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s
   Eigen::Vector3d specific_force =
-      Eigen::Vector3d::Zero();  ///< m/s^2: acceleration less gravity, upwards at rest
+      Eigen::Vector3d::Zero();  ///< m/s^2, acceleration minus gravity: upwards at rest
 };
 
-/// How a body moves.
+/// Motion of a body and the biases of the IMU that is mounted on it.
 struct BodyState {
   double timestamp = 0;  ///< s
   SE3 T_world_body;
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();    ///< m/s, world
-  Eigen::Vector3d gyro_bias = Eigen::Vector3d::Zero();   ///< rad/s, of the unit on it
-  Eigen::Vector3d accel_bias = Eigen::Vector3d::Zero();  ///< m/s^2, of the unit on it
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();    ///< m/s, in the world frame
+  Eigen::Vector3d gyro_bias = Eigen::Vector3d::Zero();   ///< rad/s, of the gyroscope
+  Eigen::Vector3d accel_bias = Eigen::Vector3d::Zero();  ///< m/s^2, of the accelerometer
 };
 
-/// The densities of its noise, and of the noise that its biases walk by; 0 = none, or unknown.
+/// Noise densities of an IMU and of the random walks of its biases; 0 = none, or unknown.
 struct ImuNoise {
-  double rate = 0;             ///< Hz, of the samples
-  double gyro_noise = 0;       ///< rad/s/sqrt(Hz)
-  double gyro_bias_walk = 0;   ///< rad/s^2/sqrt(Hz)
-  double accel_noise = 0;      ///< m/s^2/sqrt(Hz)
-  double accel_bias_walk = 0;  ///< m/s^3/sqrt(Hz)
+  double rate = 0;             ///< Hz, sampling rate
+  double gyro_noise = 0;       ///< rad/s/sqrt(Hz), white noise
+  double gyro_bias_walk = 0;   ///< rad/s^2/sqrt(Hz), random walk of the bias
+  double accel_noise = 0;      ///< m/s^2/sqrt(Hz), white noise
+  double accel_bias_walk = 0;  ///< m/s^3/sqrt(Hz), random walk of the bias
 };
 
 template <typename Visitor>
@@ -43,7 +43,7 @@ void visit_fields(Visitor& visit, ImuNoise& noise) {
   visit("accel_bias_walk", noise.accel_bias_walk, "density of the bias's walk, m/s^3/sqrt(Hz)");
 }
 
-/// What a unit on a body read, and the truth at the same instants.
+/// The readings of an IMU on a body, and the body's true states at those instants.
 struct ImuRecord {
   std::vector<ImuSample> samples;
   std::vector<BodyState> states;

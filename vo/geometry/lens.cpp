@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kMaxIterations = 20;
 constexpr double kConverged = 1e-14;
-constexpr double kWidest = 85 * std::numbers::pi / 180;  // rad off the axis
+constexpr double kWidest = 85 * std::numbers::pi / 180;  // rad, angle off the axis a fisheye sees
 
 Eigen::Vector2d remove_brown_conrady(const Distortion& lens, const Eigen::Vector2d& distorted) {
   Eigen::Vector2d ideal = distorted;

@@ -16,15 +16,15 @@ constexpr auto enum_names(DistortionModel) {
                     std::pair{DistortionModel::kannala_brandt, "kannala_brandt"}};
 }
 
-/// How a lens images the direction (x, y, 1) = (X / Z, Y / Z, 1), with r^2 = x^2 + y^2. The default
-/// is a perfect lens.
+/// Distortion: how a lens images the direction (x, y, 1) = (X / Z, Y / Z, 1), with r^2 = x^2 + y^2.
+/// The default is a perfect lens.
 ///
-/// Brown and Conrady, in OpenCV's order and meaning:
-///     x_d = x (1 + k1 r^2 + k2 r^4 + k3 r^6) + 2 p1 x y + p2 (r^2 + 2 x^2), y_d likewise.
+/// Brown and Conrady, in OpenCV's order and meaning, with s = 1 + k1 r^2 + k2 r^4 + k3 r^6:
+///     x_d = x s + 2 p1 x y + p2 (r^2 + 2 x^2), y_d = y s + p1 (r^2 + 2 y^2) + 2 p2 x y.
 ///
 /// Kannala and Brandt (PAMI 2006), OpenCV's fisheye, Kalibr's `equidistant`: with a = atan r
-///     x_d = x / r a (1 + k1 a^2 + k2 a^4 + k3 a^6 + k4 a^8), y_d likewise.
-/// What is 85 deg or more off the axis is not seen: depth along the axis needs less than 90.
+///     (x_d, y_d) = (x, y) / r a (1 + k1 a^2 + k2 a^4 + k3 a^6 + k4 a^8).
+/// Directions 85 deg or more off the axis are not imaged: depth along it needs less than 90 deg.
 struct Distortion {
   double k1 = 0;
   double k2 = 0;
@@ -39,12 +39,13 @@ struct Distortion {
            k3 == 0;
   }
 
-  /// Inverse of `distort` by Newton's method, exact to 1e-12 wherever `distort` is invertible. Not
-  /// a number where a lens of Kannala and Brandt sees nothing.
+  /// Returns the direction (X / Z, Y / Z) imaged at `distorted`, by Newton's method, exact to 1e-12
+  /// wherever `distort` is invertible. Not a number where a lens of Kannala and Brandt images
+  /// nothing.
   Eigen::Vector2d remove(const Eigen::Vector2d& distorted) const;
 
-  /// Throws Error where a coefficient is not the model's, or where the lens images two directions
-  /// to one place within this distance of its axis, at a focal length of 1.
+  /// Throws Error where a coefficient does not belong to the model, or where a lens of Kannala and
+  /// Brandt folds over within `image_radius` of its axis, at a focal length of 1.
   void validate(double image_radius) const;
 };
 
@@ -59,7 +60,7 @@ void visit_fields(Visitor& visit, Distortion& distortion) {
   visit("k4", distortion.k4, "k4 a^9, kannala_brandt alone");
 }
 
-/// Where a lens images a direction, and the derivative by (x, y), which is symmetric.
+/// Image of a direction at a focal length of 1, and its Jacobian by (x, y), which is symmetric.
 template <typename Scalar>
 struct DistortedPoint {
   Scalar x, y;
@@ -82,7 +83,8 @@ inline DistortedPoint<Scalar> distort_brown_conrady(const Distortion& lens, Scal
           radial + slope * y * y + 6 * p1 * y + 2 * p2 * x};
 }
 
-/// Where a fisheye images an angle off its axis, rad, and the derivative.
+/// Image radius at which a fisheye images an angle off its axis, rad, and its derivative by the
+/// angle.
 template <typename Scalar>
 struct ImagedAngle {
   Scalar radius;

@@ -5,8 +5,8 @@
 
 namespace vo {
 
-/// Calls `visit` with the lens's own function of (lens, x, y), so that a loop in it is compiled
-/// once per model and has no branch.
+/// Calls `visit` with the distortion function (lens, x, y) of the lens's model, so that a loop in
+/// it is compiled once per model and has no branch.
 template <typename Visit>
 EDVO_INLINE void dispatch_lens(const Distortion& lens, const Visit& visit) {
   if (lens.is_zero()) {

@@ -7,7 +7,7 @@
 namespace vo {
 namespace {
 
-/// Below this angle the closed forms cancel and their series are exact to rounding.
+/// Angle below which the closed forms cancel and their series are exact to rounding.
 constexpr double kSmallAngle = 1e-4;  // rad
 
 Eigen::Quaterniond exp_rotation(const Eigen::Vector3d& rotation_vector) {
@@ -29,7 +29,7 @@ Eigen::Vector3d log_rotation(const Eigen::Quaterniond& rotation) {
   return 2 * std::atan2(sine, w) / sine * xyz;
 }
 
-/// V with translation = V * v for exp([v; w]), the left Jacobian of SO(3).
+/// Returns the left Jacobian V of SO(3): exp([v; w]) has the translation V * v.
 Eigen::Matrix3d left_jacobian(const Eigen::Vector3d& w) {
   const double angle = w.norm();
   const Eigen::Matrix3d W = skew(w);

@@ -23,14 +23,14 @@ class SE3 {
 
   static SE3 exp(const Vector6d& tangent);
 
-  /// Inverse of exp; the rotation part has a norm of at most pi.
+  /// Returns the tangent whose exp is this transform; its rotation part has a norm of at most pi.
   Vector6d log() const;
 
   SE3 inverse() const;
   const Eigen::Quaterniond& rotation() const { return rotation_; }     ///< unit, R_a_b
   const Eigen::Vector3d& translation() const { return translation_; }  ///< origin of b in a, m
   Eigen::Matrix3d rotation_matrix() const { return rotation_.toRotationMatrix(); }  ///< R_a_b
-  double angle() const;  ///< rad, in [0, pi]
+  double angle() const;  ///< rotation angle, rad, in [0, pi]
 
  private:
   Eigen::Quaterniond rotation_ = Eigen::Quaterniond::Identity();
@@ -40,14 +40,14 @@ class SE3 {
 SE3 operator*(const SE3& T_a_b, const SE3& T_b_c);
 Eigen::Vector3d operator*(const SE3& T_a_b, const Eigen::Vector3d& p_b);
 
-/// The matrix with skew(a) * b = a x b.
+/// Returns the matrix with skew(a) * b = a x b.
 Eigen::Matrix3d skew(const Eigen::Vector3d& a);
 
-/// The matrix Ad(T) with T exp(delta) = exp(Ad(T) delta) T.
+/// Returns the adjoint Ad(T), with T exp(delta) = exp(Ad(T) delta) T.
 Matrix6d adjoint(const SE3& T_a_b);
 
-/// T_world_camera of a camera at `eye` whose optical axis runs through `target` and whose image
-/// shows `up` upwards. All in world coordinates; `up` must not be parallel to the viewing
+/// Returns T_world_camera of a camera at `eye` whose optical axis runs through `target` and whose
+/// image shows `up` upwards. All are in world coordinates; `up` must not be parallel to the viewing
 /// direction.
 SE3 look_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, const Eigen::Vector3d& up);
 

@@ -15,11 +15,11 @@ struct StampedPose {
 /// Poses in strictly increasing time.
 using Trajectory = std::vector<StampedPose>;
 
-/// The pose at a time between two poses of the trajectory, on the geodesic of SE(3) between them:
-/// T_a exp(s log(T_a^-1 T_b)). Nothing outside the trajectory's time span.
+/// Returns the pose at a time, interpolated on the geodesic of SE(3) between the poses before and
+/// after it: T_a exp(s log(T_a^-1 T_b)). Empty outside the trajectory's time span.
 std::optional<SE3> pose_at(const Trajectory& trajectory, double timestamp);
 
-/// Sum of the distances between consecutive camera centres, m.
+/// Returns the sum of the distances between consecutive camera centres, m.
 double path_length(const Trajectory& trajectory);
 
 }  // namespace vo

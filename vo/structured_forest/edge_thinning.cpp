@@ -10,7 +10,7 @@
 namespace vo {
 namespace {
 
-/// Bilinear; beyond the border the nearest value inside.
+/// Interpolates bilinearly; beyond the border it returns the nearest value inside.
 float interpolate(const cv::Mat_<float>& image, float u, float v) {
   u = std::clamp(u, 0.0F, static_cast<float>(image.cols - 1));
   v = std::clamp(v, 0.0F, static_cast<float>(image.rows - 1));

@@ -25,7 +25,7 @@ cv::Size scaled(const cv::Size& size, float scale) {
           cvRound(scale * static_cast<float>(size.height))};
 }
 
-/// Of the channel where it is strongest.
+/// Gradient of the colour channel where it is strongest, for each pixel.
 struct Gradient {
   cv::Mat_<float> magnitude;
   cv::Mat_<float> direction;  ///< 0..1 for 0..pi
@@ -52,7 +52,8 @@ cv::Vec2f strongest(const cv::Vec3f& dx, const cv::Vec3f& dy) {
   return best;
 }
 
-/// The magnitude is divided by its mean over `normalization` px.
+/// Returns the gradient, its magnitude divided by the mean over a triangle of radius
+/// `normalization`, px.
 Gradient gradient_of(const cv::Mat_<cv::Vec3f>& image, int normalization) {
   cv::Mat_<cv::Vec3f> dx;
   cv::Mat_<cv::Vec3f> dy;
@@ -71,7 +72,7 @@ Gradient gradient_of(const cv::Mat_<cv::Vec3f>& image, int normalization) {
   return gradient;
 }
 
-/// Magnitudes by direction, summed over cells of `cell` px. `bins` channels.
+/// Returns gradient magnitudes by direction in `bins` channels, averaged over cells of `cell` px.
 cv::Mat orientation_histogram(const Gradient& gradient, int bins, int cell) {
   const cv::Size size((gradient.magnitude.cols + cell - 1) / cell,
                       (gradient.magnitude.rows + cell - 1) / cell);
@@ -108,7 +109,7 @@ int smoothing_radius(int radius_px, int shrink) {
   return cvRound(static_cast<float>(radius_px) / static_cast<float>(shrink));
 }
 
-/// Feature pixels of the grid's cells along the patch.
+/// Returns the positions of the grid's cells along a patch, in feature pixels.
 std::vector<std::size_t> grid_positions(const ForestParameters& parameters) {
   const int side = parameters.patch_size / parameters.shrink;
   const int half_cell = cvRound(side / (2.0 * parameters.grid_size));

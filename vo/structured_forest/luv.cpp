@@ -13,7 +13,7 @@ constexpr float kUnit = 1.0F / 270;
 using LightnessTable = std::array<float, kSteps>;
 
 LightnessTable make_lightness_table() {
-  constexpr float kSlope = 29.0F * 29 * 29 / 27;  // of the linear part below (6 / 29)^3
+  constexpr float kSlope = 29.0F * 29 * 29 / 27;  // slope of the linear part below (6 / 29)^3
   LightnessTable table{};
   for (std::size_t i = 0; i < table.size(); ++i) {
     const float y = static_cast<float>(i) / kSteps;

@@ -8,21 +8,21 @@
 
 namespace vo {
 
-/// The trees of a structured forest, one after the other, all with as many nodes. Node k of a tree
-/// goes on at its node children[k] - 1 where the feature is below the threshold, else at
+/// The trees of a structured forest, one after the other, all with equally many nodes. Node k of a
+/// tree continues at its node children[k] - 1 where the feature is below the threshold, else at
 /// children[k]; 0 is a leaf. A leaf's edges are the pixels edge_bins[edge_boundaries[k]] up to
 /// edge_bins[edge_boundaries[k + 1]] of the predicted patch, counted down its columns.
 struct ForestNodes {
   std::vector<int> children;
   std::vector<int> feature_ids;
   std::vector<float> thresholds;
-  std::vector<int> edge_boundaries;  ///< one more than nodes
+  std::vector<int> edge_boundaries;  ///< one more element than nodes
   std::vector<int> edge_bins;
 };
 
-/// Edges as Dollar & Zitnick detect them (ICCV 2013): each patch falls through some of the trees,
-/// and the edges of the leaves it reaches are averaged. Gives what OpenCV's
-/// ximgproc::StructuredEdgeDetection gives for the same model.
+/// Edge detector of Dollar & Zitnick (ICCV 2013): each patch falls through some of the trees, and
+/// the edges of the leaves it reaches are averaged. The result equals that of OpenCV's
+/// ximgproc::StructuredEdgeDetection for the same model.
 class StructuredForest {
  public:
   /// Throws Error unless every index is in range and every path ends at a leaf.
@@ -31,8 +31,8 @@ class StructuredForest {
   const ForestParameters& parameters() const { return parameters_; }
   const ForestNodes& nodes() const { return nodes_; }
 
-  /// How likely an edge runs through each pixel, about 0..1. `rgb` in 0..1. 0 everywhere in an
-  /// image that is not larger than a predicted patch.
+  /// Returns how likely an edge runs through each pixel, about 0..1, for `rgb` in 0..1; 0
+  /// everywhere if the image is too small for a patch.
   cv::Mat_<float> edge_strength(const cv::Mat_<cv::Vec3f>& rgb) const;
 
  private:
@@ -45,15 +45,15 @@ class StructuredForest {
   int nodes_per_tree_;
 };
 
-/// A ColorImage, ByteImage or GrayImage as RGB in 0..1; grey in all three channels.
+/// Returns a ColorImage, ByteImage or GrayImage as RGB in 0..1; grey in all three channels.
 cv::Mat_<cv::Vec3f> to_rgb(const cv::Mat& image);
 
-/// The edge strength where it is greatest across the edge. The forest looks at the image enlarged
-/// by a whole number: lines that lie close together are told apart only there.
+/// Returns the edge strength where it is greatest across the edge, 0 elsewhere. The forest runs on
+/// the image enlarged by `scale`, which tells apart lines that lie close together.
 cv::Mat_<float> thin_edge_strength(const StructuredForest& forest, const cv::Mat_<cv::Vec3f>& rgb,
                                    int scale);
 
-/// The pixels where that is at least `least_strength`.
+/// Returns the pixels where `thin_edge_strength` is at least `least_strength`.
 EdgeMask forest_edges(const StructuredForest& forest, const cv::Mat_<cv::Vec3f>& rgb, int scale,
                       double least_strength);
 

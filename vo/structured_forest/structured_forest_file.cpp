@@ -50,7 +50,7 @@ bool has_type(const cv::FileNode& node, float /*type*/) {
   return node.isInt() || node.isReal();
 }
 
-/// A sequence of sequences of numbers, one a tree, joined.
+/// Reads a sequence of sequences of numbers, one for each tree, and joins them.
 template <typename Number>
 std::vector<Number> read_numbers(const cv::FileStorage& file, const char* key) {
   const cv::FileNode trees = file[key];
@@ -76,7 +76,8 @@ StructuredForest read_forest(const cv::FileStorage& file) {
            .edge_bins = read_numbers<int>(file, "edgeBins")}};
 }
 
-/// One sequence per tree; the last also has what is beyond the others' size.
+/// Writes one sequence for each tree; the last one also takes the numbers beyond the number of
+/// nodes.
 template <typename Number>
 void write_numbers(cv::FileStorage& file, const char* key, const std::vector<Number>& numbers,
                    const ForestNodes& nodes, int trees) {

@@ -11,7 +11,7 @@ namespace vo {
 /// .json, and each with .gz. Throws Error naming the file, the element and what was expected.
 StructuredForest read_structured_forest(const std::filesystem::path& path);
 
-/// The same as the text of a .yml file.
+/// Returns a forest as the text of a .yml file that `read_structured_forest` reads.
 std::string structured_forest_yaml(const StructuredForest& forest);
 
 }  // namespace vo
