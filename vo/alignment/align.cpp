@@ -13,8 +13,8 @@
 namespace vo {
 namespace {
 
-/// Below this ratio of the eigenvalues of the scaled H, a direction is noise: the surface and its
-/// texture do not determine it.
+/// Least ratio of the eigenvalues of the scaled H. Below it a direction of motion is noise: the
+/// surface and its texture do not determine it.
 constexpr double kMinConditioning = 1e-8;
 
 constexpr int kDegreesOfFreedom = 6;
@@ -23,8 +23,8 @@ double degrees(double radians) {
   return radians * 180 / std::numbers::pi;
 }
 
-/// Least over greatest eigenvalue of H, translation and rotation scaled to the same size; 0 where a
-/// parameter has no influence at all.
+/// Returns the least over the greatest eigenvalue of H, translation and rotation scaled to the same
+/// size, or 0 where a parameter has no influence at all.
 double conditioning_of(const Matrix6d& H) {
   const Vector6d diagonal = H.diagonal();
   if (!(diagonal.minCoeff() > 0)) {
@@ -42,7 +42,7 @@ bool is_small(const Vector6d& delta, std::size_t level, const AlignOptions& opti
          degrees(delta.tail<3>().norm()) < growth * options.min_rotation_deg;
 }
 
-/// A step that is shortened while it raises the cost.
+/// Returns the step of the normal equations, shortened by `damping` times the diagonal of H.
 Vector6d damped_step(const JointSystem& system, double damping) {
   Matrix6d H = system.H;
   H.diagonal() *= 1 + damping;
@@ -76,7 +76,7 @@ class LevelAlignment {
   }
 
  private:
-  /// False when there is no step to take; says why in the result.
+  /// Takes a step and returns true, or says in the result why there is none and returns false.
   bool step() {
     constexpr double kFirstDamping = 0.5;
     constexpr double kDampingFactor = 8;
@@ -96,7 +96,7 @@ class LevelAlignment {
     return false;
   }
 
-  /// Moves unless the cost would rise.
+  /// Moves by the increment unless the cost would rise; returns whether the cost fell.
   bool accept(const Vector6d& delta) {
     const std::vector<ResidualModel> models = problem_.models();
     const SE3 T_candidate = SE3::exp(delta) * result_.T_cur_ref;
@@ -138,7 +138,7 @@ void summarize(const JointSystem& system, const JointProblem& problem, AlignResu
   result.depth_agreement = problem.depth_agreement(result.T_cur_ref);
 }
 
-/// Brightness found on one level is where the next one starts.
+/// Starts the problem with the brightness found on the coarser level.
 void carry_brightness(const std::vector<ResidualModel>& coarser, JointProblem& problem) {
   std::vector<ResidualModel> models = problem.models();
   for (std::size_t i = 0; i < models.size(); ++i) {

@@ -11,12 +11,12 @@
 
 namespace vo {
 
-/// The pose that agrees best with all references: Gauss-Newton on SE(3), coarse to fine, steps that
-/// raise the cost undone. Pure: same input, same output.
+/// Finds the pose that agrees best with all references by Gauss-Newton on SE(3), coarse to fine;
+/// steps that raise the cost are undone. Pure: identical input gives identical output.
 AlignResult align(std::span<const AlignReference> references, const AlignCurrent& current,
                   const SE3& T_cur_ref_guess, const AlignOptions& options);
 
-/// The same with one reference.
+/// Aligns a frame to a single reference.
 AlignResult align(const EdgePoints& reference, const FramePyramid& current,
                   const SE3& T_cur_ref_guess, const AlignOptions& options);
 

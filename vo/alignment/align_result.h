@@ -8,11 +8,11 @@
 
 namespace vo {
 
-/// Why the alignment ended on the finest level it reached.
+/// The reason why the alignment ended on the finest level it reached.
 enum class Termination {
   converged,       ///< the next step is below its limits
   no_better_step,  ///< the last step raised the cost and was undone
-  max_iterations,  ///< still improving
+  max_iterations,  ///< the iterations ran out while the cost still fell
   too_few_points,  ///< too few edge points with depth, or too few in view
   singular,        ///< the points do not determine six degrees of freedom
 };
@@ -25,7 +25,7 @@ constexpr auto enum_names(Termination) {
                     std::pair{Termination::singular, "singular"}};
 }
 
-/// How the least loss of an alignment, all else moved along, changes with the read-out time.
+/// Derivatives of an alignment's minimal robust loss by the read-out time, all else re-optimised.
 struct LossByReadout {
   double slope = 0;      ///< 1/s
   double curvature = 0;  ///< 1/s^2
@@ -34,21 +34,21 @@ struct LossByReadout {
 struct AlignResult {
   SE3 T_cur_ref;  ///< ref is the first reference
   Termination termination = Termination::too_few_points;
-  int iterations = 0;           ///< all levels together
-  std::size_t points = 0;       ///< of the finest level, seen, of all pairs of images together
-  double visible_fraction = 0;  ///< of the first reference's points of the finest level
-  double correlation = 0;       ///< of first reference and current intensities at visible points
+  int iterations = 0;           ///< iterations of all levels together
+  std::size_t points = 0;       ///< seen points of the finest level over all pairs of images
+  double visible_fraction = 0;  ///< share of the first reference's finest points that is seen
+  double correlation = 0;       ///< correlation of reference and current intensity at seen points
   double depth_agreement = 1;   ///< share of the first reference's surfaces that are measured where
                                 ///< they would be seen; 1 where none are compared
-  double cost = 0;              ///< robust, per point of the finest level, in squares of its scale
+  double cost = 0;              ///< robust loss per point of the finest level, in squared scales
   double conditioning = 0;      ///< least over greatest eigenvalue of the scaled normal equations;
                                 ///< near 0 a direction of motion is not determined
   double gain = 1;    ///< the current image shows gain I_ref + offset, ref the first reference
-  double offset = 0;  ///< intensity
-  /// Of the left increment delta of exp(delta) T_cur_ref; see pose_covariance().
+  double offset = 0;  ///< intensity, offset from the first reference's brightness
+  /// Covariance of the left increment delta of exp(delta) T_cur_ref; see pose_covariance().
   Matrix6d covariance = Matrix6d::Zero();
 
-  LossByReadout loss_by_readout;  ///< 0 where it is not known how fast the camera moves
+  LossByReadout loss_by_readout;  ///< 0 where the camera's velocity is not known
 
   bool usable() const {
     return termination != Termination::too_few_points && termination != Termination::singular;

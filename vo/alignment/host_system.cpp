@@ -38,8 +38,8 @@ void HostSystem::add(std::size_t k, const PointView& view, const ResidualModel& 
   }
 }
 
-/// p_cur = R_cur_ref ray / d + t, so d p_cur / d d = -z R p_ref with z = 1 / d. How the rows'
-/// motion changes with depth is left out.
+/// Adds the derivatives by inverse depth d = 1 / z: p_cur = R_cur_ref ray / d + t, so d p_cur / d d
+/// = -z R p_ref. The change of the rows' motion with depth is left out.
 void HostSystem::add_depth(std::size_t k, const PointView& view, double scale) {
   const EdgePointLevel& points = view.points;
   const Eigen::Matrix3d R = view.T_cur_ref.rotation_matrix();

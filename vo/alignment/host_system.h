@@ -8,40 +8,39 @@
 
 namespace vo {
 
-/// Normal equations of one frame's points, looked up in the images of several others: increments of
-/// the pairs' transforms [pair by pair, left of T_target_host], then gain and offset of each pair,
-/// and the points' inverse depths, 1/m, which belong to all pairs. Each pair counts in squares of
-/// its own scale.
+/// The normal equations of one host frame's points looked up in the images of several targets. The
+/// unknowns are each pair's increment left of T_target_host, each pair's gain and offset, and the
+/// points' inverse depths, 1/m, shared by all pairs. Each pair counts in squares of its own scale.
 class HostSystem {
  public:
-  /// Of at least one pair, with inverse depths if `points` is not 0. The options must outlive the
-  /// system.
+  /// Creates the empty system of at least one pair, with inverse depths if `points` is not 0. The
+  /// options must outlive the system.
   HostSystem(const AlignOptions& options, std::size_t pairs, std::size_t points);
 
-  /// `view` is the k-th pair's.
+  /// Adds the k-th pair, whose points are looked up as `view` says.
   void add(std::size_t k, const PointView& view, const ResidualModel& model);
 
-  /// The cost of `information` (1/variance, m^2) times the square of `strayed` (1/m) for each
-  /// point's inverse depth; to be called once, after all pairs. Eliminates the depths (Schur
-  /// complement).
+  /// Adds the cost `information` (1/variance, m^2) times the square of `strayed` (1/m, distance
+  /// from the prior) of each inverse depth, and eliminates the depths (Schur complement). It must
+  /// be called once, after all pairs have been added.
   void hold_depth(const Eigen::VectorXd& information, const Eigen::VectorXd& strayed);
 
-  /// Of the pairs' increments, all else eliminated.
+  /// The normal equations of the pairs' increments, all other unknowns eliminated.
   struct Increments {
     Eigen::MatrixXd H;
     Eigen::VectorXd b;
   };
   Increments increments() const;
 
-  /// What goes with a step of the increments.
+  /// The steps of the eliminated unknowns that go with a step of the increments.
   struct Step {
     Eigen::VectorXd brightness;     ///< gain and offset, pair by pair
-    Eigen::VectorXd inverse_depth;  ///< 1/m; of no points if they are not adjusted
+    Eigen::VectorXd inverse_depth;  ///< 1/m; empty if depths are not adjusted
   };
   Step step_with(const Eigen::VectorXd& increments) const;
 
  private:
-  void add_depth(std::size_t k, const PointView& view, double scale);  ///< of points with scores
+  void add_depth(std::size_t k, const PointView& view, double scale);  ///< uses scores_ of pair k
   Eigen::Index poses() const { return 6 * pairs_; }
   Eigen::Index brightness() const { return 2 * pairs_; }
   Eigen::MatrixXd brightness_gain() const;  ///< d brightness / d increments
@@ -51,10 +50,10 @@ class HostSystem {
   Eigen::MatrixXd H_pairs_;
   Eigen::VectorXd b_pairs_;
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>
-      coupling_;  ///< of all else with inverse depths; a column for each point
+      coupling_;  ///< one column of H for each inverse depth
   Eigen::VectorXd H_depth_;
   Eigen::VectorXd b_depth_;
-  PointTerms scores_;  ///< of the pair that is added
+  PointTerms scores_;  ///< point terms of the pair that is being added
 };
 
 }  // namespace vo

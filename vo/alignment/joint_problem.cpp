@@ -10,7 +10,7 @@
 namespace vo {
 namespace {
 
-/// Takes gain and offset out of the normal equations (Schur complement).
+/// Eliminates gain and offset from the normal equations (Schur complement).
 void eliminate_brightness(const LinearSystem& part, Matrix6d& H, Vector6d& b) {
   const Eigen::Matrix<double, 6, 2> coupling = part.H.topRightCorner<6, 2>();
   const Eigen::Matrix<double, 6, 2> eliminated = coupling * part.H_brightness().inverse();
@@ -18,7 +18,7 @@ void eliminate_brightness(const LinearSystem& part, Matrix6d& H, Vector6d& b) {
   b -= eliminated * part.b.tail<2>();
 }
 
-/// Where a backward pair's points are in the current image: they are the current frame's own.
+/// Sets the pixels of a backward pair's points, which are the current frame's own.
 void place_at_pixels(const std::vector<cv::Point>& pixels, PointTerms& scores) {
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     scores.u[i] = static_cast<float>(pixels[i].x);
@@ -26,7 +26,7 @@ void place_at_pixels(const std::vector<cv::Point>& pixels, PointTerms& scores) {
   }
 }
 
-/// Sums over points.
+/// Sums of weights and of curvatures of the robust loss over points.
 struct CurvatureSums {
   double weight = 0;
   double curvature = 0;
@@ -90,8 +90,8 @@ PointView JointProblem::forward_view(std::size_t reference, const SE3& T_cur_fir
   return view(pairs_[reference], T_cur_first);
 }
 
-/// d(left increment of the pair's transform) / d(left increment of T_cur_first). A backward pair's
-/// transform is the inverse: exp(-delta) on its right.
+/// Returns d(left increment of the pair's transform) / d(left increment of T_cur_first). A backward
+/// pair's transform is the inverse: exp(-delta) on its right.
 Matrix6d JointProblem::increment_jacobian(const ImagePair& pair, const SE3& T_cur_first) const {
   if (!pair.backward) {
     return Matrix6d::Identity();
@@ -115,12 +115,12 @@ void JointProblem::add_part(std::size_t pair, const SE3& T_cur_first, JointSyste
   system.total += part.total;
 }
 
-/// References stand beside each other, as the first pairs have them.
+/// Returns the reference's index; the pairs point into one contiguous array of references.
 std::size_t JointProblem::index_of(const ImagePair& pair) const {
   return static_cast<std::size_t>(pair.reference - &first());
 }
 
-/// The first reference's surfaces in the current depth image.
+/// Returns the view of the first reference's surfaces in the current depth image.
 DepthView JointProblem::depth_view(const SE3& T_cur_first) const {
   return {*first().surface, current_.frame.levels[surface_level(current_.frame)],
           T_cur_first * first().T_first_ref};
@@ -145,7 +145,7 @@ void JointProblem::add_depth(const SE3& T_cur_first, JointSystem& system) const 
   system.cost += weight * depth.cost;
 }
 
-/// The same, taken apart. A pixel of the surfaces' level is several of the finest.
+/// Adds the surface points' terms of b by cell, with pixels scaled from their level to this one.
 void JointProblem::add_depth(const SE3& T_cur_first, CellScores& scores) const {
   if (!(distance_scale_ > 0)) {
     return;
@@ -193,7 +193,7 @@ JointProblem::ScoredPair JointProblem::scored(std::size_t pair, const LinearSyst
           .inverse_variance = 1 / (model.scale * model.scale)};
 }
 
-/// To first order, with the points' weights as they are.
+/// Adds the derivatives of b by the velocities, to first order with the points' weights fixed.
 void JointProblem::add_velocities(const ScoredPair& scored, JointScores& result) const {
   if (options_.readout == 0) {
     return;
@@ -207,7 +207,7 @@ void JointProblem::add_velocities(const ScoredPair& scored, JointScores& result)
       scored.pair.backward ? by_image : by_points;
 }
 
-/// Likewise; the pair's brightness is eliminated.
+/// Adds a pair's derivatives by the read-out time to first order, its brightness eliminated.
 void JointProblem::add_readout(const ScoredPair& scored, const SE3& T_cur_first,
                                ReadoutSystem& system) const {
   const Vector6d current = current_.velocity(T_cur_first).twist;

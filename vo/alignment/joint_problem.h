@@ -15,61 +15,61 @@ namespace vo {
 /// A frame of known pose that the current one is aligned to.
 struct AlignReference {
   const EdgePoints& points;
-  SE3 T_first_ref;                      ///< first: the first reference
-  const FramePyramid* frame = nullptr;  ///< where the current frame's points are looked up, if any
+  SE3 T_first_ref;                      ///< transform to the first reference's frame
+  const FramePyramid* frame = nullptr;  ///< image that current points are looked up in, if any
   FrameVelocity velocity;
-  const SurfacePoints* surface = nullptr;  ///< where depth is compared, too: its own surfaces
-  Vignette vignette = {};                  ///< taken out of its intensities
+  const SurfacePoints* surface = nullptr;  ///< surface points of its depth image, if compared
+  Vignette vignette = {};                  ///< vignette removed from its intensities
 };
 
-/// Where the camera was one frame earlier: how fast it moves follows from the pose that is sought.
+/// The camera's pose one frame earlier, from which the velocity follows for any current pose.
 struct PreviousFrame {
   SE3 T_last_first;  ///< first: the first reference
   double seconds_ago = 0;
-  std::optional<MeanVelocity> before;  ///< until then
+  std::optional<MeanVelocity> before;  ///< mean velocity before that frame
 };
 
 /// The frame whose pose is sought.
 struct AlignCurrent {
   const FramePyramid& frame;
-  const EdgePoints* points = nullptr;     ///< of its own edges, if references are looked up at them
+  const EdgePoints* points = nullptr;     ///< own edge points, if looked up in references
   std::optional<PreviousFrame> previous;  ///< for a rolling shutter
 
-  /// 0 when it is not known where the camera came from.
+  /// Returns the velocity at the current frame, or 0 if the previous pose is not known.
   FrameVelocity velocity(const SE3& T_cur_first) const;
 };
 
-/// Normal equations of one left increment of T_cur_first, summed over pairs of images with the
-/// brightness of each eliminated. Each pair counts in squares of its own scale.
+/// The normal equations of one left increment of T_cur_first, summed over pairs of images with each
+/// pair's brightness eliminated. Each pair counts in squares of its own scale.
 struct JointSystem {
   Matrix6d H = Matrix6d::Zero();
   Vector6d b = Vector6d::Zero();
-  double cost = 0;                  ///< robust, per point
-  std::size_t points = 0;           ///< seen
-  std::size_t total = 0;            ///< seen or not
-  std::vector<LinearSystem> parts;  ///< of each pair: references forward, then backward
+  double cost = 0;                  ///< robust loss per point
+  std::size_t points = 0;           ///< number of seen points
+  std::size_t total = 0;            ///< number of points, seen or not
+  std::vector<LinearSystem> parts;  ///< one for each pair: references forward, then backward
 };
 
-/// What the points add to the system's b, by the reference and the cell of the current image.
+/// The points' contributions to the system's b, by the reference and the cell of the current image.
 struct JointScores {
   std::vector<CellScores> references;
   double curvature_share = 1;  ///< mean curvature of the loss over the mean weight
 
-  /// d b / d velocity, of the current frame's and of each reference's; 0 without a rolling shutter.
+  /// Derivative of b by the current frame's velocity; 0 without a rolling shutter.
   Matrix6d by_current_velocity = Matrix6d::Zero();
   std::vector<Matrix6d> by_reference_velocity;
 
-  LossByReadout loss_by_readout;  ///< to first order of the residuals
+  LossByReadout loss_by_readout;  ///< first-order in the residuals
 };
 
-/// Normal equations of the read-out time beside those of the pose, in squares of the pairs' scales.
+/// The normal equations of the read-out time beside the pose's, in squares of the pairs' scales.
 struct ReadoutSystem {
   double H = 0;
   double b = 0;
   Vector6d coupling = Vector6d::Zero();  ///< H between pose and read-out time
 
-  /// The loss is twice what the equations are of. Being made of weights they overstate its
-  /// curvature, and so hold the time more firmly.
+  /// Returns the derivatives of the loss minimised over the pose: twice those of the normal
+  /// equations. The weights overstate the curvature, which holds the time more firmly.
   LossByReadout least_loss(const JointSystem& pose) const;
 };
 
@@ -83,21 +83,22 @@ class JointProblem {
 
   JointSystem linearize(const SE3& T_cur_first) const;
 
-  /// The system's b, linearized at this pose, taken apart.
+  /// Splits the system's b, linearized at this pose, by reference and cell.
   JointScores scores(const JointSystem& system, const SE3& T_cur_first) const;
 
-  /// A reference's points in the current image; `models` has it at the same index.
+  /// Returns the view of a reference's points in the current image; `models` has it at this index.
   PointView forward_view(std::size_t reference, const SE3& T_cur_first) const;
 
-  /// Of the first reference's surfaces with what is measured; 1 if they are not known.
+  /// Returns vo::depth_agreement() of the first reference's surfaces, or 1 without surfaces.
   double depth_agreement(const SE3& T_cur_first) const;
 
-  /// Scale and brightness of each pair as its images show them at this pose, where the options say
-  /// that they are estimated.
+  /// Estimates the robust loss's scale of each pair at this pose if LossScale::residuals is set,
+  /// and the scale of the surface distances.
   void estimate_scales(const SE3& T_cur_first);
+  /// Sets each pair's gain and offset from the intensities' means and spreads at this pose.
   void match_brightness(const SE3& T_cur_first);
 
-  /// Moves the brightness of each pair along with a pose increment of the system.
+  /// Moves each pair's brightness along with a pose increment of the system.
   void update_brightness(const JointSystem& system, const Vector6d& delta, const SE3& T_cur_first);
 
   const std::vector<ResidualModel>& models() const { return models_; }
@@ -113,20 +114,20 @@ class JointProblem {
   const PinholeCamera& camera() const { return current_.frame.levels[level_].camera; }
 
  private:
-  /// Points of one frame looked up in the image of another.
+  /// A frame's points looked up in the image of another frame.
   struct ImagePair {
     const AlignReference* reference;
     bool backward;  ///< the points are the current frame's and the image is the reference's
   };
 
-  /// A pair of images, point by point.
+  /// The terms of an image pair's points and the projection of their b to that of the pose.
   struct ScoredPair {
     const ImagePair& pair;
     const LinearSystem& part;
     PointView seen;
     PointTerms& scores;
     CellScores::Projection to_pose;
-    double inverse_variance;  ///< of the residuals
+    double inverse_variance;  ///< of the residuals, 1 / intensity^2
   };
 
   PointView view(const ImagePair& pair, const SE3& T_cur_first) const;
@@ -150,7 +151,7 @@ class JointProblem {
   const AlignOptions& options_;
   std::vector<ImagePair> pairs_;
   std::vector<ResidualModel> models_;
-  double distance_scale_ = 0;  ///< m, of the distances from the first reference's surfaces
+  double distance_scale_ = 0;  ///< m, scale of the distances from the first reference's surfaces
 };
 
 }  // namespace vo

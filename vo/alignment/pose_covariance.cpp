@@ -23,14 +23,14 @@ Matrix6d scatter(const std::vector<Vector6d>& b) {
   return sum;
 }
 
-/// Too few cells do not tell how sure a reference is.
+/// Returns whether enough cells have points to tell how certain a reference is.
 bool is_known(const std::vector<Vector6d>& b) {
   constexpr auto kMinCells = 4 * kParameters;
   return std::count_if(b.begin(), b.end(), [](const Vector6d& cell) { return !cell.isZero(0); }) >=
          kMinCells;
 }
 
-/// By how much the references disagree more than their cells explain, at least 1.
+/// Returns how much more the references disagree than their cells explain, at least 1.
 double birge_factor(const std::vector<CellScores>& references) {
   double chi2 = 0;
   int count = 0;
@@ -54,15 +54,15 @@ std::vector<Vector6d> sum_of(const std::vector<CellScores>& references) {
   return sum;
 }
 
-/// Half the weighted sum of the squared gradients times the variance of a displacement. A rotation
-/// about x or y moves pixels by about the focal length per rad, so H holds the sum.
+/// Returns half the weighted sum of the squared gradients times a displacement's variance. H holds
+/// that sum, as a rotation about x or y moves pixels by about the focal length per radian.
 double bias_variance(const Matrix6d& H, const PinholeCamera& camera) {
   const double squared_gradients =
       H(3, 3) / (camera.fy * camera.fy) + H(4, 4) / (camera.fx * camera.fx);
   return kBiasPx * kBiasPx * squared_gradients / 2;
 }
 
-/// Of a velocity that is off in every direction alike, by as much as is in doubt.
+/// Returns the covariance of a velocity whose doubt is spread evenly over all directions.
 Matrix6d velocity_covariance(const FrameVelocity& velocity) {
   Vector6d variance;
   variance.head<3>().setConstant(velocity.doubt.head<3>().squaredNorm() / 3);
@@ -70,7 +70,7 @@ Matrix6d velocity_covariance(const FrameVelocity& velocity) {
   return variance.asDiagonal();
 }
 
-/// Of b, by the velocities that rows are moved with.
+/// Returns the covariance of b that the velocities' doubt causes through the rolling shutter.
 Matrix6d shutter_scatter(const JointProblem& problem, const JointScores& scores,
                          const SE3& T_cur_first) {
   const Matrix6d& K = scores.by_current_velocity;
@@ -82,14 +82,14 @@ Matrix6d shutter_scatter(const JointProblem& problem, const JointScores& scores,
   return sum;
 }
 
-/// H^-1 S H^-1, the covariance of the increment that follows from that of b.
+/// Returns H^-1 S H^-1, the covariance of the increment that follows from the covariance S of b.
 Matrix6d propagated(const Matrix6d& H, const Matrix6d& scatter_of_b) {
   const Matrix6d H_inverse = H.ldlt().solve(Matrix6d::Identity());
   const Matrix6d covariance = H_inverse * scatter_of_b * H_inverse;
   return (covariance + covariance.transpose()) / 2;
 }
 
-/// What differs from cell to cell.
+/// Returns the covariance that comes from what differs from cell to cell.
 Matrix6d cell_covariance(const JointSystem& system, const JointScores& scores) {
   constexpr double kMinCurvatureShare = 0.25;
   const double share = std::max(scores.curvature_share, kMinCurvatureShare);

@@ -11,12 +11,12 @@
 namespace vo {
 namespace {
 
-constexpr int kRadius = 4;  // px, of a neighbourhood on each level
+constexpr int kRadius = 4;  // px, half-width of a neighbourhood on each level
 constexpr int kWidth = 2 * kRadius + 1;
 constexpr int kPixels = kWidth * kWidth;
 constexpr int kBorder = kRadius + 2;
 
-/// Least eigenvalue of the structure tensor: how strong the weaker of two directions is.
+/// Returns the least eigenvalue of the structure tensor, the strength of the weaker direction.
 float corner_strength(const GrayImage& image, cv::Point pixel) {
   float xx = 0;
   float xy = 0;
@@ -33,8 +33,8 @@ float corner_strength(const GrayImage& image, cv::Point pixel) {
   return 0.5F * (xx + yy) - std::sqrt(half * half + xy * xy);
 }
 
-/// A neighbourhood of the first frame with its slopes; the mean is taken out, so that brightness
-/// may change.
+/// A neighbourhood in the first frame and its slopes, with their means subtracted so that
+/// brightness may change.
 struct Patch {
   std::array<float, kPixels> value{};
   std::array<float, kPixels> slope_u{};
@@ -71,7 +71,7 @@ std::array<float, kPixels> sample_patch(const GrayImage& image, const Eigen::Vec
   return values;
 }
 
-/// False where the neighbourhood does not determine two directions.
+/// Makes a patch; returns false where the neighbourhood does not determine two directions.
 bool make_patch(const GrayImage& image, const Eigen::Vector2f& centre, Patch& patch) {
   patch.value = sample_patch(image, centre);
   const auto right = sample_patch(image, centre + Eigen::Vector2f(0.5F, 0));
@@ -98,8 +98,8 @@ bool make_patch(const GrayImage& image, const Eigen::Vector2f& centre, Patch& pa
   return true;
 }
 
-/// Moves `centre` to where the image looks like the patch; the RMS difference there, or a negative
-/// value where it is lost.
+/// Moves `centre` to where the image looks like the patch; returns the RMS difference there, or a
+/// negative value where the patch is lost.
 float follow_patch(const Patch& patch, const GrayImage& image, Eigen::Vector2f& centre) {
   constexpr int kMaxIterations = 12;
   constexpr float kConverged = 0.01F;  // px

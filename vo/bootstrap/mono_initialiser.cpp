@@ -25,7 +25,7 @@ double median_flow(const std::vector<RayPair>& pairs) {
   return upper_median(flow);
 }
 
-/// Poses of all views from the places' depths, each sought from where the one before is.
+/// Fits the poses of all views to the places' depths, each from the pose of the view before.
 void place(StartViews& start, double robust_scale) {
   SE3 T_before;
   for (StartView& view : start.views) {
@@ -38,7 +38,7 @@ void place(StartViews& start, double robust_scale) {
   }
 }
 
-/// At most so many, evenly spread, the last one included.
+/// Returns at most `count` views, evenly spread, the last one included.
 StartViews spread(const StartViews& start, std::size_t count) {
   const std::size_t stride = (start.views.size() + count - 1) / count;
   StartViews few{{}, start.inverse_depth};
@@ -48,7 +48,7 @@ StartViews spread(const StartViews& start, std::size_t count) {
   return few;
 }
 
-/// Poses and depths that fit all frames, where those of the last alone are given.
+/// Returns poses and depths that fit all frames, from depths that fit the last frame.
 StartViews adjusted(StartViews start, double robust_scale) {
   constexpr std::size_t kMaxViews = 12;
   place(start, robust_scale);
@@ -71,7 +71,7 @@ bool MonoInitialiser::is_exhausted() const {
   return frames_.size() >= kMaxFrames || tracks_.alive() < std::max(kMinPairs, tracks_.size() / 3);
 }
 
-/// Whether waiting for more parallax would cost too many corners, or more time than it should take.
+/// Returns whether waiting for more parallax would cost too many corners or too much time.
 bool MonoInitialiser::is_running_out() const {
   constexpr double kMinAlive = 0.4;
   const double patience =
@@ -107,10 +107,10 @@ InitialiserReport MonoInitialiser::finish() {
   return pairs_.empty() ? InitialiserReport() : judge(parallax_.least_px);
 }
 
-/// Solves once the parallax is sufficient, or least and there is no time to wait for more.
+/// Solves once the parallax is sufficient, or is the least and there is no time for more.
 InitialiserReport MonoInitialiser::judge(double sufficient_px) {
-  constexpr double kTurned = 2;         // times the parallax asked for: the image moved a lot
-  constexpr double kNoParallax = 0.15;  // times the same: no more than corners err
+  constexpr double kTurned = 2;         // times the least parallax: the image moved a lot
+  constexpr double kNoParallax = 0.15;  // times the least parallax: no more than corners err
   const std::vector<RayPair>& pairs = pairs_.back();
   const double focal_px = frames_.front().pyramid.levels.front().camera.fx;
   InitialiserReport report;
@@ -140,7 +140,7 @@ InitialiserReport MonoInitialiser::judge(double sufficient_px) {
 InitialiserVerdict MonoInitialiser::solve(const RotationFit& turn, double parallax_px) {
   constexpr double kMaxResidual = 1;  // px
   constexpr double kMinInFront = 0.9;
-  constexpr double kMinSignal = 15;  // parallax over what is left of it
+  constexpr double kMinSignal = 15;  // least ratio of the parallax to the remaining residual
   const double focal_px = frames_.front().pyramid.levels.front().camera.fx;
   const TwoViewFit fit = fit_two_views(pairs_.back(), turn.T_second_first, kRobustPx / focal_px);
   if (focal_px * fit.residual > kMaxResidual || fit.in_front < kMinInFront) {
@@ -153,7 +153,7 @@ InitialiserVerdict MonoInitialiser::solve(const RotationFit& turn, double parall
   return InitialiserVerdict::solved;
 }
 
-/// What all frames see of the places that have a depth.
+/// Returns the views of all frames of the places that have a depth.
 StartViews MonoInitialiser::views(const std::vector<double>& inverse_depth) const {
   std::vector<int> place_of_corner(tracks_.size(), -1);
   for (std::size_t k = 0; k < corners_.back().size(); ++k) {
@@ -173,7 +173,7 @@ StartViews MonoInitialiser::views(const std::vector<double>& inverse_depth) cons
   return start;
 }
 
-/// Sets the scale.
+/// Takes the result of the adjustment, scaled to the median depth that was asked for.
 void MonoInitialiser::take(const StartViews& adjusted) {
   const double scale = median_depth_ * upper_median(adjusted.inverse_depth);
   for (std::size_t k = 0; k < adjusted.inverse_depth.size(); ++k) {

@@ -14,11 +14,11 @@
 
 namespace vo {
 
-/// What the motion since the held frame allows.
+/// The verdict on the motion since the held frame.
 enum class InitialiserVerdict {
   waiting,        ///< too little parallax so far
-  pure_rotation,  ///< the image moves, and turning the camera explains it
-  inconsistent,   ///< no rigid motion explains it
+  pure_rotation,  ///< the image moves, and a rotation of the camera explains it
+  inconsistent,   ///< no rigid motion explains the image motion
   solved,
 };
 
@@ -31,40 +31,40 @@ constexpr auto enum_names(InitialiserVerdict) {
 
 struct InitialiserReport {
   InitialiserVerdict verdict = InitialiserVerdict::waiting;
-  double flow_px = 0;      ///< median displacement since the held frame
-  double parallax_px = 0;  ///< median of what no rotation explains
+  double flow_px = 0;      ///< median displacement of the corners since the held frame
+  double parallax_px = 0;  ///< median displacement that no rotation explains
 };
 
-/// How far the camera must have moved, as the median parallax of the corners.
+/// The distance that the camera must have moved, as the median parallax of the corners.
 struct StartParallax {
-  double least_px = 4;    ///< it is solved with, when corners run out
-  double wanted_px = 12;  ///< it is waited for, so long as that takes in proportion
+  double least_px = 4;    ///< enough to solve with when corners or time run out
+  double wanted_px = 12;  ///< waited for as long as corners and time allow
 };
 
-/// A frame of the start and where it was taken from.
+/// A frame of the start and its pose relative to the first.
 struct StartFrame {
   FramePyramid pyramid;
   SE3 T_frame_first;
 };
 
-/// Finds structure and motion of an unknown scene at once: the first frame is held, corners are
-/// followed until the camera has moved far enough, then the motion and all inverse depths are
-/// fitted together, at first to the last frame alone, then to all. Scale is chosen so that the
-/// median depth is what was asked for.
+/// Initialises a monocular map: finds structure and motion of an unknown scene together. The first
+/// frame is held and its corners are followed until the camera has moved far enough; then motion
+/// and all inverse depths are fitted together, at first to the last frame alone, then to all. The
+/// scale is chosen so that the median depth is what was asked for.
 class MonoInitialiser {
  public:
   MonoInitialiser(const FramePyramid& first, const StartParallax& parallax, double median_depth);
 
   InitialiserReport add(const FramePyramid& frame);
 
-  /// No more frames come: solves with the least parallax where the last frame has that.
+  /// Ends the sequence: solves with the least parallax if the last frame has that much.
   InitialiserReport finish();
 
-  /// Whether the held frame is out of view, or too many frames were seen: start from another.
+  /// Returns whether the held frame is out of view, or too many frames were seen, to start anew.
   bool is_exhausted() const;
 
-  /// Once it is solved: all frames, the first included, and the depth of the first at every edge
-  /// pixel, interpolated between corners.
+  /// Once solved, these return all frames, the first included, and the depth of the first frame at
+  /// every edge pixel, interpolated between corners.
   const std::vector<StartFrame>& frames() const { return frames_; }
   DepthImage depth_at_edges() const;
 
@@ -77,14 +77,14 @@ class MonoInitialiser {
   void take(const StartViews& adjusted);
 
   StartParallax parallax_;
-  std::size_t frames_to_least_ = 0;  ///< until the least parallax was there, 0 before
+  std::size_t frames_to_least_ = 0;  ///< frames until the least parallax, 0 before
   double median_depth_;
   CornerTracks tracks_;
   std::vector<StartFrame> frames_;
-  std::vector<std::vector<RayPair>> pairs_;        ///< of each frame after the first
-  std::vector<std::vector<std::size_t>> corners_;  ///< which corners those are
-  std::vector<Eigen::Vector2d> known_pixels_;      ///< px, of the first
-  std::vector<double> known_inverse_depth_;        ///< 1/m
+  std::vector<std::vector<RayPair>> pairs_;        ///< ray pairs of each frame after the first
+  std::vector<std::vector<std::size_t>> corners_;  ///< indices of the corners of pairs_
+  std::vector<Eigen::Vector2d> known_pixels_;      ///< px, in the first frame
+  std::vector<double> known_inverse_depth_;        ///< 1/m, at known_pixels_
 };
 
 }  // namespace vo

@@ -9,7 +9,7 @@
 
 namespace vo {
 
-/// Residual of one pair and its derivatives. The point is P = R ray + d t, up to its scale.
+/// The residual of one pair and its derivatives; the point is P = R ray + d t, up to its scale.
 struct PairTerms {
   Eigen::Vector2d r{0, 0};
   Eigen::Matrix<double, 2, 6> by_pose;  ///< left increment [translation; rotation]
@@ -33,16 +33,17 @@ inline PairTerms terms_of(const RayPair& pair, const SE3& T, double d) {
   return terms;
 }
 
-/// Cauchy's weight and loss.
+/// Returns Cauchy's weight of a squared residual.
 inline double cauchy_weight(double square, double scale) {
   return 1 / (1 + square / (scale * scale));
 }
 
+/// Returns Cauchy's loss of a squared residual.
 inline double cauchy_loss(double square, double scale) {
   return scale * scale * std::log1p(square / (scale * scale));
 }
 
-/// A pair behind the camera is as bad as this many scales.
+/// Returns a pair's loss; a point behind the camera counts as a residual of four scales.
 inline double pair_loss(const RayPair& pair, const SE3& T, double d, double scale) {
   constexpr double kBehind = 4;
   const PairTerms terms = terms_of(pair, T, d);

@@ -10,11 +10,11 @@ namespace {
 
 constexpr Eigen::Index kPose = 6;
 
-/// Normal equations of all poses and of each place's inverse depth.
+/// The normal equations of all poses and of each place's inverse depth.
 struct System {
   Eigen::MatrixXd H;
   Eigen::VectorXd b;
-  Eigen::MatrixXd coupling;  ///< a column for each place
+  Eigen::MatrixXd coupling;  ///< one column for each place
   Eigen::VectorXd H_depth;
   Eigen::VectorXd b_depth;
 };
@@ -47,7 +47,7 @@ System system_of(const StartViews& start, double scale) {
   return system;
 }
 
-/// Of all poses, damped; the last translation keeps its length.
+/// Returns the damped step of all poses; the last translation keeps its length.
 Eigen::VectorXd pose_step(const System& system, const SE3& T_last, double damping) {
   const Eigen::VectorXd inverse = system.H_depth.cwiseInverse();
   Eigen::MatrixXd H =
@@ -60,7 +60,7 @@ Eigen::VectorXd pose_step(const System& system, const SE3& T_last, double dampin
   return -H.ldlt().solve(b);
 }
 
-/// Everything moved by a step of the poses, at the scale that it had.
+/// Returns the start moved by a step of the poses, rescaled to the length of the last translation.
 StartViews moved(const StartViews& start, const System& system, const Eigen::VectorXd& step) {
   StartViews next = start;
   for (std::size_t f = 0; f < next.views.size(); ++f) {

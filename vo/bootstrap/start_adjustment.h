@@ -8,24 +8,24 @@
 
 namespace vo {
 
-/// What a frame sees of places that the first frame sees, too.
+/// The places of the first frame that another frame sees, and that frame's pose.
 struct StartView {
   SE3 T_frame_first;
   std::vector<RayPair> pairs;
-  std::vector<std::size_t> places;  ///< of each pair
+  std::vector<std::size_t> places;  ///< index of each pair's place
 };
 
-/// The start of a map: places by their inverse depths in the first frame, and other frames that see
-/// them.
+/// The start of a map: places by their inverse depths in the first frame, and the views of other
+/// frames that see them.
 struct StartViews {
   std::vector<StartView> views;
-  std::vector<double> inverse_depth;  ///< of each place
+  std::vector<double> inverse_depth;  ///< of each place, in the scale of the poses
 };
 
-/// Bundle adjustment (Triggs, McLauchlan, Hartley, Fitzgibbon 2000): poses and inverse depths
-/// together, Levenberg and Marquardt's steps with the depths eliminated place by place (Schur
-/// complement), Cauchy's loss. The length of the last view's translation is held: it is the scale.
-/// The first frame is where the places are defined, without an error of its own.
+/// Adjusts poses and inverse depths together by bundle adjustment (Triggs, McLauchlan, Hartley,
+/// Fitzgibbon 2000): Levenberg-Marquardt steps with the depths eliminated place by place (Schur
+/// complement) and Cauchy's loss. The length of the last view's translation is fixed, as it is the
+/// scale. The first frame defines the places, without an error of its own.
 void adjust(StartViews& start, double robust_scale);
 
 }  // namespace vo

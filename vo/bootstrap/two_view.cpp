@@ -22,7 +22,7 @@ double total_loss(const std::vector<RayPair>& pairs, const SE3& T, const std::ve
   return sum;
 }
 
-/// The normal equations of the pose, depths eliminated, and what gives their steps back.
+/// The normal equations of the pose, depths eliminated, and what gives the depths' steps.
 struct ReducedSystem {
   Matrix6d H = Matrix6d::Zero();
   Vector6d b = Vector6d::Zero();
@@ -55,7 +55,7 @@ ReducedSystem reduced_system(const std::vector<RayPair>& pairs, const SE3& T,
   return system;
 }
 
-/// The length of the translation is free: it stays what it is.
+/// Returns the step of the pose, keeping the length of the translation, which is undetermined.
 Vector6d pose_step(const ReducedSystem& system, const SE3& T, double damping) {
   Matrix6d H = system.H;
   Vector6d along = Vector6d::Zero();
@@ -92,7 +92,7 @@ MotionAndDepths moved(const std::vector<RayPair>& pairs, const MotionAndDepths& 
   return next;
 }
 
-/// From one motion; the loss it ends with.
+/// Refines a motion and its inverse depths; returns the loss at the end.
 double refine(const std::vector<RayPair>& pairs, double scale, int iterations,
               MotionAndDepths& start) {
   const auto step = [&](const MotionAndDepths& from, double damping) {
@@ -138,7 +138,7 @@ double triangulate(const RayPair& pair, const SE3& T_second_first) {
   constexpr double kFarthest = 1e-3;
   const Eigen::Vector3d a = T_second_first.rotation() * pair.first.homogeneous();
   const Eigen::Vector3d& t = T_second_first.translation();
-  // (a + d t) x second = 0, least squares over its first two components.
+  // Least squares of (a + d t) x second = 0 over its first two components.
   const Eigen::Vector2d at = a.head<2>() - pair.second * a.z();
   const Eigen::Vector2d slope = t.head<2>() - pair.second * t.z();
   const double norm2 = slope.squaredNorm();

@@ -8,7 +8,7 @@
 
 namespace vo {
 
-/// One place seen in two frames, as rays (X / Z, Y / Z).
+/// One place seen in two frames, as rays (X/Z, Y/Z).
 struct RayPair {
   Eigen::Vector2d first{0, 0};
   Eigen::Vector2d second{0, 0};
@@ -18,28 +18,29 @@ struct RayPair {
 /// it leaves: the parallax.
 struct RotationFit {
   SE3 T_second_first;
-  double parallax = 0;  ///< in units of rays; times the focal length, px
+  double parallax = 0;  ///< in ray coordinates; times the focal length it is in px
 };
 
 RotationFit fit_rotation(const std::vector<RayPair>& pairs);
 
-/// Motion and structure at once.
+/// The motion between two frames and the structure, fitted together.
 struct TwoViewFit {
-  SE3 T_second_first;                 ///< translation of unit length
+  SE3 T_second_first;                 ///< its translation has unit length
   std::vector<double> inverse_depth;  ///< of each pair in the first frame
   double residual = 0;                ///< median distance of projection and ray
   double in_front = 0;                ///< share of pairs with positive inverse depth
 };
 
-/// Gauss-Newton over pose and inverse depths together, the depths eliminated point by point (Schur
-/// complement), robust, from 26 directions of translation and the rotation given; the best of them.
+/// Fits pose and inverse depths together by robust Gauss-Newton, the depths eliminated point by
+/// point (Schur complement), from the rotation and each of 26 directions of translation; returns
+/// the best fit.
 TwoViewFit fit_two_views(const std::vector<RayPair>& pairs, const SE3& T_rotation,
                          double robust_scale);
 
-/// The inverse depth of a pair under a motion, by least squares along the epipolar line.
+/// Returns a pair's inverse depth under a motion, by least squares along the epipolar line.
 double triangulate(const RayPair& pair, const SE3& T_second_first);
 
-/// The pose that agrees best with places of known inverse depth, robust, from a guess.
+/// Fits the pose to places of known inverse depth, robustly, from a guess.
 SE3 fit_pose(const std::vector<RayPair>& pairs, const std::vector<double>& inverse_depth,
              const SE3& T_second_first_guess, double robust_scale);
 

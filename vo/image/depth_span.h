@@ -15,11 +15,11 @@ struct DepthSpan {
   float farthest;
 };
 
-/// Of the pixels at most `radius` away in u and in v. The pixel itself must have depth.
+/// Returns the span of depths up to `radius` px away in u and v. The pixel itself must have depth.
 DepthSpan depth_span(const DepthImage& depth, cv::Point pixel, int radius);
 
-/// The same at a radius of 1, for a pixel that has four columns around it, one to its left and two
-/// to its right, and a row above and below.
+/// Returns the span of the depths at most 1 px away, for a pixel with one column to its left, two
+/// to its right, and a row above and below. The pixel itself must have depth.
 inline DepthSpan span_of_neighbours(const float* centre, std::ptrdiff_t stride) {
   using Quad = float __attribute__((vector_size(16)));
   const Quad none = {};

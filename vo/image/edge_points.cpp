@@ -27,7 +27,7 @@ UsableDepth usable_depth(const EdgePointOptions& options) {
           options.discontinuity_radius, static_cast<float>(options.discontinuity_ratio)};
 }
 
-/// As many pixels with depth as the mask has, anywhere in the image.
+/// Returns a mask of as many pixels as `mask` has with depth in range, anywhere such depth is.
 EdgeMask random_mask(const DepthImage& depth, const EdgeMask& mask,
                      const EdgePointOptions& options) {
   const UsableDepth usable = usable_depth(options);

@@ -13,11 +13,11 @@
 
 namespace vo {
 
-/// Whose edges choose the pixels of the reference that are aligned.
+/// The image whose edges choose the pixels of the reference that are aligned.
 enum class EdgeSource {
-  current,    ///< the paper: edges of the new image, at the same pixels of the reference
+  current,    ///< the edges of the new image, at the same pixels of the reference, as in the paper
   reference,  ///< the reference's own edges
-  both,       ///< the union
+  both,       ///< the union of both images' edges
 };
 
 constexpr auto enum_names(EdgeSource) {
@@ -26,10 +26,11 @@ constexpr auto enum_names(EdgeSource) {
                     std::pair{EdgeSource::both, "both"}};
 }
 
-/// Which pixels are aligned; other than edges only to show what edges are worth.
+/// The choice of the pixels that are aligned. Other choices than edges are there for comparison
+/// only.
 enum class PointSelection {
   edges,   ///< edge pixels
-  random,  ///< as many pixels, anywhere
+  random,  ///< as many pixels as there are edge pixels, at random places
   all,     ///< every pixel: dense alignment
 };
 
@@ -42,18 +43,18 @@ constexpr auto enum_names(PointSelection) {
 struct EdgePointOptions {
   EdgeSource source = EdgeSource::reference;
   PointSelection selection = PointSelection::edges;
-  double fraction = 1;       ///< of the selected pixels, chosen at random
-  std::uint64_t seed = 0;    ///< of what is chosen at random
-  int max_points = 0;        ///< on the finest level, spread evenly; 0 is no limit
-  double coarser_share = 1;  ///< of the limit, with each coarser level
-  double min_depth = 0.1;    ///< m
-  double max_depth = 10;     ///< m
+  double fraction = 1;       ///< share of the selected pixels that is kept, at random
+  std::uint64_t seed = 0;    ///< seed of the pseudo-random choices
+  int max_points = 0;        ///< most points on the finest level, chosen at random; 0 is no limit
+  double coarser_share = 1;  ///< factor of max_points from each level to the next coarser one
+  double min_depth = 0.1;    ///< m; nearer pixels are not used
+  double max_depth = 10;     ///< m; farther pixels are not used
   int discontinuity_radius =
       0;  ///< px; points this near to a depth step are left out; 0 keeps them
-  double discontinuity_ratio = 1.05;  ///< of depths beside each other that are a step
+  double discontinuity_ratio = 1.05;  ///< ratio of nearby depths that makes a step
 
-  EdgePointOptions at_level(std::size_t level) const;  ///< with that level's limit and radius
-  void validate() const;                               ///< throws Error
+  EdgePointOptions at_level(std::size_t level) const;  ///< the options for that pyramid level
+  void validate() const;                               ///< throws Error if an option is invalid
 };
 
 template <typename Visitor>
@@ -74,18 +75,18 @@ void visit_fields(Visitor& visit, EdgePointOptions& options) {
 /// The chosen pixels of one pyramid level, one element per point in each array, in scan order.
 struct EdgePointLevel {
   std::vector<float> x_ref;        ///< m, in the reference camera's frame
-  std::vector<float> y_ref;        ///< m
-  std::vector<float> z_ref;        ///< m
-  std::vector<float> intensity;    ///< 0..1, of the reference
+  std::vector<float> y_ref;        ///< m, in the reference camera's frame
+  std::vector<float> z_ref;        ///< m, in the reference camera's frame
+  std::vector<float> intensity;    ///< intensity of the reference image, 0..1
   std::vector<float> dI_dx;        ///< derivative of the intensity by x_ref, 1/m
-  std::vector<float> dI_dy;        ///< by y_ref, 1/m
-  std::vector<float> dI_dz;        ///< by z_ref, 1/m
+  std::vector<float> dI_dy;        ///< derivative of the intensity by y_ref, 1/m
+  std::vector<float> dI_dz;        ///< derivative of the intensity by z_ref, 1/m
   std::vector<float> depth_sigma;  ///< standard deviation of z_ref, m
-  std::vector<cv::Point> pixel;    ///< px, where in the reference
+  std::vector<cv::Point> pixel;    ///< px, position in the reference image
 
   std::size_t size() const { return x_ref.size(); }
   void resize(std::size_t count);
-  void keep(const std::vector<std::size_t>& indices);  ///< ascending
+  void keep(const std::vector<std::size_t>& indices);  ///< keeps these; indices must ascend
 
   static constexpr std::size_t kFloatsPerPoint = 8;
 
@@ -93,34 +94,35 @@ struct EdgePointLevel {
   std::array<std::vector<float>*, kFloatsPerPoint> values();
 };
 
-/// What a reference frame is to the tracker. A depth sensor and a monocular depth map both make
-/// one, so the tracker cannot tell which it was. levels[0] is the finest.
+/// The points of a reference frame at all pyramid levels; levels[0] is the finest. A depth sensor
+/// and a monocular depth map both make such points, so the tracker does not depend on the sensor.
 struct EdgePoints {
   std::vector<EdgePointLevel> levels;
 };
 
 std::size_t memory_bytes(const EdgePoints& points);
 
-/// Standard deviation of a Kinect's depth (Khoshelham & Elberink 2012 and Nguyen, Izadi, Lovell
-/// 2012 agree in form), m.
+/// Returns the standard deviation of a Kinect's depth measurement, m (Khoshelham & Elberink 2012
+/// and Nguyen, Izadi, Lovell 2012 agree in form).
 inline float structured_light_sigma(float depth) {
   const float beyond = depth - 0.4F;
   return 0.0012F + 0.0019F * beyond * beyond;
 }
 
-/// A pixel and what is known of its depth.
+/// A pixel with its depth and that depth's standard deviation.
 struct PixelDepth {
   cv::Point pixel;  ///< px
   float z;          ///< m
-  float sigma;      ///< standard deviation, m
+  float sigma;      ///< m, standard deviation of z
 };
 
-/// What a level shows at pixels of known depth, in their order; `points` are overwritten.
+/// Fills `points` with the positions, intensities and gradients at pixels of known depth, in the
+/// order of `pixels`. Earlier contents of `points` are overwritten.
 void show_points(const PyramidLevel& level, std::span<const PixelDepth> pixels, InstructionSet set,
                  EdgePointLevel& points);
 
-/// Which of a level's `count` candidates the options' fraction and limit leave: those whose rank in
-/// a pseudo-random order of the pixels is low enough.
+/// Decides which of a level's `count` candidates the options' fraction and limit leave: those whose
+/// rank in a pseudo-random order of the pixels is low enough.
 class Thinning {
  public:
   Thinning(const EdgePointOptions& options, std::size_t count, int width);
@@ -131,25 +133,25 @@ class Thinning {
   }
 
  private:
-  static constexpr unsigned kUnusedBits = 11;  ///< a double holds the others
+  static constexpr unsigned kUnusedBits = 11;  ///< a double holds the other 53 bits exactly
   static constexpr double kRanks = 0x1p53;
 
   std::uint64_t key_;
-  std::uint64_t width_;  ///< px, of the level
+  std::uint64_t width_;  ///< px, width of the level
   std::uint64_t ranks_kept_;
 };
 
-/// Whether at least `wanted` of a level's own edge pixels have depth in the options' range.
+/// Returns whether at least `wanted` of a level's own edge pixels have depth in the options' range.
 bool has_edge_pixels_with_depth(const PyramidLevel& level, std::size_t wanted,
                                 const EdgePointOptions& options);
 
-/// Chooses the points of one frame after the other in the same memory.
+/// Chooses the points of one frame after the other, reusing its memory.
 class EdgePointFinder {
  public:
   explicit EdgePointFinder(EdgePointOptions options) : options_(options) {}
 
-  /// The pixels of `reference` that lie on an edge of the chosen source and have depth. Both
-  /// pyramids have edges, the same cameras and the same number of levels. `points` are overwritten.
+  /// Finds the pixels of `reference` with depth on an edge of the chosen source, overwriting
+  /// `points`. Both pyramids must have edges, the same cameras and the same number of levels.
   void find(const FramePyramid& reference, const FramePyramid& current, EdgePoints& points);
 
  private:
@@ -161,7 +163,7 @@ class EdgePointFinder {
   std::vector<PixelDepth> depths_;
 };
 
-/// The same for a single frame.
+/// Chooses the points of a single frame as EdgePointFinder does.
 EdgePoints edge_points(const FramePyramid& reference, const FramePyramid& current,
                        const EdgePointOptions& options);
 

@@ -13,11 +13,11 @@ constexpr std::size_t kPointsPerBlock = 64;  // points
 
 using BlockRow = std::array<float, kPointsPerBlock>;
 
-/// What is read at the pixels of some points, and the points themselves.
+/// The values read at some points' pixels and the points computed from them.
 struct alignas(64) Block {
-  BlockRow ray_x, ray_y, z, sigma;             // X / Z, Y / Z; m
-  BlockRow intensity, twice_du, twice_dv;      // of the neighbours on both sides, their difference
-  BlockRow dx_dx, dx_dy, dy_dy;                // what the lens does to image coordinates
+  BlockRow ray_x, ray_y, z, sigma;             // X/Z, Y/Z; m
+  BlockRow intensity, twice_du, twice_dv;      // intensity; differences over two pixels
+  BlockRow dx_dx, dx_dy, dy_dy;                // derivatives of the lens distortion
   BlockRow x_ref, y_ref, dI_dx, dI_dy, dI_dz;  // m, 1/m
 };
 
@@ -50,12 +50,13 @@ EDVO_INLINE void distort_block(const Distortion& lens, const Distort& distort, B
   }
 }
 
-/// The derivatives of `distort` at the pixels' rays.
+/// Computes the derivatives of the lens distortion at the pixels' rays.
 EDVO_INLINE void apply_lens(const Distortion& lens, Block& block) {
   dispatch_lens(lens, [&](const auto& distort) { distort_block(lens, distort, block); });
 }
 
-/// The intensity's derivative by the image coordinates (X / Z, Y / Z) gives that by the point.
+/// Computes the points' positions and, from the intensity's derivative by the image coordinates
+/// (X/Z, Y/Z), its derivative by the position.
 EDVO_INLINE void place(const PinholeCamera& camera, Block& block) {
   const auto fx = static_cast<float>(camera.fx);
   const auto fy = static_cast<float>(camera.fy);

@@ -33,7 +33,7 @@ EDVO_INLINE void put_holes_far(const float* depth, std::size_t count, float* __r
   }
 }
 
-/// At most 64 pixels of `halve_depth`, in steps that are vectorized each.
+/// Computes at most 64 pixels of `halve_depth`, in loops that the compiler vectorizes one by one.
 EDVO_INLINE void merge_block(const float* upper, const float* lower, std::size_t count,
                              float* __restrict merged) {
   std::array<float, 2 * kPixelsPerBlock> upper_far;

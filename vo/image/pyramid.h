@@ -12,7 +12,7 @@
 
 namespace vo {
 
-/// What becomes of the principal point when the image is halved.
+/// The rule that gives the principal point of a halved image.
 enum class HalvedPrincipalPoint {
   centred,  ///< (c + 0.5) / 2 - 0.5: pixel centres at integers
   plain,    ///< c / 2, as the paper's authors do
@@ -23,7 +23,7 @@ constexpr auto enum_names(HalvedPrincipalPoint) {
                     std::pair{HalvedPrincipalPoint::plain, "plain"}};
 }
 
-/// How depth is halved.
+/// The method of halving a depth image.
 enum class HalvedDepth {
   surfaces,  ///< `halve_depth`: never across a hole or a step
   cubic,     ///< cubic interpolation, holes as zeros, as the paper's authors do
@@ -35,11 +35,11 @@ constexpr auto enum_names(HalvedDepth) {
 }
 
 struct PyramidOptions {
-  int levels = 3;  ///< the paper's; each level has half the size of the one before
+  int levels = 3;  ///< number of levels, each half the size of the next finer; 3 as in the paper
   HalvedPrincipalPoint principal_point = HalvedPrincipalPoint::centred;
   HalvedDepth depth = HalvedDepth::surfaces;
 
-  void validate() const;  ///< throws Error
+  void validate() const;  ///< throws Error if an option is invalid
 };
 
 template <typename Visitor>
@@ -49,14 +49,14 @@ void visit_fields(Visitor& visit, PyramidOptions& options) {
   visit("depth", options.depth, "how depth is halved");
 }
 
-/// What does not change from frame to frame at one level.
+/// The camera of one level and the ray of each pixel, which do not change from frame to frame.
 struct CameraLevel {
   PinholeCamera camera;
   RayImage rays;
 };
 
-/// The levels of a camera: intrinsics shifted by half a pixel, the ray of every pixel with the lens
-/// taken out. Fewer levels where the image would become smaller than 20 px.
+/// Returns the camera at each level with the ray of every pixel, lens distortion removed. There are
+/// fewer levels than asked for if the image would become smaller than 20 px.
 std::vector<CameraLevel> camera_levels(const PinholeCamera& camera, const PyramidOptions& options);
 
 struct PyramidLevel {
@@ -71,7 +71,7 @@ struct PyramidLevel {
 struct FramePyramid {
   double timestamp = 0;  ///< s
   std::vector<PyramidLevel> levels;
-  Vignette vignette;  ///< taken out of the intensities
+  Vignette vignette;  ///< vignette that has been removed from the intensities
 };
 
 /// Builds the pyramids of a camera's frames, one after the other in the same memory.
@@ -79,8 +79,8 @@ class PyramidBuilder {
  public:
   PyramidBuilder(const PinholeCamera& camera, const PyramidOptions& options);
 
-  /// Intensity by 2x2 means, the vignette taken out of it; depth as the options say. No edges. What
-  /// `pyramid` was before is forgotten; its images' memory is used where nobody else holds it.
+  /// Builds `pyramid` without edges: intensity by 2x2 means, the vignette removed; depth halved as
+  /// the options say. Its images' memory is reused if nobody else holds it.
   void build(const RgbdFrame& frame, const Vignette& vignette, FramePyramid& pyramid);
 
  private:
@@ -88,31 +88,31 @@ class PyramidBuilder {
 
   PyramidOptions options_;
   std::vector<CameraLevel> levels_;
-  ByteImage luma_;  ///< of the frame
+  ByteImage luma_;  ///< the frame's luma
 };
 
-/// The pyramid of a single frame.
+/// Builds the pyramid of a single frame.
 FramePyramid build_pyramid(const RgbdFrame& frame, const PinholeCamera& camera,
                            const PyramidOptions& options);
 
-/// Edges of each level's own intensity, with thresholds of its own.
+/// Detects the edges of each level's own intensity, with thresholds chosen for that level.
 void add_edges(FramePyramid& pyramid, EdgeFinder& finder);
 
-/// The same for a single frame.
+/// Detects the edges of a single frame's pyramid with an EdgeFinder of these options.
 void add_edges(FramePyramid& pyramid, const EdgeOptions& options);
 
-/// Bytes of the images that are this frame's own; the rays belong to the camera.
+/// Returns the bytes of the images that are this frame's own; the rays belong to the camera.
 std::size_t memory_bytes(const FramePyramid& pyramid);
 
-/// Half the size, each pixel the mean of four. An odd last row or column is left out. The memory of
-/// `half` is used if nobody else holds it.
+/// Halves an image: each pixel is the mean of four, an odd last row or column is left out. The
+/// memory of `half` is reused if nobody else holds it.
 void halve(const GrayImage& image, GrayImage& half);
 
-/// Half the size without a depth that nobody measured: the mean of the four inverse depths where
-/// all are there and within 5 %, else the nearest (foreground) of those that are there, else none.
+/// Halves a depth image without inventing depths: the mean of the four inverse depths where all are
+/// measured and within 5 %, else the nearest (foreground) measured depth, else none.
 void halve_depth(const DepthImage& depth, DepthImage& half);
 
-/// (I(u+1) - I(u-1)) / 2 and likewise in v, intensity per px; 0 on the border.
+/// Returns half the differences of the neighbours in u and in v, intensity per px; 0 on the border.
 cv::Vec2f central_gradient(const GrayImage& image, cv::Point pixel);
 
 }  // namespace vo

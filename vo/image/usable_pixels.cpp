@@ -6,7 +6,7 @@
 namespace vo {
 namespace {
 
-/// Whether measured depths near a pixel differ by more than the ratio.
+/// Tests whether measured depths near a pixel differ by more than the ratio.
 class StepDetector {
  public:
   StepDetector(const DepthImage& depth, const UsableDepth& usable)
@@ -29,12 +29,12 @@ class StepDetector {
   const DepthImage& depth_;
   std::ptrdiff_t stride_;
   UsableDepth usable_;
-  cv::Rect simple_;  ///< px, away from the border
+  cv::Rect simple_;  ///< px, pixels with the neighbours that span_of_neighbours reads
 };
 
-/// Edge pixels are too far apart for the processor to guess which depths are read next.
+/// Prefetches a row of depths, because edge pixels are too far apart for the processor to do so.
 void prefetch(const DepthImage& depth, int v) {
-  constexpr int kPixelsPerLine = 16;  // of the cache
+  constexpr int kPixelsPerLine = 16;  // pixels in a cache line
   for (int u = 0; u < depth.cols && v < depth.rows; u += kPixelsPerLine) {
     __builtin_prefetch(depth[v] + u);
   }

@@ -12,12 +12,12 @@ double inverse_square_of_half_diagonal(const PinholeCamera& camera) {
   return 4 / (diagonal * diagonal);
 }
 
-/// What the intensities of one row are multiplied by: that of `now` over that of `before`. For
-/// none before the quotient is that of `now` to the bit.
+/// The factors of one row's intensities: the gain of `now` over that of `before`. With no vignette
+/// before, the factors are exactly the gains of `now`.
 struct RowGains {
   float cx;              ///< px
-  float dv2;             ///< px^2, of the row from the principal point
-  float inverse_square;  ///< of half the diagonal, 1/px^2
+  float dv2;             ///< px^2, squared distance of the row from the principal point
+  float inverse_square;  ///< 1 / (half the diagonal)^2, 1/px^2
   Eigen::Vector2f now;
   Eigen::Vector2f before;
 

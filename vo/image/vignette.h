@@ -7,8 +7,8 @@
 
 namespace vo {
 
-/// How much darker a lens makes an image towards its corners. Intensities of the scene are those of
-/// the image times 1 + c_0 rho^2 + c_1 rho^4, rho = distance from the principal point, 1 at half
+/// A lens's darkening of an image towards its corners. The scene's intensities are the image's
+/// times 1 + c_0 rho^2 + c_1 rho^4, where rho is the distance from the principal point, 1 at half
 /// the diagonal. Goldman, "Vignette and Exposure Calibration and Compensation" (PAMI 2010) has the
 /// inverse of such a polynomial.
 struct Vignette {
@@ -18,12 +18,12 @@ struct Vignette {
   bool operator==(const Vignette& other) const { return coefficients == other.coefficients; }
 };
 
-/// What the coefficients are factors of.
+/// Computes the powers of rho that the coefficients of a camera's vignette multiply.
 class VignetteTerms {
  public:
   explicit VignetteTerms(const PinholeCamera& camera);
 
-  /// (rho^2, rho^4)
+  /// Returns (rho^2, rho^4) at a pixel.
   Eigen::Vector2d at(double u, double v) const {
     const double du = u - cx_;
     const double dv = v - cy_;
@@ -33,11 +33,11 @@ class VignetteTerms {
 
  private:
   double cx_, cy_;         ///< px
-  double inverse_square_;  ///< of half the diagonal, 1/px^2
+  double inverse_square_;  ///< 1 / (half the diagonal)^2, 1/px^2
 };
 
-/// Makes an image of this camera, which another vignette was taken out of before, what it would be
-/// without this one.
+/// Removes `vignette` from an image of this camera that `before` had been removed from: the result
+/// is as if only `vignette` had ever been removed.
 void take_out(const Vignette& vignette, const PinholeCamera& camera, const Vignette& before,
               GrayImage& image);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMaxReach = 5;  // px along the chain to either side
 
-/// Neighbours along the edge of which something is known.
+/// The trusted neighbours of a pixel along its edge.
 struct ChainNeighbours {
   std::array<std::size_t, 2 * kMaxReach> indices{};
   std::size_t count = 0;
@@ -38,7 +38,7 @@ bool agree(const Hypotheses& hypotheses, std::size_t i, std::size_t j, float sig
          sigmas * sigmas * (hypotheses.variance[i] + hypotheses.variance[j]);
 }
 
-/// Weighted sums of a line's fit: of inverse depths over distances along the edge.
+/// The weighted sums of a line fit of inverse depths over distances along the edge.
 struct LineSums {
   float weight = 0;
   float distance = 0;
@@ -55,13 +55,13 @@ struct LineSums {
   }
 };
 
-/// The image of a straight edge has inverse depths that change linearly along it: a line is fitted
-/// through the neighbours that agree and taken at the hypothesis itself. A steep one is unlikely
-/// beforehand. Errors of neighbours are alike, by aliasing, so not all of them averages away.
+/// Smooths one inverse depth. Along the image of a straight edge inverse depths change linearly, so
+/// a line is fitted through the neighbours that agree and taken at the hypothesis itself. A prior
+/// makes steep lines unlikely. As aliasing gives neighbours similar errors, not all averages out.
 void smooth_along_chain(const std::vector<float>& weights, std::size_t i, Hypotheses& hypotheses) {
-  constexpr float kSlope = 0.004F;  // relative per px, standard deviation
+  constexpr float kSlope = 0.004F;  // relative per px, prior standard deviation of the slope
   constexpr float kAgree = 3;       // standard deviations
-  constexpr float kAlike = 0.4F;    // share of the variance
+  constexpr float kAlike = 0.4F;    // share of the variance that neighbours have in common
   const float d = hypotheses.inverse_depth[i];
   const float variance = hypotheses.variance[i];
   const float slope_variance = kSlope * kSlope * d * d;
@@ -90,7 +90,7 @@ void smooth_along_chain(const std::vector<float>& weights, std::size_t i, Hypoth
 
 bool is_lonely(const Hypotheses& hypotheses, std::size_t i) {
   constexpr std::size_t kWitnesses = 3;
-  constexpr float kFar = 0.05F;  // relative
+  constexpr float kFar = 0.05F;  // share of the inverse depth
   constexpr int kReach = 2;      // px
   const ChainNeighbours neighbours = neighbours_of(hypotheses, i, kReach);
   if (neighbours.count < kWitnesses) {
@@ -108,7 +108,7 @@ bool is_lonely(const Hypotheses& hypotheses, std::size_t i) {
   return true;
 }
 
-/// Mean inverse depth of known pixels in 5x5 where at least two agree; 0 where not.
+/// Returns the mean inverse depth of confident pixels in 5x5 if at least two and all agree, else 0.
 float mean_around(const Hypotheses& hypotheses, cv::Point pixel, double confident_sigma) {
   constexpr int kRadius = 2;
   constexpr float kSpread = 1.1F;

@@ -14,14 +14,15 @@
 namespace vo {
 namespace {
 
-/// Depth of an edge pixel in a depth image, m, and its relative standard deviation.
+/// The depth of an edge pixel in a depth image, m, and its relative standard deviation.
 struct EdgeDepth {
   float depth = 0;
   float relative_sigma = 0;
 };
 
-/// At a step the edge is mostly the near surface's, whichever of the two its pixel lies on; but
-/// texture of the far one ends there, too. 0 where the pixel has no depth.
+/// Returns the depth of an edge pixel. At a step the edge is mostly the near surface's, whichever
+/// of the two its pixel lies on; but texture of the far one ends there, too. The depth is 0 where
+/// the pixel has none.
 EdgeDepth depth_of_edge(const DepthImage& depth, cv::Point pixel, float relative_sigma) {
   constexpr float kStep = 1.05F;
   if (!has_depth(depth(pixel))) {
@@ -79,7 +80,7 @@ bool DepthMap::needs_new_host(const FramePyramid& current, const SE3& T_cur_host
 
 bool DepthMap::view_has_changed(const FramePyramid& current, const SE3& T_cur_host) const {
   const HostOptions& options = options_.host;
-  constexpr std::size_t kStride = 8;  // a share of the edges tells
+  constexpr std::size_t kStride = 8;  // every eighth edge is enough
   const StereoPair pair(host_.levels.front(), current.levels.front(), {T_cur_host});
   double asked = 0;
   double seen = 0;
@@ -201,7 +202,7 @@ PropagationCounts DepthMap::propagate(const FramePyramid& current, const FrameRe
 }
 
 void DepthMap::look_back(FramePyramid last_host, const FrameRelation& relation) {
-  constexpr std::size_t kMostPast = 20;  // where the camera stands still
+  constexpr std::size_t kMostPast = 20;  // limit for a camera that stands still
   const SE3 T_last_host = relation.T_cur_host.inverse();
   for (PastHost& past : past_hosts_) {
     past.T_past_host = past.T_past_host * T_last_host;

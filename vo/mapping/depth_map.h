@@ -15,7 +15,7 @@
 
 namespace vo {
 
-/// How many edges were looked for in a frame, by outcome.
+/// The number of edges that were looked for in a frame, by outcome.
 struct ObservationCounts {
   std::size_t found = 0;
   std::size_t inconsistent = 0;  ///< found, but not where the depth was expected
@@ -25,25 +25,25 @@ struct ObservationCounts {
   std::size_t no_match = 0;
 };
 
-/// Told of each observation before it is fused; for tests and diagnostics.
+/// Called with each observation before it is fused; for tests and diagnostics.
 using ObservationListener = std::function<void(std::size_t hypothesis, const Observation&)>;
 
-/// Inverse depths of the edge pixels of one frame, the host, with their uncertainty. It is kept
-/// (`observe` with each frame) and carried from host to host (`propagate`).
+/// The inverse depths of one frame's edge pixels with their uncertainty. That frame is the host; it
+/// is kept (`observe` with each frame) until the map is carried to a new one (`propagate`).
 ///
-/// Nothing here knows metres: scale is whatever the first depths and the poses have.
+/// The scale is that of the first depths and the poses; metres are nominal.
 class DepthMap {
  public:
   explicit DepthMap(const DepthMapOptions& options);
 
-  /// A new host, with edges, of which nothing is known but a guess of the depth, m.
+  /// Starts at a new host, with edges, whose depths are unknown but for a guess, m.
   void start(const FramePyramid& host, double guessed_depth);
 
-  /// Depths of a dense depth image of the host's size with a relative standard deviation; where
-  /// it has none, nothing is known.
+  /// Sets the depths from a dense depth image of the host's size with a relative standard
+  /// deviation; edge pixels where it has none are left as they are.
   void take_depth(const DepthImage& depth, double relative_sigma);
 
-  /// Random guesses between the options' limits, uniform in inverse depth.
+  /// Sets random guesses between the options' limits, uniform in inverse depth.
   void guess_random(std::uint64_t seed);
 
   ObservationCounts observe(const FramePyramid& current, const FrameRelation& relation,
@@ -52,22 +52,22 @@ class DepthMap {
   /// Smooths along the edges and forgets what disagrees with its neighbours.
   void regularise();
 
-  /// Makes the current frame, with edges, the host. Where every frame becomes one, its edges are
-  /// looked for in the earliest that still shows the same, too: from frame to frame there is hardly
-  /// any parallax.
+  /// Makes the current frame, with edges, the host. Where every frame becomes the host, its edges
+  /// are also looked for in the earliest past host of a similar view, because there is hardly any
+  /// parallax from frame to frame.
   PropagationCounts propagate(const FramePyramid& current, const FrameRelation& relation);
 
-  /// Whether it is time for a new host, as the options say.
+  /// Returns whether it is time for a new host, as the options say.
   bool needs_new_host(const FramePyramid& current, const SE3& T_cur_host) const;
 
-  /// As the tracker takes it: what is known with confidence, and guesses where they are wanted.
+  /// Returns the confident depths, and guesses if they are included, as the tracker's points.
   EdgePoints points(const EdgePointOptions& options, Guesses guesses = Guesses::left_out) const;
 
   bool empty() const { return host_.levels.empty(); }
   const FramePyramid& host() const { return host_; }
   const Hypotheses& hypotheses() const { return hypotheses_; }
   const DepthMapOptions& options() const { return options_; }
-  std::size_t confident() const;  ///< how many hypotheses are
+  std::size_t confident() const;  ///< number of confident hypotheses
 
  private:
   SearchTarget target(std::size_t i) const;
@@ -83,9 +83,9 @@ class DepthMap {
 
   DepthMapOptions options_;
   FramePyramid host_;
-  std::deque<PastHost> past_hosts_;  ///< oldest first; where every frame becomes an host
+  std::deque<PastHost> past_hosts_;  ///< oldest first; only where every frame becomes the host
   Hypotheses hypotheses_;
-  PointCells cells_;  ///< of the host, for the tracker's points
+  PointCells cells_;  ///< cells of the host for the tracker's points
   int frames_since_host_ = 0;
 };
 

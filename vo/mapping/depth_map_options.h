@@ -6,10 +6,10 @@
 
 namespace vo {
 
-/// When hypotheses move to a new host.
+/// The policy that decides when hypotheses move to a new host.
 enum class PropagationPolicy {
-  keyframe,  ///< when the view has changed enough; between them the host stays
-  always,    ///< every frame, "at each new time step" as the paper has it
+  keyframe,  ///< when the view has changed enough; until then the host stays
+  always,    ///< at every frame, "at each new time step" as the paper has it
 };
 
 constexpr auto enum_names(PropagationPolicy) {
@@ -17,9 +17,9 @@ constexpr auto enum_names(PropagationPolicy) {
                     std::pair{PropagationPolicy::always, "always"}};
 }
 
-/// How an observation changes a hypothesis.
+/// The method by which an observation changes a hypothesis.
 enum class Fusion {
-  gaussian,       ///< product of two normal distributions, inconsistent ones refused
+  gaussian,       ///< normal distributions; inconsistent observations are refused
   gaussian_beta,  ///< Vogiatzis & Hernandez, "Video-based, real-time multi-view stereo", 2011
 };
 
@@ -30,7 +30,7 @@ constexpr auto enum_names(Fusion) {
 
 enum class Regularisation {
   none,
-  chains,  ///< neighbours along the edge that agree
+  chains,  ///< smoothing along the edge with neighbours that agree
 };
 
 constexpr auto enum_names(Regularisation) {
@@ -38,22 +38,22 @@ constexpr auto enum_names(Regularisation) {
                     std::pair{Regularisation::chains, "chains"}};
 }
 
-/// How an edge is looked for along its epipolar line, and what the match is worth.
+/// The search for an edge along its epipolar line and the noise that gives a match its variance.
 struct EpipolarOptions {
   double search_sigmas = 2;       ///< half the searched interval, standard deviations
-  double max_search_px = 60;      ///< of a line
-  double min_parallax_px = 0.3;   ///< at the expected depth; less tells nothing
-  double min_gradient = 2;        ///< along the line, grey levels per 2 px
-  double min_cos2 = 0.3;          ///< of the angle between gradient and line
-  double max_scale_change = 1.5;  ///< of the neighbourhood from frame to frame, either way
+  double max_search_px = 60;      ///< px, longest line that is searched
+  double min_parallax_px = 0.3;   ///< px, least parallax at the expected depth
+  double min_gradient = 2;        ///< least gradient along the line, grey levels per 2 px
+  double min_cos2 = 0.3;          ///< least squared cosine of gradient and line
+  double max_scale_change = 1.5;  ///< most scale change of the neighbourhood, either way
   double max_residual = 16;       ///< grey levels, RMS of five samples; more is no match
-  double ambiguity = 1.5;         ///< second best over best squared difference, on longer lines
-  double sigma_offset_px = 0.15;  ///< of the edge in the host, the same for all frames
-  double sigma_line_px = 0.11;    ///< of the line's position across itself
-  double sigma_match_px = 0.11;   ///< of the match along the line
-  double sigma_grey = 2;          ///< grey levels, of an intensity
+  double ambiguity = 1.5;         ///< least second best over best squared difference, long lines
+  double sigma_offset_px = 0.15;  ///< px, sigma of the edge in the host, common to all frames
+  double sigma_line_px = 0.11;    ///< px, sigma of the line's position across itself
+  double sigma_match_px = 0.11;   ///< px, sigma of the match along the line
+  double sigma_grey = 2;          ///< grey levels, sigma of an intensity
 
-  void validate() const;  ///< throws Error
+  void validate() const;  ///< throws Error if an option is invalid
 };
 
 template <typename Visitor>
@@ -73,13 +73,13 @@ void visit_fields(Visitor& visit, EpipolarOptions& options) {
   visit("sigma_grey", options.sigma_grey, "of an intensity, grey levels");
 }
 
-/// When the view has changed so much that the next frame becomes the host.
+/// The change of the view at which the next frame becomes the host.
 struct HostOptions {
-  int every = 0;             ///< frames; 0 is by view alone
-  double max_flow = 0.06;    ///< mean displacement of the edges, image widths
-  double min_overlap = 0.7;  ///< share of the edges in view
+  int every = 0;             ///< frames from host to host; 0 is by view alone
+  double max_flow = 0.06;    ///< most mean displacement of the edges, image widths
+  double min_overlap = 0.7;  ///< least share of the edges in view
 
-  void validate() const;  ///< throws Error
+  void validate() const;  ///< throws Error if an option is invalid
 };
 
 template <typename Visitor>
@@ -93,20 +93,20 @@ struct DepthMapOptions {
   PropagationPolicy propagate = PropagationPolicy::keyframe;
   Fusion fusion = Fusion::gaussian;
   Regularisation regularise = Regularisation::chains;
-  int max_hypotheses = 8000;         ///< per host, spread evenly; 0 is no limit
-  double min_depth = 0.25;           ///< m, where nothing is known yet
-  double max_depth = 20;             ///< m
-  double gate_sigmas = 3;            ///< an observation farther off is refused
-  double min_sigma = 0.001;          ///< of an inverse depth, relative: what no averaging removes
-  double propagation_sigma = 0.002;  ///< relative, added when the host changes
-  double confident_sigma = 0.1;      ///< relative; a hypothesis below it is used for tracking
-  int max_failures = 3;              ///< more failed than successful observations: deleted
-  double fill_sigma = 0.05;          ///< relative, of an edge pixel filled from its neighbours
-  std::uint64_t seed = 0;            ///< of which edge pixels the limit leaves
+  int max_hypotheses = 8000;         ///< most hypotheses per host, spread evenly; 0 is no limit
+  double min_depth = 0.25;           ///< m, nearest depth searched where nothing is known
+  double max_depth = 20;             ///< m, farthest depth searched where nothing is known
+  double gate_sigmas = 3;            ///< standard deviations; a farther observation is refused
+  double min_sigma = 0.001;          ///< least relative sigma of an inverse depth
+  double propagation_sigma = 0.002;  ///< relative sigma added when the host changes
+  double confident_sigma = 0.1;      ///< relative; hypotheses up to it are used for tracking
+  int max_failures = 3;              ///< surplus of failures over successes that deletes
+  double fill_sigma = 0.05;          ///< relative sigma of a pixel filled from its neighbours
+  std::uint64_t seed = 0;            ///< seed of the choice of edge pixels under the limit
   HostOptions host;
   EpipolarOptions epipolar;
 
-  void validate() const;  ///< throws Error
+  void validate() const;  ///< throws Error if an option is invalid
 };
 
 template <typename Visitor>

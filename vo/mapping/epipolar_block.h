@@ -8,15 +8,15 @@
 #include "vo/mapping/epipolar_search.h"
 #include "vo/mapping/lane_image.h"
 
-/// What epipolar_search.cpp does with 32 edges at a time, inlined into it once per instruction set.
+/// The steps of epipolar_search.cpp for 32 edges at a time, inlined once per instruction set.
 namespace vo::detail {
 
 inline constexpr std::size_t kLines = 32;
-inline constexpr int kReach = 2;  // samples to either side that are compared
+inline constexpr int kReach = 2;  // samples compared on either side of the edge
 inline constexpr std::size_t kCompared = 2 * kReach + 1;
-inline constexpr std::size_t kSampled = kCompared + 2;  // and one more for differences
+inline constexpr std::size_t kSampled = kCompared + 2;  // samples, one more at either end
 inline constexpr float kGreyLevel = 1.0F / 255;
-inline constexpr float kMinDepthRatio = 0.1F;  // of the depths in both frames
+inline constexpr float kMinDepthRatio = 0.1F;  // depth in the current frame over that in the host
 
 using LineRow = Lanes<kLines>;
 using LineFlags = std::array<std::int32_t, kLines>;     // 0 or 1
@@ -34,7 +34,7 @@ struct SearchView {
   LaneImage host, current;
   Eigen::Matrix3f R;  // cur_host
   Eigen::Vector3f t;  // cur_host, m
-  Eigen::Vector3f c;  // current camera's centre in the host, m
+  Eigen::Vector3f c;  // current camera's centre in the host frame, m
 
   SearchView(const StereoPair& stereo_pair, const EpipolarOptions& search_options)
       : pair(stereo_pair),
@@ -48,36 +48,36 @@ struct SearchView {
         c(pair.p_host_cur) {}
 };
 
-/// Edges, their epipolar lines in the current image around the expected places, s = 0, and what the
-/// host shows along its own.
+/// Edges, their epipolar lines in the current image, where s = 0 is the expected place, and the
+/// host's intensities along the lines in the host.
 struct alignas(64) LineBlock {
-  LineRow u, v;                                  // px, in the host
-  LineRow ray_x, ray_y;                          // X / Z, Y / Z
-  LineRow gradient_u, gradient_v;                // 1/px
-  LineRow inverse_depth, nearest, farthest;      // 1/m
-  LineRow towards_x, towards_y;                  // the line in the host, in ray coordinates
-  LineRow length;                                // px, of that
-  LineRow along_u, along_v;                      // px, unit, of the line in the host
-  LineRow cosine, sine;                          // of gradient and line
-  LineRow R_ray_x, R_ray_y, R_ray_z;             // the point is along R_ray + d t
+  LineRow u, v;                                  // px, edge in the host
+  LineRow ray_x, ray_y;                          // X/Z, Y/Z of the edge in the host
+  LineRow gradient_u, gradient_v;                // intensity gradient in the host, 1/px
+  LineRow inverse_depth, nearest, farthest;      // 1/m, expected and ends of the searched interval
+  LineRow towards_x, towards_y;                  // direction of the host's line, in ray coordinates
+  LineRow length;                                // px m, length of that direction in the image
+  LineRow along_u, along_v;                      // unit direction of the line in the host image
+  LineRow cosine, sine;                          // of the angle from line to gradient
+  LineRow R_ray_x, R_ray_y, R_ray_z;             // R ray; the point is along R_ray + d t
   LineRow q_x, q_y;                              // ray coordinates of the expected place
-  LineRow dq_x, dq_y;                            // of one px along the line
-  ImagedLanes<kLines> imaged;                    // of q
-  LineRow step;                                  // px per sample of the host
-  LineRow s_min, s_max;                          // px, of the searched interval
-  LineRow s;                                     // px, of the match
+  LineRow dq_x, dq_y;                            // ray coordinates per px along the line
+  ImagedLanes<kLines> imaged;                    // pixel of q and its derivatives
+  LineRow step;                                  // px in the current image per host sample
+  LineRow s_min, s_max;                          // px, ends of the searched interval
+  LineRow s;                                     // px, place of the match on the line
   LineRow information;                           // sum of squared slopes, per px^2
   LineRow squares;                               // sum of squared differences
-  std::array<LineRow, kSampled> host_intensity;  // as the current image should show them
+  std::array<LineRow, kSampled> host_intensity;  // scaled to the current brightness
   LineOutcomes outcome;
 };
 
-/// The first reason counts.
+/// Sets the outcome to `reason` if the edge fails, unless an earlier step has ruled it out.
 EDVO_INLINE void rule_out(bool fails, SearchOutcome reason, std::int32_t& outcome) {
   outcome = fails & (outcome == code(SearchOutcome::found)) ? code(reason) : outcome;
 }
 
-/// `target_of` gives the target of a lane; there is one for each.
+/// Loads one target per lane, where `target_of` gives the target of a lane.
 template <typename TargetOf>
 EDVO_INLINE void load_targets(const TargetOf& target_of, LineBlock& block) {
   for (std::size_t i = 0; i < kLines; ++i) {
@@ -95,8 +95,8 @@ EDVO_INLINE void load_targets(const TargetOf& target_of, LineBlock& block) {
   }
 }
 
-/// The lines in the host. Unobservable is what tells nothing: no parallax, no gradient along the
-/// line.
+/// Computes the lines in the host. An edge with too little parallax or too little gradient along
+/// its line is unobservable.
 EDVO_INLINE void aim_lines(const SearchView& view, LineBlock& block) {
   const auto min_parallax = static_cast<float>(view.options.min_parallax_px);
   const auto min_gradient = static_cast<float>(view.options.min_gradient) * kGreyLevel;
@@ -132,8 +132,8 @@ EDVO_INLINE void aim_lines(const SearchView& view, LineBlock& block) {
   }
 }
 
-/// Where the points and their neighbours along the line are in the current camera. Unobservable is
-/// what is behind it.
+/// Computes the points and their neighbours along the line in the current camera. A point behind
+/// the camera is unobservable.
 EDVO_INLINE void turn_lines(const SearchView& view, LineBlock& block, LineRow& next_x,
                             LineRow& next_y) {
   const Eigen::Matrix3f& R = view.R;
@@ -157,7 +157,7 @@ EDVO_INLINE void turn_lines(const SearchView& view, LineBlock& block, LineRow& n
   }
 }
 
-/// The lines in the current image. Unobservable is what is behind the camera or of another scale.
+/// Computes the lines in the current image. An edge whose scale differs too much is unobservable.
 EDVO_INLINE void project_lines(const SearchView& view, LineBlock& block) {
   LineRow next_x;
   LineRow next_y;
@@ -179,7 +179,7 @@ EDVO_INLINE void project_lines(const SearchView& view, LineBlock& block) {
   }
 }
 
-/// Out of view is what is too near to the host's border.
+/// Samples the host along its lines. An edge too near to the host's border is out of view.
 EDVO_INLINE void sample_host(const SearchView& view, LineBlock& block) {
   LineRow at_u;
   LineRow at_v;
@@ -198,7 +198,7 @@ EDVO_INLINE void sample_host(const SearchView& view, LineBlock& block) {
   }
 }
 
-/// Place on the line of a point at another inverse depth, px.
+/// Returns the place on the line of the point at another inverse depth, px.
 EDVO_INLINE float place_of(const SearchView& view, const LineBlock& block, std::size_t i,
                            float inverse_depth) {
   const float x = block.R_ray_x[i] + inverse_depth * view.t[0];
@@ -208,7 +208,7 @@ EDVO_INLINE float place_of(const SearchView& view, const LineBlock& block, std::
   return ((x / z - block.q_x[i]) * block.dq_x[i] + (y / z - block.q_y[i]) * block.dq_y[i]) / dq2;
 }
 
-/// The ends of the searched interval.
+/// Computes the ends of the searched interval.
 EDVO_INLINE void bound_lines(const SearchView& view, LineBlock& block) {
   constexpr float kMargin = 0.5F;  // px
   const float half = 0.5F * static_cast<float>(view.options.max_search_px);

@@ -11,24 +11,24 @@
 
 #include "vo/mapping/epipolar_block.h"
 
-/// Where the current image looks like the host: the second half of a block's search.
+/// The second half of a block's search, which finds where the current image looks like the host.
 namespace vo::detail {
 
-/// Samples of a block's lines one behind the other, and what a line's differ by.
+/// The samples of a block's lines, line after line, and one line's squared differences.
 struct LineSamples {
-  std::array<std::size_t, kLines> first;  // of each line
+  std::array<std::size_t, kLines> first;  // index of each line's first sample
   std::array<std::size_t, kLines>
-      shifts;               // of the host's samples along the line; 0 unless searched
+      shifts;               // number of shifts of the host's samples; 0 unless searched
   std::vector<float> u, v;  // px
   std::vector<float> intensity;
-  std::vector<float> difference;  // sum of squares, per shift
+  std::vector<float> difference;  // sum of squares at each shift
 };
 
 inline constexpr std::size_t kChunk = 16;  // samples of one line that are placed at a time
-inline constexpr float kUnseen = 1e9F;     // squared difference of what is out of the image
+inline constexpr float kUnseen = 1e9F;     // squared difference outside of the image
 
-/// Short intervals need no search: the slope leads to the match from anywhere in them. Returns how
-/// many samples the others need.
+/// Decides which lines are searched and returns the number of samples they need. Short intervals
+/// need no search, because Gauss-Newton leads to the match from anywhere in them.
 EDVO_INLINE std::size_t count_samples(LineBlock& block, LineSamples& samples) {
   constexpr float kNoSearch = 1.5F;  // px
   std::size_t count = 0;
@@ -44,8 +44,8 @@ EDVO_INLINE std::size_t count_samples(LineBlock& block, LineSamples& samples) {
   return count;
 }
 
-/// Where the searched interval and what is compared beside it are in the current image. Up to a
-/// chunk more is written.
+/// Computes the pixels of a line's samples: the searched interval and kReach samples beyond either
+/// end. Up to a chunk more is written.
 EDVO_INLINE void place_samples(const SearchView& view, const LineBlock& block, std::size_t i,
                                LineSamples& samples) {
   constexpr float kStraight = 8;  // px; a lens bends a line of this length by less than 0.05 px
@@ -81,7 +81,7 @@ EDVO_INLINE void place_samples(const SearchView& view, const LineBlock& block, s
   }
 }
 
-/// What the current image shows along all lines that are searched.
+/// Samples the current image along all lines that are searched.
 EDVO_INLINE void sample_current(const SearchView& view, const LineBlock& block, std::size_t count,
                                 LineSamples& samples) {
   const std::size_t room = count + kLines;
@@ -104,10 +104,10 @@ EDVO_INLINE void sample_current(const SearchView& view, const LineBlock& block, 
   }
 }
 
-/// Eight shifts of one line.
+/// Values at eight shifts of one line.
 using Octet = float __attribute__((vector_size(32)));
 
-/// Squared differences at each shift along a line. Up to seven more are written.
+/// Computes the squared differences at each shift along a line. Up to seven more are written.
 EDVO_INLINE void compare_line(const LineBlock& block, std::size_t i, LineSamples& samples) {
   constexpr std::size_t kShifts = sizeof(Octet) / sizeof(float);
   const float* intensity = samples.intensity.data() + samples.first[i];
@@ -125,7 +125,7 @@ EDVO_INLINE void compare_line(const LineBlock& block, std::size_t i, LineSamples
   }
 }
 
-/// Whether another place on the line looks nearly as much like the edge as the best one.
+/// Returns whether another place on the line looks nearly as much like the edge as the best one.
 inline bool is_ambiguous(const EpipolarOptions& options, const float* difference,
                          std::size_t shifts, std::size_t best) {
   const float noise = static_cast<float>(options.sigma_grey) * kGreyLevel;
@@ -142,7 +142,7 @@ inline bool is_ambiguous(const EpipolarOptions& options, const float* difference
   return false;
 }
 
-/// The place on the line, in steps of a sample, with the least sum of squared differences.
+/// Finds the place on the line, in steps of a sample, with the least sum of squared differences.
 EDVO_INLINE void match_line(const SearchView& view, std::size_t i, LineSamples& samples,
                             LineBlock& block) {
   constexpr float kLongLine = 6;  // px
@@ -171,9 +171,9 @@ EDVO_INLINE void match_lines(const SearchView& view, LineSamples& samples, LineB
   }
 }
 
-/// Pixels along lines near one place on each; exact where the lens is perfect.
+/// The pixels along lines near one place on each, to first order; exact without lens distortion.
 struct LinePixels {
-  LineRow start;  // px, the place
+  LineRow start;  // px, that place on the line
   LineRow u, v;
   LineRow direction_u, direction_v;
 };
@@ -203,7 +203,7 @@ EDVO_INLINE void straighten_lines(const SearchView& view, const LineBlock& block
   }
 }
 
-/// What the current image shows at and around the matches.
+/// The current image's samples at and around the matches.
 struct LineView {
   std::array<LineRow, kSampled> intensity;
   LineFlags inside;
@@ -228,12 +228,12 @@ EDVO_INLINE void sample_lines(const SearchView& view, const LineBlock& block,
   }
 }
 
-/// Sums over the compared samples, per line.
+/// The normal equations of s and the squared residuals, summed over a line's compared samples.
 struct LineSums {
   LineRow information, right, squares;
 };
 
-/// Slopes are the mean of both images'.
+/// Sums the terms of all lines; slopes are the mean of both images' slopes.
 EDVO_INLINE void sum_lines(const LineView& seen, const LineBlock& block, LineSums& sums) {
   sums = {};
   for (std::size_t k = 1; k + 1 < kSampled; ++k) {
@@ -249,7 +249,7 @@ EDVO_INLINE void sum_lines(const LineView& seen, const LineBlock& block, LineSum
   }
 }
 
-/// One Gauss-Newton step of s for those that are not there yet. Returns how many still are not.
+/// Takes a Gauss-Newton step of s on the lines still moving; returns how many still move after it.
 EDVO_INLINE std::int32_t step_lines(const LineView& seen, LineBlock& block, LineFlags& moving) {
   constexpr float kMaxStep = 0.5F;
   constexpr float kConverged = 0.01F;
@@ -269,7 +269,8 @@ EDVO_INLINE std::int32_t step_lines(const LineView& seen, LineBlock& block, Line
   return std::accumulate(moving.begin(), moving.end(), std::int32_t{0});
 }
 
-/// To a fraction of a sample. No match is what leaves the interval or where the images disagree.
+/// Refines matches to a fraction of a sample. An edge that strays from the searched place, or where
+/// the images disagree, has no match.
 EDVO_INLINE void refine_lines(const SearchView& view, LineBlock& block) {
   constexpr int kMaxIterations = 4;
   LinePixels pixels;
@@ -285,7 +286,7 @@ EDVO_INLINE void refine_lines(const SearchView& view, LineBlock& block) {
     left = step_lines(seen, block, moving);
   }
   const float limit = static_cast<float>(view.options.max_residual) * kGreyLevel;
-  constexpr float kMisplaced2 = 0.1F;  // px^2; interpolation errs by as much on a strong edge
+  constexpr float kMisplaced2 = 0.1F;  // px^2, displacement by interpolation on strong edges
   for (std::size_t i = 0; i < kLines; ++i) {
     const float limit2 = static_cast<float>(kCompared) * limit * limit;
     const bool is_match =

@@ -20,7 +20,7 @@ using detail::SearchView;
 using Targets = std::span<const SearchTarget>;
 using Indices = std::vector<std::size_t>;
 
-/// Those that can tell something, found by what costs least.
+/// Finds the targets that are observable by the cheapest step of the search.
 EDVO_INLINE void find_observable(const SearchView& view, Targets targets, Indices& observable) {
   LineBlock block;
   for (std::size_t first = 0; first < targets.size(); first += kLines) {

@@ -7,9 +7,9 @@
 namespace vo {
 namespace {
 
-constexpr float kMaxInliers = 5;        // more successes do not outweigh more failures
-constexpr float kFailureGrowth = 1.1F;  // of the variance
-constexpr float kLeastShare = 0.3F;     // of an inverse depth is left by one update
+constexpr float kMaxInliers = 5;        // limit of the successes that can outweigh failures
+constexpr float kFailureGrowth = 1.1F;  // factor of the variance at each failure
+constexpr float kLeastShare = 0.3F;     // least share of an inverse depth after one update
 constexpr double kBetaPrior = 10;       // a and b before the first measurement
 constexpr double kMinInlierShare = 0.4;
 
@@ -18,7 +18,7 @@ float least_variance(float inverse_depth, const DepthMapOptions& options) {
   return sigma * sigma;
 }
 
-/// Kalman's update of inverse depth and offset: the observation is d + k offset.
+/// Updates inverse depth d and offset by Kalman's equations: the observation is d + k offset.
 void fuse_gaussian(const Observation& observation, const DepthMapOptions& options, std::size_t i,
                    Hypotheses& hypotheses) {
   const Innovation step = innovation(observation, i, hypotheses);
@@ -37,7 +37,7 @@ void fuse_gaussian(const Observation& observation, const DepthMapOptions& option
       std::max(hypotheses.offset_variance[i] - offset_share * offset_share / step.variance, 0.0F);
 }
 
-/// This filter has no second state: the offset counts as noise.
+/// Updates the Gaussian-Beta filter, which has no second state: the offset counts as noise.
 void fuse_beta(const Observation& observation, const DepthMapOptions& options, std::size_t i,
                Hypotheses& hypotheses) {
   const BetaFilter filter =

@@ -6,7 +6,7 @@
 
 namespace vo {
 
-/// How far an observation is from what hypothesis i expects.
+/// The difference of an observation from what its hypothesis predicts, with its variance.
 struct Innovation {
   float difference = 0;  ///< 1/m
   float variance = 0;    ///< 1/m^2
@@ -14,17 +14,16 @@ struct Innovation {
 
 Innovation innovation(const Observation& observation, std::size_t i, const Hypotheses& hypotheses);
 
-/// Takes a successful observation into hypothesis i. The first of a guess replaces it, later ones
-/// are fused.
+/// Fuses a successful observation into hypothesis i; the first one of a guess replaces the guess.
 void fuse(const Observation& observation, const DepthMapOptions& options, std::size_t i,
           Hypotheses& hypotheses);
 
-/// Counts a failed observation of hypothesis i. One that fails too often, or is not confirmed, is
-/// forgotten: a guess of the given inverse depth, 1/m, takes its place.
+/// Counts a failed observation of hypothesis i. A hypothesis that fails too often, or fails before
+/// it is confirmed, is forgotten: a guess of the given inverse depth, 1/m, takes its place.
 void count_failure(const DepthMapOptions& options, float guess, std::size_t i,
                    Hypotheses& hypotheses);
 
-/// Mean and variance of a Gaussian times a Beta(a, b) share of inliers.
+/// The state of a filter: a Gaussian depth and a Beta(a, b) distributed share of inliers.
 struct BetaFilter {
   double mean = 0;
   double variance = 0;
@@ -32,9 +31,9 @@ struct BetaFilter {
   double b = 10;
 };
 
-/// A measurement that is an inlier, N(x, tau2), or uniform over `range` (Vogiatzis & Hernandez,
-/// "Video-based, real-time multi-view stereo", IVC 2011, supplement: the moments of the true
-/// posterior are matched).
+/// Returns the state after a measurement x that is either an inlier, N(depth, tau2), or uniform
+/// over `range` (Vogiatzis & Hernandez, "Video-based, real-time multi-view stereo", IVC 2011,
+/// supplement: the moments of the true posterior are matched).
 BetaFilter updated(const BetaFilter& prior, double x, double tau2, double range);
 
 }  // namespace vo

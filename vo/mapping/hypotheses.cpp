@@ -14,9 +14,10 @@
 namespace vo {
 namespace {
 
-constexpr int kBorder = 4;  // px; the samples along a line need room
+constexpr int kBorder = 4;  // px; leaves room for the samples along a line
 
-/// Where the gradient along itself is greatest: vertex of the parabola through three slopes, px.
+/// Returns where the gradient along its direction is greatest, px: the vertex of a parabola through
+/// three slopes.
 float offset_of_edge(const GrayImage& image, cv::Point pixel, cv::Vec2f direction) {
   constexpr float kMaxOffset = 0.7F;
   std::array<float, 5> along{};
@@ -32,7 +33,7 @@ float offset_of_edge(const GrayImage& image, cv::Point pixel, cv::Vec2f directio
   return bend < 0 ? std::clamp(0.5F * (before - after) / bend, -kMaxOffset, kMaxOffset) : 0;
 }
 
-/// Whether a pixel belongs to the share that is kept: whole blocks, so that chains stay whole.
+/// Returns whether a pixel is in the share that is kept: whole blocks, so that chains stay whole.
 bool is_kept(cv::Point pixel, double share, std::uint64_t seed) {
   constexpr int kBlock = 8;  // px
   const auto block = static_cast<std::uint64_t>((pixel.y / kBlock) * 65536 + pixel.x / kBlock);
@@ -53,7 +54,7 @@ void add_hypothesis(const PyramidLevel& level, cv::Point pixel, Hypotheses& hypo
   hypotheses.edge_offset.push_back(offset_of_edge(level.intensity, pixel, gradient / norm));
 }
 
-/// Nothing is known of any depth.
+/// Sets all depths to a guess of inverse depth, 1/m, with nothing known.
 void guess_depths(float guess, Hypotheses& hypotheses) {
   const std::size_t count = hypotheses.size();
   hypotheses.state.assign(count, DepthState::none);
@@ -70,9 +71,9 @@ void guess_depths(float guess, Hypotheses& hypotheses) {
   }
 }
 
-/// The neighbour of pixel i that continues the edge to one side (+1 or -1); -1 without.
+/// Returns the neighbour of pixel i that continues the edge to one side (+1 or -1), or -1.
 int neighbour_along(const Hypotheses& hypotheses, std::size_t i, float side) {
-  constexpr float kMaxTurn = 0.7F;  // cosine, of the gradient from pixel to pixel
+  constexpr float kMaxTurn = 0.7F;  // least cosine of the gradients of neighbouring pixels
   constexpr float kDiagonal = std::numbers::sqrt2_v<float>;
   const cv::Vec2f& across = hypotheses.across[i];
   const cv::Vec2f along(-side * across[1], side * across[0]);

@@ -10,48 +10,48 @@
 
 namespace vo {
 
-/// What is known of one edge pixel's depth.
+/// The state of knowledge of an edge pixel's depth.
 enum class DepthState : std::uint8_t {
-  none,       ///< a guess; the whole range of depths is searched
+  none,       ///< the depth is a guess; the whole range of depths is searched
   tentative,  ///< found once in the whole range; the next observation must confirm it
-  filled,     ///< taken from neighbours
-  known,      ///< observed or given
+  filled,     ///< the depth was taken from neighbours
+  known,      ///< the depth was observed or given
 };
 
-/// The depth of edge pixels of one frame, the host: one element per pixel in each array, in scan
-/// order. Depth is that of the edge, not of the background beside it.
+/// The depths of the edge pixels of one frame, the host: one element per pixel in each array, in
+/// scan order. Each is the depth of the edge, not of the background beside it.
 ///
-/// Every observation compares with the same five samples of the host: what the host shows
-/// wrongly, as by aliasing, is the same in all of them and does not average away. This offset of
-/// the edge is estimated beside the inverse depth, in units of its standard deviation.
+/// Every observation compares with the same five samples of the host, whose errors, as by aliasing,
+/// are common to all observations and do not average out. The resulting offset of the edge is
+/// estimated beside the inverse depth, in units of its standard deviation.
 struct Hypotheses {
   std::vector<cv::Point> pixel;     ///< px
   std::vector<cv::Vec2f> ray;       ///< (X / Z, Y / Z)
-  std::vector<cv::Vec2f> gradient;  ///< of the intensity at the pixel, 1/px
-  std::vector<cv::Vec2f> across;    ///< its direction, unit
+  std::vector<cv::Vec2f> gradient;  ///< intensity gradient at the pixel, 1/px
+  std::vector<cv::Vec2f> across;    ///< unit direction of the gradient
   std::vector<float> edge_offset;   ///< px, from the pixel's centre to the edge up the gradient
   std::vector<DepthState> state;
   std::vector<float> inverse_depth;      ///< 1/m
   std::vector<float> variance;           ///< 1/m^2
-  std::vector<float> offset;             ///< of the edge in the host, standard deviations
-  std::vector<float> offset_variance;    ///< 1 where nothing is known of it
-  std::vector<float> offset_covariance;  ///< with the inverse depth, 1/m
-  std::vector<float> smoothed;           ///< 1/m, inverse depth agreed with the neighbours
-  std::vector<float> smoothed_variance;  ///< 1/m^2, of that
-  std::vector<float> inliers;            ///< successful observations; a of Beta(a, b)
-  std::vector<float> outliers;           ///< failed ones; b of Beta(a, b)
-  std::vector<int> previous;             ///< neighbour along the edge, -1 without
-  std::vector<int> next;                 ///< the one on the other side
-  cv::Mat_<int> index;                   ///< of each pixel of the host, -1 where none
+  std::vector<float> offset;             ///< edge's offset in the host, standard deviations
+  std::vector<float> offset_variance;    ///< variance of offset; 1 where nothing is known
+  std::vector<float> offset_covariance;  ///< covariance of offset and inverse depth, 1/m
+  std::vector<float> smoothed;           ///< 1/m, inverse depth smoothed along the edge
+  std::vector<float> smoothed_variance;  ///< 1/m^2, variance of smoothed
+  std::vector<float> inliers;            ///< successful observations; a of Beta(a, b) less prior
+  std::vector<float> outliers;           ///< failed observations; b of Beta(a, b) less its prior
+  std::vector<int> previous;             ///< index of a neighbour along the edge, -1 without
+  std::vector<int> next;                 ///< index of the neighbour on the other side, -1 without
+  cv::Mat_<int> index;                   ///< hypothesis at each pixel of the host, -1 where none
 
   std::size_t size() const { return pixel.size(); }
 
-  /// Of the smoothed inverse depth.
+  /// Returns the relative standard deviation of the smoothed inverse depth.
   float relative_sigma(std::size_t i) const {
     return std::sqrt(smoothed_variance[i]) / smoothed[i];
   }
 
-  /// Given, confirmed or filled in.
+  /// Returns whether the depth was given, confirmed or filled in.
   bool is_trusted(std::size_t i) const {
     return state[i] == DepthState::filled || state[i] == DepthState::known;
   }
@@ -60,19 +60,19 @@ struct Hypotheses {
     return is_trusted(i) && relative_sigma(i) <= max_relative_sigma;
   }
 
-  /// The edge in the image, px.
+  /// Returns the edge's position in the image, px.
   cv::Vec2f edge_position(std::size_t i) const;
 
-  void set(std::size_t i, float new_inverse_depth, float new_variance);  ///< known, not yet tried
-  void forget(std::size_t i, float guess);  ///< back to a guess of the inverse depth, 1/m
+  void set(std::size_t i, float new_inverse_depth, float new_variance);  ///< known, unobserved
+  void forget(std::size_t i, float guess);                               ///< back to a guess, 1/m
 };
 
-/// Edge pixels of a frame's finest level, at most as many as the options say, linked along the
-/// edges; nothing is known of their depth and the guess is the same for all.
+/// Returns the edge pixels of a frame's finest level, at most about as many as the options say,
+/// linked along the edges. All depths are unknown, with one guess, 1/m.
 Hypotheses edge_hypotheses(const PyramidLevel& level, const DepthMapOptions& options,
                            float guessed_inverse_depth);
 
-/// The median inverse depth of the hypotheses that are known; the fallback where there are none.
+/// Returns the median inverse depth of the hypotheses that are not guesses, or else the fallback.
 float median_inverse_depth(const Hypotheses& hypotheses, float fallback);
 
 }  // namespace vo

@@ -5,7 +5,7 @@
 
 #include "vo/mapping/epipolar_block.h"
 
-/// What a block's matches say about inverse depths.
+/// Inverse depths of a block's matches and their variances.
 namespace vo::detail {
 
 struct LineVariance {
@@ -14,14 +14,13 @@ struct LineVariance {
   LineRow offset_slope;   // 1/m
 };
 
-/// The points at the places on the lines, in the current camera's frame over their depth in the
-/// host.
+/// The points at the matches in the current camera's frame, divided by their depth in the host.
 struct LinePoints {
   LineRow inverse_depth;  // 1/m
   LineRow x, y, z;
 };
 
-/// No match is what is behind the camera.
+/// Triangulates the matches. A point behind the camera has no match.
 EDVO_INLINE void triangulate_lines(const SearchView& view, LineBlock& block, LinePoints& points) {
   for (std::size_t i = 0; i < kLines; ++i) {
     const float dq_x = block.dq_x[i];
@@ -39,7 +38,7 @@ EDVO_INLINE void triangulate_lines(const SearchView& view, LineBlock& block, Lin
   }
 }
 
-/// How the error of a pose moves the points across their edges, px per tangent.
+/// Derivatives of points' positions across their edges by the pose increment, px.
 using PoseSlopes = std::array<LineRow, 6>;
 
 EDVO_INLINE void differentiate_lines(const SearchView& view, const LineBlock& block,
@@ -72,8 +71,8 @@ EDVO_INLINE void differentiate_lines(const SearchView& view, const LineBlock& bl
   }
 }
 
-/// px^2, across the edge: how much the pose's error moves the points there. The sums are in the
-/// order of Eigen's products.
+/// Computes the variance, px^2, that the pose's error gives the points' positions across their
+/// edges. Sums are in the order of Eigen's products.
 EDVO_INLINE void vary_poses(const SearchView& view, const LineBlock& block,
                             const LinePoints& points, LineRow& variance) {
   if (view.pair.pose_is_exact) {

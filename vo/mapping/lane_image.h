@@ -8,8 +8,8 @@
 #include "vo/geometry/lens_dispatch.h"
 #include "vo/mapping/stereo_pair.h"
 
-/// Camera and image for many places at once: the loops of `image_ray` and `sample_bilinear` over
-/// lanes, with the same bits.
+/// A camera and an image for many places at once: the loops of `image_ray` and `sample_bilinear`
+/// over lanes, with identical bits.
 namespace vo::detail {
 
 template <std::size_t kLanes>
@@ -28,7 +28,7 @@ struct LaneCamera {
         lens(camera.distortion) {}
 };
 
-/// Where rays are imaged, px, and the derivatives by (x, y).
+/// The pixels of rays (x, y), px, and the derivatives by (x, y).
 template <std::size_t kLanes>
 struct ImagedLanes {
   Lanes<kLanes> u, v, du_dx, du_dy, dv_dx, dv_dy;
@@ -56,11 +56,11 @@ EDVO_INLINE void image_lanes(const LaneCamera& camera, const Lanes<kLanes>& x,
                 [&](const auto& distort) { distort_lanes(camera, distort, x, y, imaged); });
 }
 
-/// An image as the loops read it.
+/// An image and the bounds within which it can be sampled.
 struct LaneImage {
   const float* pixels;
   int stride;
-  float max_u, max_v;  ///< px; what is below can be sampled
+  float max_u, max_v;  ///< px; positions below can be sampled
 
   explicit LaneImage(const GrayImage& image)
       : pixels(reinterpret_cast<const float*>(image.data)),
@@ -68,13 +68,13 @@ struct LaneImage {
         max_u(static_cast<float>(image.cols - 2)),
         max_v(static_cast<float>(image.rows - 2)) {}
 
-  /// As `can_be_sampled`.
+  /// Returns whether a position can be sampled, by the bounds of `can_be_sampled`.
   EDVO_INLINE bool holds(float u, float v) const {
     return (u >= 1) & (v >= 1) & (u < max_u) & (v < max_v);
   }
 };
 
-/// Bilinear look-up; all places can be sampled.
+/// Samples bilinearly; all positions must be inside.
 template <std::size_t kLanes>
 EDVO_INLINE void sample_inside(const LaneImage& image, const Lanes<kLanes>& u,
                                const Lanes<kLanes>& v, Lanes<kLanes>& values) {
@@ -98,7 +98,7 @@ EDVO_INLINE void sample_inside(const LaneImage& image, const Lanes<kLanes>& u,
   }
 }
 
-/// What is outside gets another value.
+/// Samples bilinearly; positions outside get the value `outside`.
 template <std::size_t kLanes>
 EDVO_INLINE void sample_lanes(const LaneImage& image, const Lanes<kLanes>& u,
                               const Lanes<kLanes>& v, float outside, Lanes<kLanes>& sampled) {

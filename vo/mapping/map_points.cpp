@@ -7,7 +7,7 @@
 namespace vo {
 namespace {
 
-/// What is known of the depth in a cell.
+/// The inverse depth of a cell and its variance.
 struct CellDepth {
   float inverse_depth = 0;  ///< 1/m
   float variance = -1;      ///< 1/m^2; below 0 nothing is known
@@ -27,7 +27,7 @@ std::vector<CellDepth> finest_depths(const Hypotheses& hypotheses, double max_si
   return depths;
 }
 
-/// What two depths in one pixel say together: their mean where they agree, else the nearer one.
+/// Combines two depths in one pixel: their mean where they agree, else the nearer one.
 CellDepth together(const CellDepth& a, const CellDepth& b) {
   constexpr float kSameSurface = 1.05F;
   const CellDepth& nearer = a.inverse_depth >= b.inverse_depth ? a : b;
@@ -40,7 +40,7 @@ CellDepth together(const CellDepth& a, const CellDepth& b) {
           std::min(a.variance, b.variance)};
 }
 
-/// The depths of the `count` cells at half the resolution.
+/// Returns the depths of the `count` cells at half the resolution.
 std::vector<CellDepth> halved(const std::vector<PointCell>& cells,
                               const std::vector<CellDepth>& depths, std::size_t count) {
   std::vector<CellDepth> coarser(count);
@@ -53,7 +53,7 @@ std::vector<CellDepth> halved(const std::vector<PointCell>& cells,
   return coarser;
 }
 
-/// The cells above some at half the resolution; these are told which is theirs.
+/// Returns the cells at half the resolution and sets the parents of `cells`.
 std::vector<PointCell> cells_above(cv::Size size, std::vector<PointCell>& cells) {
   const cv::Rect inside({0, 0}, size);
   cv::Mat_<int> index(size, -1);
@@ -77,7 +77,7 @@ std::vector<PointCell> cells_above(cv::Size size, std::vector<PointCell>& cells)
   return coarser;
 }
 
-/// Those that are known and that the options leave.
+/// Returns the known depths that the options leave.
 std::vector<PixelDepth> usable_depths(const std::vector<PointCell>& cells,
                                       const std::vector<CellDepth>& depths,
                                       const EdgePointOptions& options, int width) {

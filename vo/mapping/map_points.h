@@ -7,7 +7,7 @@
 
 namespace vo {
 
-/// Whether hypotheses of which nothing is known count.
+/// Whether hypotheses whose depth is only a guess become points.
 enum class Guesses { left_out, included };
 
 /// A pixel of one level that has hypotheses in or below it.
@@ -17,14 +17,15 @@ struct PointCell {
       -1;  ///< index of the cell above it on the next coarser level, -1 where there is none
 };
 
-/// The cells of each level of an host, in scan order, whatever their depths. Those of the finest
-/// are the hypotheses.
+/// The cells of each level of a host, in scan order, whatever their depths; on the finest level
+/// they are the hypotheses.
 using PointCells = std::vector<std::vector<PointCell>>;
 
 PointCells point_cells(const FramePyramid& host, const Hypotheses& hypotheses);
 
-/// The hypotheses whose relative standard deviation is at most `max_sigma`, as the tracker takes
-/// them: on coarser levels every pixel that has one below it, at the nearest of their depths.
+/// Returns the points whose relative standard deviation is at most `max_sigma`. On coarser levels
+/// every pixel with such points below it is a point: at their mean depth, or the nearest if they
+/// differ.
 EdgePoints map_points(const FramePyramid& host, const PointCells& cells,
                       const Hypotheses& hypotheses, const EdgePointOptions& options,
                       double max_sigma, Guesses guesses);

@@ -19,7 +19,7 @@ using detail::LaneImage;
 using detail::sample_lanes;
 using Row = detail::Lanes<kEdges>;
 
-/// What is the same for all edges.
+/// The images, the hypotheses and the geometry that all edges share.
 struct MoveView {
   const StereoPair& pair;
   const Hypotheses& hypotheses;
@@ -41,12 +41,12 @@ struct MoveView {
 };
 
 struct alignas(64) Block {
-  Row u, v, across_u, across_v;     // px, of the edge in the host; unit, of its gradient
-  Row gradient2;                    // 1/px^2
-  Row inverse_depth, variance;      // 1/m, 1/m^2
-  Row moved_depth, moved_variance;  // 1/m, 1/m^2
-  Row position_u, position_v;       // px
-  Row direction_u, direction_v;     // unit
+  Row u, v, across_u, across_v;                       // px, edge in the host; unit, its gradient
+  Row gradient2;                                      // 1/px^2
+  Row inverse_depth, variance;                        // 1/m, 1/m^2
+  Row moved_depth, moved_variance;                    // 1/m, 1/m^2
+  Row position_u, position_v;                         // px
+  Row direction_u, direction_v;                       // unit
   std::array<std::int32_t, kEdges> visible, changed;  // 0 or 1
 };
 
@@ -66,10 +66,10 @@ void load(const MoveView& view, std::span<const std::size_t> indices, Block& blo
   }
 }
 
-/// Rays of two neighbours in a row.
+/// The rays of two neighbouring pixels in a row, per edge.
 using RayRow = std::array<float, 4 * kEdges>;
 
-/// Interpolated rays of places between pixels.
+/// Interpolates the rays of positions between pixels.
 EDVO_INLINE void find_rays(const RayImage& rays, const Row& u, const Row& v, Row& x, Row& y) {
   std::array<int, kEdges> u0;
   std::array<int, kEdges> v0;
@@ -97,8 +97,8 @@ EDVO_INLINE void find_rays(const RayImage& rays, const Row& u, const Row& v, Row
   }
 }
 
-/// Points at places of the host in the current camera's frame, over their depth in the host,
-/// and where that images them.
+/// Points of the host in the current camera's frame, divided by their depth in the host, and their
+/// pixels in the current image.
 struct MovedPlaces {
   Row z;
   ImagedLanes<kEdges> imaged;
@@ -154,7 +154,8 @@ EDVO_INLINE void move_block(const MoveView& view, Block& block) {
   }
 }
 
-/// The bound is that of LSD-SLAM: 40 grey levels, more on strong gradients.
+/// Marks edges of changed intensity. The bound is that of LSD-SLAM: 40 grey levels, more on strong
+/// gradients.
 EDVO_INLINE void compare_block(const MoveView& view, Block& block) {
   constexpr float kMaxDifference = 40.0F / 255;
   Row before;

@@ -8,10 +8,10 @@
 namespace vo {
 namespace {
 
-constexpr float kSnapDistance = 1;   // px, across the edge
-constexpr float kMaxTurn = 0.7071F;  // cosine, of the gradient between the images
+constexpr float kSnapDistance = 1;   // px, distance across the edge
+constexpr float kMaxTurn = 0.7071F;  // least cosine of the gradients in both images
 
-/// The edge pixel nearest across its own edge; -1 without one of the same direction.
+/// Returns the nearest edge pixel of a similar direction within reach across its edge, or -1.
 int nearest_edge(const Hypotheses& next, const MovedEdge& moved) {
   constexpr int kRadius = 1;
   const cv::Point centre(static_cast<int>(std::lround(moved.position.x())),
@@ -39,11 +39,11 @@ int nearest_edge(const Hypotheses& next, const MovedEdge& moved) {
   return best;
 }
 
-/// Puts a moved hypothesis at an edge pixel of the next host, or settles who stays there.
+/// Puts a moved hypothesis at an edge pixel of the next host, or decides which one stays there.
 void settle(const Hypotheses& from, const MovedEdge& moved, std::size_t j, Hypotheses& next,
             PropagationCounts& counts) {
   const std::size_t i = moved.hypothesis;
-  constexpr float kMinShare = 0.8F;  // of a variance: two copies of one measurement are not two
+  constexpr float kMinShare = 0.8F;  // least share of a variance: a repeated measurement is no news
   const auto put = [&] {
     next.set(j, moved.inverse_depth, moved.variance);
     next.state[j] = from.state[i];

@@ -7,12 +7,12 @@
 
 namespace vo {
 
-/// How a frame lies to the host, as somebody knows it.
+/// A frame's estimated pose and brightness relative to the host.
 struct FrameRelation {
   SE3 T_cur_host;
-  Matrix6d covariance = Matrix6d::Zero();  ///< of the left increment of T_cur_host
+  Matrix6d covariance = Matrix6d::Zero();  ///< covariance of the left increment of T_cur_host
   double gain = 1;                         ///< the current image shows gain I_host + offset
-  double offset = 0;                       ///< intensity
+  double offset = 0;                       ///< intensity, offset of the brightness
 };
 
 /// Two images and the geometry between them, in the precision of the loop over pixels.
@@ -21,7 +21,7 @@ struct StereoPair {
   const PyramidLevel& current;
   Eigen::Matrix3f R_cur_host;
   Eigen::Vector3f t_cur_host;  ///< m
-  Eigen::Vector3f p_host_cur;  ///< m, the current camera's centre seen from the host
+  Eigen::Vector3f p_host_cur;  ///< m, the current camera's centre in the host frame
   Eigen::Matrix<float, 6, 6> covariance;
   bool pose_is_exact;
   float gain;
@@ -40,7 +40,7 @@ struct StereoPair {
         offset(static_cast<float>(relation.offset)) {}
 };
 
-/// Where a camera images the direction (x, y, 1), px, and the derivative by (x, y).
+/// The pixel where a camera images the direction (x, y, 1), px, and its derivative by (x, y).
 struct ImagedRay {
   Eigen::Vector2f pixel;
   Eigen::Matrix2f J;
@@ -63,7 +63,7 @@ inline ImagedRay image_ray(const PinholeCamera& camera, const Eigen::Vector2f& r
   return imaged;
 }
 
-/// Bilinear look-up; inside is at least half a pixel from the border on every side.
+/// Returns whether a position is at least 1 px inside of the outermost pixel centres.
 inline bool can_be_sampled(const GrayImage& image, const Eigen::Vector2f& pixel) {
   return pixel.x() >= 1 && pixel.y() >= 1 && pixel.x() < static_cast<float>(image.cols - 2) &&
          pixel.y() < static_cast<float>(image.rows - 2);

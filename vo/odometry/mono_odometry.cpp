@@ -10,7 +10,7 @@
 namespace vo {
 namespace {
 
-/// A start that corners gave is this uncertain between them, relative.
+/// Relative standard deviation of a start's depths, which are interpolated between corners.
 constexpr double kInterpolatedSigma = 0.25;
 
 bool needs_depth(MonoBootstrap bootstrap) {
@@ -194,7 +194,7 @@ void MonoOdometry::start_from(const MonoInitialiser& solved, MonoResult& result)
   track_again(solved, result);
 }
 
-/// Looks for the held frame's edges in all frames of the start.
+/// Starts the map at the held frame and observes its edges in all frames of the start.
 void MonoOdometry::map_first_frame(const MonoInitialiser& solved) {
   const std::vector<StartFrame>& frames = solved.frames();
   map_.start(frames.front().pyramid, start_depth_);
@@ -205,7 +205,7 @@ void MonoOdometry::map_first_frame(const MonoInitialiser& solved) {
   map_.regularise();
 }
 
-/// Follows the frames of the start on the map that they gave.
+/// Tracks the frames of the start on the map that they gave.
 void MonoOdometry::track_again(const MonoInitialiser& solved, MonoResult& result) {
   const std::vector<StartFrame>& frames = solved.frames();
   if (trajectory_.empty() || trajectory_.back().timestamp < frames.front().pyramid.timestamp) {
@@ -273,7 +273,7 @@ std::shared_ptr<const EdgePoints> MonoOdometry::tracked_points() const {
   return std::make_shared<const EdgePoints>(map_.points(options_.tracker.points, guesses_));
 }
 
-/// A new map from where the camera was last seen, at the scale that the last one had.
+/// Starts a new map from where the camera was last seen, at the scale of the last map.
 void MonoOdometry::reinitialise() {
   start_depth_ = 1 / median_inverse_depth(map_.hypotheses(), static_cast<float>(1 / start_depth_));
   T_world_host_ = trajectory_.empty() ? T_world_host_ : trajectory_.back().T_world_camera;

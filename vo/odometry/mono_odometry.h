@@ -24,18 +24,18 @@ constexpr auto enum_names(MonoState) {
                     std::pair{MonoState::reinitialising, "reinitialising"}};
 }
 
-/// What one frame gave.
+/// The result of one frame.
 struct MonoResult {
   TrackingResult tracking;
-  MonoState state = MonoState::initialising;  ///< after the frame
-  InitialiserReport initialiser;              ///< parallax meter; while initialising
+  MonoState state = MonoState::initialising;  ///< state after the frame
+  InitialiserReport initialiser;              ///< parallax measurement while initialising
   std::size_t hypotheses = 0;
   std::size_t confident = 0;
   ObservationCounts observations;
 };
 
-/// Monocular edge-direct odometry: the tracker of the RGB-D odometry on an inverse-depth map that
-/// is kept, observed with each frame and propagated.
+/// Monocular edge-direct odometry: the RGB-D odometry's tracker on an inverse-depth map that is
+/// observed with each frame and propagated from host to host.
 class MonoOdometry {
  public:
   explicit MonoOdometry(const PinholeCamera& camera, const MonoOptions& options = mono_options(),
@@ -44,14 +44,14 @@ class MonoOdometry {
   MonoOdometry& operator=(MonoOdometry&& other) noexcept;
   ~MonoOdometry();
 
-  /// The frame's depth is read once, for a bootstrap that asks for it, and never again; later
+  /// Tracks a frame. Its depth is read only until a bootstrap that asks for it has succeeded; later
   /// frames need none. Throws Error when an image has another size than the camera, or the first
   /// frame lacks the depth that the bootstrap needs.
   MonoResult track(const RgbdFrame& frame);
 
-  /// The sequence has ended. Where an unknown start still waited for more parallax than it needs,
-  /// it is made with what there is, its frames are tracked, and this is what `track` should have
-  /// returned for the last one; else nothing, and nothing changes.
+  /// Ends the sequence. If an unknown start still waits for more parallax than it needs, it is made
+  /// with what there is, its frames are tracked, and the result that `track` should have returned
+  /// for the last frame is returned; else nothing is returned and nothing changes.
   std::optional<MonoResult> finish();
 
   const Trajectory& trajectory() const { return trajectory_; }  ///< frames that are not lost
@@ -81,9 +81,9 @@ class MonoOdometry {
   PyramidBuilder pyramid_builder_;
   EdgeFinder edge_finder_;
   std::unique_ptr<Tracker> tracker_;
-  std::unique_ptr<MonoInitialiser> initialiser_;  ///< while initialising
+  std::unique_ptr<MonoInitialiser> initialiser_;  ///< null unless initialising
   DepthMap map_;
-  Guesses guesses_ = Guesses::left_out;  ///< whether they are tracked with, too
+  Guesses guesses_ = Guesses::left_out;  ///< whether guessed depths are tracked, too
   double start_depth_ = 1;               ///< m, median depth of an unknown start
   SE3 T_world_host_;
   FramePyramid current_;

@@ -9,13 +9,13 @@
 
 namespace vo {
 
-/// Where the first depths come from.
+/// The source of the first depths.
 enum class MonoBootstrap {
   rgbd,       ///< the depth image of the first frame: metric
-  file,       ///< a depth image that somebody else made, given with the first frame
-  flat,       ///< one depth everywhere, found wrong by the observations
-  random,     ///< random depths, likewise
-  automatic,  ///< first frame held until parallax tells structure and motion at once
+  file,       ///< a depth image from elsewhere, given with the first frame
+  flat,       ///< one depth everywhere, corrected by the observations
+  random,     ///< random depths, corrected by the observations
+  automatic,  ///< the first frame waits until parallax determines structure and motion
 };
 
 constexpr auto enum_names(MonoBootstrap) {
@@ -27,17 +27,17 @@ constexpr auto enum_names(MonoBootstrap) {
 
 struct MonoOptions {
   MonoBootstrap bootstrap = MonoBootstrap::automatic;
-  double start_depth = 1;     ///< m, of a flat start; the median of an unknown one
-  double start_sigma = 0.01;  ///< relative, of given depths
-  std::uint64_t seed = 0;     ///< of random depths
-  int min_confident = 150;    ///< hypotheses; fewer and the map is lost
-  int max_lost_frames = 15;   ///< in a row; then a new map is started
-  double parallax_px = 4;     ///< median, at 640 px width, that an unknown start needs at least
-  double wanted_parallax_px = 12;  ///< likewise, that it waits for while corners are in view
+  double start_depth = 1;     ///< m, depth of a flat start; median depth of an unknown one
+  double start_sigma = 0.01;  ///< relative standard deviation of given depths
+  std::uint64_t seed = 0;     ///< seed of random depths
+  int min_confident = 150;    ///< least number of confident hypotheses; with fewer the map is lost
+  int max_lost_frames = 15;   ///< consecutive lost frames after which a new map is started
+  double parallax_px = 4;     ///< least median parallax of an unknown start, px at 640 px width
+  double wanted_parallax_px = 12;  ///< wanted while corners are in view, px at 640 px width
   TrackerOptions tracker;
   DepthMapOptions map;
 
-  void validate() const;  ///< throws Error
+  void validate() const;  ///< throws Error if an option is invalid
 };
 
 template <typename Visitor>
@@ -56,8 +56,8 @@ void visit_fields(Visitor& visit, MonoOptions& options) {
   visit("depth_map", options.map, "");
 }
 
-/// The tracker's best values for a map of its own making: no depth image to look up or to judge
-/// with, hence not symmetric; points are weighted by what the map knows.
+/// Returns the tracker's best options for a map of its own making: not symmetric, because there is
+/// no depth image to look up or to judge with; points are weighted by the map's uncertainty.
 MonoOptions mono_options();
 
 }  // namespace vo

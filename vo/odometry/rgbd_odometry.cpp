@@ -20,9 +20,10 @@ TrackerOptions paper_options() {
   return options;
 }
 
-/// Read in github.com/kevinchristensen1/EdgeDirectVO: their weights enter the normal equations
-/// squared, a step that raised the error is kept, the principal point is halved without the half
-/// pixel, depth is resized across its holes, and every third frame is a keyframe.
+/// Returns the options of github.com/kevinchristensen1/EdgeDirectVO as released: their weights
+/// enter the normal equations squared, a step that raised the error is kept, the principal point is
+/// halved without the half pixel, depth is resized across its holes, and every third frame is a
+/// keyframe.
 TrackerOptions authors_options() {
   TrackerOptions options = paper_options();
   options.pyramid.principal_point = HalvedPrincipalPoint::plain;
@@ -36,7 +37,7 @@ TrackerOptions authors_options() {
   return options;
 }
 
-/// docs/results.md shows what each of these is worth.
+/// Returns the options that measured best; docs/results.md shows what each of these is worth.
 TrackerOptions best_options() {
   TrackerOptions options;
   options.pyramid.levels = 5;
@@ -62,7 +63,7 @@ TrackerOptions best_options() {
 }  // namespace
 
 PinholeCamera tracked_camera(const PinholeCamera& camera, LensModel lens) {
-  constexpr int kMinSize = 4;  // px, of the neighbourhood that intensities are looked up in
+  constexpr int kMinSize = 4;  // px, size of the neighbourhood that intensities are looked up in
   camera.validate();
   require(camera.width >= kMinSize && camera.height >= kMinSize,
           "odometry: expected a camera of at least ", kMinSize, "x", kMinSize, " px, got ",

@@ -17,11 +17,11 @@ namespace vo {
 
 class Tracker;
 
-/// Option values under one name; no code path asks which preset it was.
+/// Names of sets of option values; no code path asks which preset it was.
 enum class TrackerPreset {
   paper,         ///< Christensen & Hebert, "Edge-Direct Visual Odometry", frame to frame
-  authors,       ///< their released code where it deviates from the paper
-  best_measured  ///< what measured best
+  authors,       ///< the authors' released code where it deviates from the paper
+  best_measured  ///< the values that measured best
 };
 
 constexpr auto enum_names(TrackerPreset) {
@@ -32,14 +32,14 @@ constexpr auto enum_names(TrackerPreset) {
 
 TrackerOptions preset_options(TrackerPreset preset);
 
-/// The camera as the warp sees it. Throws Error where images are too small to be tracked.
+/// Returns the camera that the warp uses. Throws Error where images are too small to be tracked.
 PinholeCamera tracked_camera(const PinholeCamera& camera, LensModel lens);
 
-/// Wall-clock time of one frame's stages. Diagnostic: no result depends on it.
+/// Wall-clock times of one frame's stages, for diagnosis; no result depends on them.
 struct StageTimes {
   double pyramid_ms = 0;
   double edges_ms = 0;
-  double alignment_ms = 0;  ///< choice of the points included
+  double alignment_ms = 0;  ///< includes the choice of the points
   double mapping_ms = 0;    ///< monocular only
 
   double total_ms() const { return pyramid_ms + edges_ms + alignment_ms + mapping_ms; }
@@ -54,12 +54,12 @@ class RgbdOdometry {
   RgbdOdometry& operator=(RgbdOdometry&& other) noexcept;
   ~RgbdOdometry();
 
-  /// Throws Error when image or depth have another size than the camera.
+  /// Tracks a frame. Throws Error when image or depth have another size than the camera.
   TrackingResult track(const RgbdFrame& frame);
 
   const Trajectory& trajectory() const { return trajectory_; }    ///< frames that are not lost
-  const StageTimes& stage_times() const { return stage_times_; }  ///< of the last frame
-  const FramePyramid& current() const { return current_; }        ///< the last frame
+  const StageTimes& stage_times() const { return stage_times_; }  ///< last frame's times
+  const FramePyramid& current() const { return current_; }        ///< last frame's pyramid
   const Tracker& tracker() const { return *tracker_; }
 
  private:

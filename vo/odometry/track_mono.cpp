@@ -28,7 +28,7 @@ DepthImage read_depth_file(const fs::path& path, const RgbdCamera& camera) {
   return depth;
 }
 
-/// Another size or another unit than expected is told from the values.
+/// Throws Error where a depth image's size or median shows another camera or unit than expected.
 void check_depth(const fs::path& path, const DepthImage& depth, const PinholeCamera& camera) {
   constexpr double kNearest = 0.05;  // m
   constexpr double kFarthest = 200;  // m

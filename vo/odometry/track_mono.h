@@ -13,12 +13,12 @@
 
 namespace vo {
 
-/// Where a monocular run reads.
+/// The files of a monocular run.
 struct MonoInput {
   std::filesystem::path folder;
-  std::optional<RgbdCamera> camera;   ///< the folder's otherwise
-  double max_time_difference = 0.02;  ///< s, of colour and depth of the first frame
-  std::filesystem::path depth_file;   ///< of bootstrap=file: 16-bit PNG, or .npy in metres
+  std::optional<RgbdCamera> camera;   ///< overrides the folder's camera
+  double max_time_difference = 0.02;  ///< s, between colour and depth of the first frame
+  std::filesystem::path depth_file;   ///< 16-bit PNG, or .npy in metres, for bootstrap=file
 };
 
 struct MonoSequenceResult {
@@ -30,20 +30,20 @@ struct MonoSequenceResult {
   std::size_t keyframes() const;
 };
 
-/// Told after each frame.
+/// Called after each frame.
 using MonoObserver = std::function<void(const RgbdFrame& frame, const MonoOdometry& odometry,
                                         const MonoResult& result)>;
 
-/// Images in order, from wherever they come; nothing after the last.
+/// A source of images in order; `next` returns nothing after the last.
 struct MonoImages {
   PinholeCamera camera;
   SE3 T_world_first;
   std::size_t size = 0;
-  std::function<std::optional<RgbdFrame>()> next;  ///< only the first needs depth
+  std::function<std::optional<RgbdFrame>()> next;  ///< only the first frame needs depth
 };
 
-/// The frames from which a monocular run starts: colour alone, but for the first where the
-/// bootstrap asks for depth. Throws vo::Error where that depth cannot be used.
+/// The frames of a monocular run: colour alone, except that the first has depth where the bootstrap
+/// asks for it. Throws vo::Error where that depth cannot be used.
 class MonoFrames {
  public:
   MonoFrames(const MonoInput& input, MonoBootstrap bootstrap);
@@ -62,11 +62,11 @@ class MonoFrames {
 MonoSequenceResult track_mono_images(const MonoImages& images, const MonoOptions& options,
                                      const MonoObserver& observe, const Progress& progress);
 
-/// From the origin.
+/// Tracks a folder's images, with the first frame at the origin.
 MonoSequenceResult track_mono_sequence(const MonoInput& input, const MonoOptions& options,
                                        const MonoObserver& observe, const Progress& progress);
 
-/// CSV with one line per frame: the state, the parallax meter, the map and the alignment.
+/// Returns CSV with one line per frame: state, parallax measurement, map and alignment.
 std::string format_mono_log(const std::vector<MonoResult>& frames);
 
 }  // namespace vo

@@ -10,17 +10,17 @@
 
 namespace vo {
 
-/// What tracking a whole sequence gave, frame by frame.
+/// The results of tracking a whole sequence, frame by frame.
 struct SequenceResult {
   std::vector<TrackingResult> frames;
-  std::vector<StageTimes> times;  ///< diagnostic, differs from run to run
-  Trajectory trajectory;          ///< without the lost frames
+  std::vector<StageTimes> times;  ///< for diagnosis, differ from run to run
+  Trajectory trajectory;          ///< frames that are not lost
 
-  double tracked_fraction() const;  ///< of all frames, the first one counted as tracked
+  double tracked_fraction() const;  ///< share of all frames; the first counts as tracked
   std::size_t keyframes() const;
 };
 
-/// Told after each frame, before the next one is read: for pictures.
+/// Called after each frame, before the next one is read; for pictures.
 using FrameObserver = std::function<void(const RgbdFrame& frame, const FramePyramid& pyramid,
                                          const Tracker& tracker, const TrackingResult& result)>;
 
@@ -28,24 +28,24 @@ SequenceResult track_sequence(const SequenceReader& sequence, const TrackerOptio
                               const SE3& T_world_first, const FrameObserver& observe,
                               const Progress& progress);
 
-/// The nearest-rank percentile of a fraction 0..1; 0 without values.
+/// Returns the nearest-rank percentile of a fraction 0..1, or 0 without values.
 double percentile(std::vector<double> values, double fraction);
 
-/// Median and 90th percentile over the frames, ms.
+/// Median and 90th percentile of the frames' total times and medians of their stages' times, ms.
 struct TimeSummary {
   double median_ms = 0;
   double p90_ms = 0;
-  double pyramid_ms = 0;    ///< median
-  double edges_ms = 0;      ///< median
-  double alignment_ms = 0;  ///< median
+  double pyramid_ms = 0;    ///< median of this stage
+  double edges_ms = 0;      ///< median of this stage
+  double alignment_ms = 0;  ///< median of this stage
 };
 
 TimeSummary summarize(const std::vector<StageTimes>& times);
 
-/// CSV with one line per frame: stamp, status, why it is lost, why the alignment ended, iterations,
-/// points, visible fraction, correlation, depth agreement, cost, conditioning, read-out time,
-/// vignette and the upper triangle of the covariance row by row ([translation; rotation], m and
-/// rad).
+/// Returns CSV with one line per frame: stamp, status, why it is lost, why the alignment ended,
+/// iterations, points, visible fraction, correlation, depth agreement, cost, conditioning, read-out
+/// time, vignette and the upper triangle of the covariance row by row ([translation; rotation], m
+/// and rad).
 std::string format_frame_log(const std::vector<TrackingResult>& frames);
 
 }  // namespace vo

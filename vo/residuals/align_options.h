@@ -7,12 +7,12 @@
 
 namespace vo {
 
-/// Whose gradient the Jacobian is made of (Baker & Matthews, "Lucas-Kanade 20 Years On", IJCV 2004;
+/// Source of the Jacobian's gradient (Baker & Matthews, "Lucas-Kanade 20 Years On", IJCV 2004;
 /// Malis, "Improving vision-based control using efficient second-order minimization", ICRA 2004).
 enum class Formulation {
-  forward,  ///< the current image's at the warped point: the paper, Eq. 12
-  inverse,  ///< the reference's at the point
-  esm,      ///< the mean of both
+  forward,  ///< the current image's gradient at the warped point: the paper, Eq. 12
+  inverse,  ///< the reference image's gradient at the point
+  esm,      ///< the mean of both gradients
 };
 
 constexpr auto enum_names(Formulation) {
@@ -20,10 +20,10 @@ constexpr auto enum_names(Formulation) {
                     std::pair{Formulation::inverse, "inverse"}, std::pair{Formulation::esm, "esm"}};
 }
 
-/// Where the scale of the robust loss comes from.
+/// The source of the robust loss's scale.
 enum class LossScale {
-  fixed,      ///< given
-  residuals,  ///< 1.4826 times the median |r|, anew for each pair of images and level
+  fixed,      ///< the given `loss_scale`
+  residuals,  ///< from the median |r| of each pair of images at each level
 };
 
 constexpr auto enum_names(LossScale) {
@@ -31,10 +31,10 @@ constexpr auto enum_names(LossScale) {
                     std::pair{LossScale::residuals, "residuals"}};
 }
 
-/// How the brightness of two images may differ.
+/// The difference in brightness that two images may have.
 enum class BrightnessModel {
-  same,    ///< not at all
-  affine,  ///< by a gain and an offset, estimated with the pose
+  same,    ///< the brightness does not differ
+  affine,  ///< a gain and an offset are estimated with the pose
 };
 
 constexpr auto enum_names(BrightnessModel) {
@@ -43,26 +43,26 @@ constexpr auto enum_names(BrightnessModel) {
 }
 
 struct AlignOptions {
-  int max_iterations = 30;         ///< per pyramid level
-  double min_translation = 1e-5;   ///< m; a step below it and below min_rotation_deg is not taken
-  double min_rotation_deg = 5e-4;  ///< deg
-  double step_limit_growth = 1;    ///< of both limits, with each coarser level
+  int max_iterations = 30;         ///< most iterations per pyramid level
+  double min_translation = 1e-5;   ///< m; converged when a step is below this and min_rotation_deg
+  double min_rotation_deg = 5e-4;  ///< deg; converged when a step is below this and min_translation
+  double step_limit_growth = 1;    ///< factor of both step limits per coarser level
   int step_retries = 0;            ///< shorter steps tried after one that raised the cost
-  bool keep_worse_step = false;    ///< a step that raised the cost: the paper's authors keep it
+  bool keep_worse_step = false;    ///< whether a step that raised the cost is kept
   Formulation formulation = Formulation::forward;
   RobustLoss loss = RobustLoss::huber;
   LossScale scale = LossScale::fixed;
-  double loss_scale = 5.0 / 255;      ///< intensity; five grey levels, the paper's
-  double min_loss_scale = 1.5 / 255;  ///< intensity; less is noise, for `residuals`
-  bool squared_weights = false;       ///< weights enter squared, as the paper's authors have it
+  double loss_scale = 5.0 / 255;      ///< intensity, for `fixed`; five grey levels as in the paper
+  double min_loss_scale = 1.5 / 255;  ///< intensity, least scale for `residuals`: less is noise
+  bool squared_weights = false;       ///< whether weights enter squared (paper's authors)
   BrightnessModel brightness = BrightnessModel::same;
-  double depth_noise = 0;  ///< times a structured-light sensor's noise, in the weights; 0 is off
-  double readout = 0;      ///< s, from the first to the last row: a rolling shutter
-  double max_depth_ratio = 0;  ///< the z-test, against the current depth; 0 is off
+  double depth_noise = 0;      ///< factor of the points' depth_sigma in the weights; 0 is off
+  double readout = 0;          ///< s, rolling-shutter read-out time from the first to the last row
+  double max_depth_ratio = 0;  ///< most ratio of point to measured depth; 0 is no z-test
   double depth_term = 0;       ///< weight of the point-to-plane distances; 0 is off
-  int min_points = 100;        ///< fewer visible edge points are not a fit
+  int min_points = 100;        ///< least number of visible points of a fit
 
-  void validate() const;  ///< throws Error
+  void validate() const;  ///< throws Error if an option is invalid
 };
 
 template <typename Visitor>

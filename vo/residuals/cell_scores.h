@@ -8,20 +8,20 @@
 
 namespace vo {
 
-/// Sums of points' terms of b by the cell of an image they lie in, 16 cells to a row of the image.
-/// Errors of neighbouring pixels are alike (a displaced edge, interpolation, wrong depth); those of
-/// different cells are taken as independent.
+/// The points' terms of b, summed by the cell of the image that a point lies in, 16 cells to a row
+/// of the image. Errors of neighbouring pixels are alike (a displaced edge, interpolation, wrong
+/// depth); those of different cells are taken as independent.
 class CellScores {
  public:
-  /// Takes a pair's b of pose, gain and offset to the pose's.
+  /// Maps a pair's b of pose, gain and offset to the b of the pose alone.
   using Projection = Eigen::Matrix<double, 6, 8>;
 
   explicit CellScores(const PinholeCamera& camera);
 
   void add(const PointTerms& scores, const Projection& projection);
-  void add(float u, float v, const Vector6d& b);  ///< px
+  void add(float u, float v, const Vector6d& b);  ///< adds b at (u, v), px
 
-  const std::vector<Vector6d>& b() const { return b_; }  ///< row by row; 0 where no point is
+  const std::vector<Vector6d>& b() const { return b_; }  ///< each cell's sum, row by row
 
  private:
   std::size_t cell_of(float u, float v) const;

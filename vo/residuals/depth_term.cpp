@@ -17,10 +17,10 @@ using detail::kBlock;
 using detail::LaneSums;
 using detail::PassWarp;
 
-/// What surface points are compared with.
+/// The planes that a block of surface points is compared with.
 struct alignas(64) Planes {
   BlockRow nx, ny, nz;                          // the points' normals in the current frame
-  BlockRow measured_x, measured_y, measured_z;  // m, where the current image sees a surface
+  BlockRow measured_x, measured_y, measured_z;  // m, surface points that the image measures
 };
 
 void load_surface(const SurfacePoints& surface, std::size_t first, std::size_t count, Block& block,
@@ -38,7 +38,7 @@ void load_surface(const SurfacePoints& surface, std::size_t first, std::size_t c
   }
 }
 
-/// Looks up the nearest pixel, because depth is never interpolated.
+/// Looks up the measured depth at the nearest pixel, because depth is never interpolated.
 EDVO_INLINE void measure(const PyramidLevel& image, std::size_t count, const Block& block,
                          Planes& planes) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -52,10 +52,10 @@ EDVO_INLINE void measure(const PyramidLevel& image, std::size_t count, const Blo
   }
 }
 
-/// Normals are turned to the current frame, distances are what a pass calls intensity. Points are
-/// not seen where no depth is measured, or one of another surface.
+/// Turns the normals to the current frame and computes the distances, stored as the block's
+/// intensity. A point counts as unseen where no depth or that of another surface is measured.
 EDVO_INLINE void compare(const PassWarp& warp, Block& block, Planes& planes) {
-  constexpr float kMaxStep = 0.1F;  // of the depth
+  constexpr float kMaxStep = 0.1F;  // share of the depth
   for (std::size_t i = 0; i < kBlock; ++i) {
     const float x = planes.nx[i];
     const float y = planes.ny[i];
@@ -73,7 +73,7 @@ EDVO_INLINE void compare(const PassWarp& warp, Block& block, Planes& planes) {
   }
 }
 
-/// [n; p x n]
+/// Sets each point's Jacobian to [n; p x n].
 EDVO_INLINE void differentiate(const Planes& planes, Block& block) {
   for (std::size_t i = 0; i < kBlock; ++i) {
     block.J[0][i] = planes.nx[i];
@@ -85,7 +85,7 @@ EDVO_INLINE void differentiate(const Planes& planes, Block& block) {
   }
 }
 
-/// Points from `first` on: their distances, Jacobians and weights.
+/// Computes the distances, Jacobians and weights of the points from `first` on.
 EDVO_INLINE void linearize_block(const DepthView& view, const PassWarp& warp,
                                  const PassOptions& options, std::size_t first, Block& block) {
   const std::size_t count = std::min(kBlock, view.surface.size() - first);
@@ -108,7 +108,7 @@ void linearize_baseline(const DepthView& view, const PassWarp& warp, const PassO
   linearize_block(view, warp, options, first, block);
 }
 
-/// Distances are compared with nothing: no reference's intensity, no offset.
+/// Returns options that compare distances with nothing: no reference's intensity, no offset.
 PassOptions pass_options(double scale) {
   return {.loss = RobustLoss::student_t, .loss_scale = static_cast<float>(scale), .gain = 0};
 }
@@ -178,7 +178,7 @@ double distance_spread(const DepthView& view) {
 }
 
 double depth_agreement(const DepthView& view) {
-  constexpr float kMaxStep = 0.05F;  // of the depth
+  constexpr float kMaxStep = 0.05F;  // share of the depth
   constexpr int kEnoughPoints = 20;
   const PinholeCamera& camera = view.image.camera;
   const Warp<float> warp(camera, view.T_cur_ref);

@@ -12,22 +12,22 @@ namespace vo {
 struct DepthView {
   const SurfacePoints& surface;
   const PyramidLevel& image;
-  SE3 T_cur_ref;  ///< ref: the points' frame, cur: the image's
+  SE3 T_cur_ref;  ///< ref: the points' frame, cur: the image's frame
 };
 
-/// Normal equations H delta = -b of exp(delta) T_cur_ref of the point-to-plane distances (Chen &
-/// Medioni, "Object modelling by registration of multiple range images", IVC 1992), each point
+/// The normal equations H delta = -b of exp(delta) T_cur_ref for point-to-plane distances (Chen &
+/// Medioni, "Object modelling by registration of multiple range images", IVC 1992). Each point is
 /// compared with the depth measured at the pixel where it is seen.
 struct DepthSystem {
   Matrix6d H = Matrix6d::Zero();
   Vector6d b = Vector6d::Zero();
-  double cost = 0;  ///< robust, summed; unseen points cost as much as one at the scale
+  double cost = 0;  ///< sum of robust losses, m^2; an unseen point costs as much as the scale
 };
 
-/// With the loss of a t-distribution of standard deviation `scale`, m.
+/// Linearizes with the robust loss of a t-distribution of standard deviation `scale`, m.
 DepthSystem linearize_depth(const DepthView& view, double scale);
 
-/// What a point adds to the system's b, and where it is seen.
+/// A point's term of b and the pixel where it is seen.
 struct DepthScore {
   Eigen::Vector2d pixel;
   Vector6d b;
@@ -35,11 +35,11 @@ struct DepthScore {
 
 std::vector<DepthScore> score_depth(const DepthView& view, double scale);
 
-/// 1.4826 median |r| of the distances, m; 0 where no point is seen.
+/// Returns 1.4826 times the median |r| of the distances, m, or 0 where no point is seen.
 double distance_spread(const DepthView& view);
 
-/// Share of the points in view, of those where any depth is measured, for which it is the point's
-/// to 5 %; 1 where hardly any is measured.
+/// Returns the share of the points seen at a pixel of measured depth whose own depth agrees with it
+/// to 5 %, or 1 if there are fewer than 20 such points.
 double depth_agreement(const DepthView& view);
 
 }  // namespace vo

@@ -6,23 +6,23 @@
 
 namespace vo {
 
-/// Mean velocity between two frames, m/s and rad/s, in the camera's own frame.
+/// The mean velocity between two frames, m/s and rad/s, in the camera's own frame.
 struct MeanVelocity {
   Vector6d twist = Vector6d::Zero();
-  double seconds = 0;  ///< between the frames
+  double seconds = 0;  ///< s, time between the frames
 };
 
-/// Velocity while a frame is taken, m/s and rad/s, in the camera's own frame.
+/// The velocity while a frame is taken, m/s and rad/s, in the camera's own frame.
 struct FrameVelocity {
   Vector6d twist = Vector6d::Zero();
-  /// As far as it may be off; linear and angular part each in any direction.
+  /// Uncertainty of the twist's linear and angular part, each in any direction.
   Vector6d doubt = Vector6d::Zero();
 };
 
-/// A mean velocity is that of the middle of its interval. At its end the camera is as much faster
-/// as a steady acceleration since the interval before makes it. As much again is in doubt, because
-/// a hand's acceleration changes from frame to frame: at 30 Hz a shake of 4 Hz is off by 0.6 times
-/// that gain, one of 8 Hz by 1.2 times.
+/// Extrapolates the last interval's mean velocity, which holds at its middle, to its end with the
+/// steady acceleration since the interval before. The velocity's doubt is as large as that gain,
+/// because a hand's acceleration changes from frame to frame: at 30 Hz a shake of 4 Hz is off by
+/// 0.6 times the gain, one of 8 Hz by 1.2 times.
 inline FrameVelocity velocity_at_end(const MeanVelocity& last,
                                      const std::optional<MeanVelocity>& before) {
   if (!before) {

@@ -5,7 +5,7 @@
 
 #include "vo/residuals/point_block.h"
 
-/// Sums over blocks of points, lane by lane: the same bits with every instruction set.
+/// Sums over blocks of points, lane by lane, so that all instruction sets give identical bits.
 namespace vo::detail {
 
 inline constexpr std::size_t kLanes = 16;  // floats of the widest register
@@ -30,7 +30,7 @@ EDVO_INLINE void add_values(const BlockRow& a, Lanes& sum) {
   }
 }
 
-/// Sums of some blocks, lane by lane.
+/// The sums over some blocks in single precision, lane by lane.
 struct alignas(64) LaneSums {
   std::array<Lanes, kPassPairs> H{};
   std::array<Lanes, kPassParameters> b{};

@@ -26,7 +26,7 @@ PassOptions pass_options(const AlignOptions& options, const ResidualModel& model
           .brightness = options.brightness == BrightnessModel::affine};
 }
 
-/// First and second moments of pairs (reference, current).
+/// The first and second moments of pairs (reference, current) of intensities, skipping NaN.
 struct Moments {
   double n = 0;
   double ref = 0;
@@ -51,13 +51,13 @@ struct Moments {
     }
   }
 
-  double ref_variance() const { return n * ref_ref - ref * ref; }  ///< times n^2
+  double ref_variance() const { return n * ref_ref - ref * ref; }  ///< n^2 times the variance
   double cur_variance() const { return n * cur_cur - cur * cur; }
   double covariance() const { return n * ref_cur - ref * cur; }
 };
 
-/// 1.4826 median |r|, the standard deviation of Gaussian residuals, whatever the outliers;
-/// intensity.
+/// Returns 1.4826 times the median |r|, intensity: the standard deviation of Gaussian residuals,
+/// hardly changed by outliers.
 double residual_spread(const PointView& view, const Brightness& brightness) {
   constexpr std::size_t kEnoughPoints = 600;
   const auto gain = static_cast<float>(brightness.gain);
@@ -78,7 +78,7 @@ double residual_spread(const PointView& view, const Brightness& brightness) {
 }  // namespace
 
 Eigen::Matrix2d LinearSystem::H_brightness() const {
-  constexpr double kPrior = 1e-3;  // times the points
+  constexpr double kPrior = 1e-3;  // weight of the prior per point
   return H.bottomRightCorner<2, 2>() +
          kPrior * static_cast<double>(points + 1) * Eigen::Matrix2d::Identity();
 }

@@ -11,60 +11,60 @@
 
 namespace vo {
 
-/// I_cur is compared with gain I_ref + offset.
+/// The brightness change between two images: I_cur is compared with gain I_ref + offset.
 struct Brightness {
   double gain = 1;
   double offset = 0;  ///< intensity
 };
 
-/// What residuals of one pair of images are compared with.
+/// The robust loss's scale and the brightness change of one pair of images.
 struct ResidualModel {
-  double scale = 0;  ///< of the robust loss, intensity
+  double scale = 0;  ///< scale of the robust loss, intensity
   Brightness brightness;
 };
 
 using Vector8d = Eigen::Matrix<double, 8, 1>;
 using Matrix8d = Eigen::Matrix<double, 8, 8>;
 
-/// Photometric normal equations H delta = -b of exp(delta) T_cur_ref, the gain and the offset, and
-/// what they sum over.
+/// The photometric normal equations H delta = -b of the left increment of T_cur_ref, the gain and
+/// the offset, and the number of points they sum over.
 struct LinearSystem {
   Matrix8d H = Matrix8d::Zero();
   Vector8d b = Vector8d::Zero();
-  double cost = 0;         ///< robust, summed; unseen points cost as much as one at the scale
-  std::size_t points = 0;  ///< seen
-  std::size_t total = 0;   ///< seen or not
+  double cost = 0;         ///< sum of robust losses; an unseen point costs as much as the scale
+  std::size_t points = 0;  ///< number of points that are seen
+  std::size_t total = 0;   ///< number of points, seen or not
 
   Matrix6d H_pose() const { return H.topLeftCorner<6, 6>(); }
   Vector6d b_pose() const { return b.head<6>(); }
-  Eigen::Matrix2d H_brightness() const;  ///< kept invertible where the images have no contrast
+  Eigen::Matrix2d H_brightness() const;  ///< invertible even where the images have no contrast
 };
 
-/// One pass over the points: r = I_cur(pi(T_cur_ref p_ref)) - gain I_ref - offset (paper, Eq. 6),
-/// with the Jacobian of the options' formulation (forward: Eq. 12).
+/// Linearizes the residuals r = I_cur(pi(T_cur_ref p_ref)) - gain I_ref - offset (paper, Eq. 6) in
+/// one pass over the points, with the Jacobian of the options' formulation (forward: Eq. 12).
 LinearSystem linearize(const PointView& view, const AlignOptions& options,
                        const ResidualModel& model);
 
-/// What the system sums, point by point; `scores` are overwritten.
+/// Computes each point's terms of the normal equations; `scores` are overwritten.
 void compute_point_terms(const PointView& view, const AlignOptions& options,
                          const ResidualModel& model, PointTerms& scores);
 
-/// The image's intensity at each point, NaN where it is not seen.
+/// Returns the image's intensity at each point, NaN where the point is not seen.
 std::vector<float> sampled_intensities(const PointView& view);
 
-/// The residual of each point, or nothing where the point is not seen. For pictures and tests.
+/// Returns the residual of each point, or nothing where it is not seen. For pictures and tests.
 std::vector<std::optional<float>> residuals(const EdgePointLevel& reference,
                                             const PyramidLevel& current, const SE3& T_cur_ref);
 
-/// Pearson's correlation of the intensities of points and image where they are seen, in [-1, 1]; 0
-/// without contrast. Whatever the contrast, it is near 1 where the images were brought to agree and
-/// near 0 where they show different things.
+/// Returns Pearson's correlation of the intensities of points and image where they are seen, in
+/// [-1, 1], or 0 without contrast. Whatever the contrast, it is near 1 where the images were
+/// brought to agree and near 0 where they show different things.
 double correlation(const PointView& view);
 
-/// Gain and offset that give the points' intensities the mean and the spread of the image's.
+/// Returns gain and offset that give the points' intensities the image's mean and spread.
 Brightness matched_brightness(const PointView& view);
 
-/// Scale of the robust loss that the residuals show, intensity; for LossScale::residuals.
+/// Returns the loss scale that the residuals show, intensity; for LossScale::residuals.
 double shown_scale(const PointView& view, const Brightness& brightness,
                    const AlignOptions& options);
 

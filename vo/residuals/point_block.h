@@ -10,34 +10,34 @@
 #include "vo/geometry/lens_dispatch.h"
 #include "vo/residuals/point_pass.h"
 
-/// What point_pass.cpp does with 64 points at a time, inlined into it once per instruction set.
+/// The steps of point_pass.cpp for 64 points at a time, inlined into it once per instruction set.
 namespace vo::detail {
 
-inline constexpr float kMinDepth = 0.05F;  // m; nearer points are behind the lens or about to be
+inline constexpr float kMinDepth = 0.05F;  // m; nearer points are taken to be behind the camera
 inline constexpr std::size_t kBlock = 64;  // points
 
 using BlockRow = std::array<float, kBlock>;
 
-/// The points of one block: where they are, where they are seen, and what is seen there.
+/// The points of one block: positions, pixels where they are seen, and residuals there.
 struct alignas(64) Block {
   BlockRow x_ref, y_ref, z_ref, intensity_ref;  // m, 0..1
-  BlockRow dI_dx, dI_dy, dI_dz;                 // of the reference, 1/m
+  BlockRow dI_dx, dI_dy, dI_dz;                 // derivatives of the reference intensity, 1/m
   BlockRow depth_sigma;                         // m
-  BlockRow x, y, z, inverse_z;                  // in the current camera's frame, m
-  BlockRow du_dx, du_dy, dv_dx, dv_dy;          // px by image coordinates X / Z, Y / Z
-  BlockRow u, v, seen;                          // px; 1 where seen, else 0
-  BlockRow intensity, gradient_u, gradient_v;   // of the current image
+  BlockRow x, y, z, inverse_z;                  // m and 1/m, in the current camera's frame
+  BlockRow du_dx, du_dy, dv_dx, dv_dy;          // derivatives of (u, v) by (X/Z, Y/Z), px
+  BlockRow u, v, seen;                          // px; 0 if unseen, else at most 1
+  BlockRow intensity, gradient_u, gradient_v;   // current image's intensity; gradient, 1/px
   BlockRow weight, residual, loss;
   std::array<BlockRow, kPassParameters> J, J_weighted;
 };
 
-/// A pose and a camera in single precision.
+/// A pose and a camera in single precision, with the motion of both frames' rows.
 struct PassWarp {
   std::array<float, 9> R;
   std::array<float, 3> t;
   float fx, fy, cx, cy;
   Distortion lens;
-  float max_u, max_v;  // px; the 4x4 neighbourhood must be inside
+  float max_u, max_v;  // px, bounds that keep the 4x4 neighbourhood inside the image
   RowMotion ref_motion, cur_motion;
   float inverse_height;  // 1/px
 
@@ -61,7 +61,7 @@ struct PassWarp {
   }
 };
 
-/// A whole block is copied in vector registers, only the last one by its length.
+/// Copies a whole block by its constant size, which vectorizes, the last one by its length.
 EDVO_INLINE void copy_values(const float* from, std::size_t count, float* to) {
   if (count == kBlock) {
     std::memcpy(to, from, kBlock * sizeof(float));
@@ -91,7 +91,7 @@ EDVO_INLINE void load_points(const EdgePointLevel& points, std::size_t first, st
   load_row(points.intensity, first, count, block.intensity_ref);
 }
 
-/// `distort` is the lens's.
+/// Projects a block's points with the lens's distortion function, `distort`.
 template <typename Distort>
 EDVO_INLINE void distort_block(const PassWarp& warp, const Distort& distort, Block& block) {
   for (std::size_t i = 0; i < kBlock; ++i) {
@@ -106,8 +106,8 @@ EDVO_INLINE void distort_block(const PassWarp& warp, const Distort& distort, Blo
   }
 }
 
-/// Moves points by `share` of the motion at the row that sees them: 1 from their row to the middle
-/// one, -1 back.
+/// Moves points by `share` of the motion of the row that sees them: 1 moves from their row's camera
+/// to the middle row's, -1 back. Lens distortion is ignored in finding the row.
 EDVO_INLINE void roll_points(const PassWarp& warp, const RowMotion& motion, float share,
                              BlockRow& xs, BlockRow& ys, BlockRow& zs) {
   const Eigen::Vector3f w = motion.angular;
@@ -164,7 +164,7 @@ EDVO_INLINE void warp_block(const PassWarp& warp, std::size_t count, Block& bloc
   }
 }
 
-/// Four neighbours in a row of the image.
+/// Four neighbouring pixels in a row of the image.
 using Quad = float __attribute__((vector_size(16)));
 
 EDVO_INLINE Quad load_quad(const float* pixels) {
@@ -173,7 +173,7 @@ EDVO_INLINE Quad load_quad(const float* pixels) {
   return quad;
 }
 
-/// Rows of four pixels around each point, interpolated in v: intensities and their differences.
+/// Rows of four pixels around each point, interpolated in v: intensities and differences in v.
 struct alignas(64) BlockQuads {
   std::array<Quad, kBlock> value;
   std::array<Quad, kBlock> slope;
@@ -182,7 +182,7 @@ struct alignas(64) BlockQuads {
 EDVO_INLINE void load_quads(const GrayImage& image, const Block& block, BlockQuads& quads) {
   const auto* pixels = reinterpret_cast<const float*>(image.data);
   const auto stride = static_cast<std::ptrdiff_t>(image.step1());
-  std::array<int, kBlock> corners;  // where each point's first pixel is
+  std::array<int, kBlock> corners;  // index of each point's first pixel
   BlockRow above_v;
   for (std::size_t i = 0; i < kBlock; ++i) {
     const int u0 = static_cast<int>(block.u[i]);
@@ -203,7 +203,7 @@ EDVO_INLINE void load_quads(const GrayImage& image, const Block& block, BlockQua
   }
 }
 
-/// Intensity and its central differences, both interpolated bilinearly.
+/// Samples the intensity and its central differences, both interpolated bilinearly.
 EDVO_INLINE void sample_block(const GrayImage& image, Block& block) {
   BlockQuads quads;
   load_quads(image, block, quads);
@@ -224,7 +224,7 @@ EDVO_INLINE void sample_block(const GrayImage& image, Block& block) {
   }
 }
 
-/// Hides points from the current camera that lie behind, or float before, the surface it measured.
+/// Marks points as unseen whose depth differs from the one measured there by more than `max_ratio`.
 EDVO_INLINE void test_depth(const DepthImage& depth, float max_ratio, std::size_t count,
                             Block& block) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -236,8 +236,8 @@ EDVO_INLINE void test_depth(const DepthImage& depth, float max_ratio, std::size_
   }
 }
 
-/// Rows of the Jacobian. The derivative q by the point's position gives that by the pose increment:
-/// [q; p x q] (paper, Eq. 12).
+/// Computes the rows of the Jacobian. The derivative q by the point's position p gives the
+/// derivative by the pose increment: [q; p x q] (paper, Eq. 12).
 EDVO_INLINE void differentiate_block(const PassWarp& warp, const PassOptions& options,
                                      Block& block) {
   for (std::size_t i = 0; i < kBlock; ++i) {
@@ -272,8 +272,8 @@ EDVO_INLINE void differentiate_block(const PassWarp& warp, const PassOptions& op
   }
 }
 
-/// How much a residual is believed given how well its point's depth is known: moving the point
-/// along its ray by sigma changes the residual by q . (p - t) / z_ref sigma.
+/// Lowers each residual's weight by the uncertainty of its point's depth: moving the point along
+/// its ray by sigma changes the residual by q . (p - t) / z_ref sigma.
 EDVO_INLINE void weigh_by_depth(const PassWarp& warp, const PassOptions& options, Block& block) {
   for (std::size_t i = 0; i < kBlock; ++i) {
     const float along_ray = block.J[0][i] * (block.x[i] - warp.t[0]) +
@@ -309,7 +309,7 @@ EDVO_INLINE void weigh_by_loss(const PassOptions& options, Block& block) {
   }
 }
 
-/// Residuals, weights and Jacobians of the points from `first` on.
+/// Computes residuals, weights and Jacobians of the `count` points from `first` on.
 EDVO_INLINE void linearize_block(const PointView& view, const PassOptions& options,
                                  const PassWarp& warp, std::size_t first, std::size_t count,
                                  Block& block) {

@@ -13,26 +13,26 @@
 
 namespace vo {
 
-/// Everything a pass over the points of one level needs beside the points.
+/// The options of a pass over the points of one level.
 struct PassOptions {
   RobustLoss loss = RobustLoss::huber;
-  float loss_scale = 0;  ///< intensity
+  float loss_scale = 0;  ///< scale of the robust loss, intensity
   bool squared_weights = false;
   float gain = 1;              ///< I_cur is compared with gain I_ref + offset
   float offset = 0;            ///< intensity
-  float current_share = 1;     ///< of the current image's gradient in the Jacobian: 1 forward
-  float reference_share = 0;   ///< of the reference's: 1 inverse, 0.5 and 0.5 ESM
-  float inverse_variance = 0;  ///< 1 / intensity^2, turns on weights by depth uncertainty
-  float max_depth_ratio = 0;   ///< the z-test: points this much behind or before the current
-                               ///< surface are not seen; 0 is off
+  float current_share = 1;     ///< share of the current gradient in the Jacobian: 1 forward
+  float reference_share = 0;   ///< share of the reference's gradient: 1 inverse; both 0.5 for ESM
+  float inverse_variance = 0;  ///< 1 / intensity^2, turns on weights by depth uncertainty; 0 is off
+  float max_depth_ratio = 0;   ///< points whose depth differs from the current depth image by more
+                               ///< than this ratio are unseen; 0 is off
   bool brightness = false;     ///< whether to sum the columns of gain and offset
 };
 
 constexpr std::size_t kPoseParameters = 6;
-constexpr std::size_t kPassParameters = 8;  ///< pose increment, gain, offset
+constexpr std::size_t kPassParameters = 8;  ///< parameters: pose increment, gain, offset
 constexpr std::size_t kPassPairs = kPassParameters * (kPassParameters + 1) / 2;
 
-/// Normal equations of the increment [translation; rotation; gain; offset], left of T_cur_ref.
+/// The normal equations of the increment [translation; rotation; gain; offset], left of T_cur_ref.
 struct PassSums {
   std::array<double, kPassPairs> H{};  ///< upper triangle, row by row
   std::array<double, kPassParameters> b{};
@@ -43,36 +43,37 @@ struct PassSums {
   Eigen::Matrix<double, kPassParameters, 1> right_side() const;            ///< b
 };
 
-/// What each point adds to the normal equations, one element per point in each array: to b, w r J.
-/// Where it is not seen its weight is 0.
+/// Each point's terms of the normal equations, one element per point in each array; its term of b
+/// is w r J. A point that is not seen has weight 0.
 struct PointTerms {
   std::array<std::vector<float>, kPassParameters> J;
   std::vector<float> weight;
   std::vector<float> residual;  ///< intensity
-  std::vector<float> u;         ///< px, in the image
-  std::vector<float> v;         ///< px
+  std::vector<float> u;         ///< px, in the image where the point is looked up
+  std::vector<float> v;         ///< px, in the image where the point is looked up
 
   void resize(std::size_t points);
 };
 
-/// Points of one frame and the image of another that they are looked up in.
+/// The points of one frame and the image of another that they are looked up in.
 struct PointView {
   const EdgePointLevel& points;
   const PyramidLevel& image;
-  SE3 T_cur_ref;  ///< ref: the points' frame, cur: the image's
+  SE3 T_cur_ref;  ///< ref: the points' frame, cur: the image's frame
   RowMotion points_motion;
   RowMotion image_motion;
 };
 
-/// r = I_cur(pi(T_cur_ref p_ref)) - gain I_ref - offset over all points that are seen.
+/// Sums the normal equations of r = I_cur(pi(T_cur_ref p_ref)) - gain I_ref - offset over all seen
+/// points.
 PassSums sum_points(const PointView& view, const PassOptions& options, InstructionSet set);
 
-/// The terms of the sums' b, point by point; `scores` are overwritten.
+/// Computes the points' terms of the normal equations; `scores` are overwritten.
 void compute_point_terms(const PointView& view, const PassOptions& options, InstructionSet set,
                          PointTerms& scores);
 
-/// The image's intensity at each point, NaN where the point is not seen. With a stride, only every
-/// so many groups of 64 neighbouring points are looked up, and the others are NaN.
+/// Samples the image's intensity at each point, NaN where the point is not seen. Only every
+/// `stride`-th group of 64 neighbouring points is looked up; the others are NaN.
 void sample_points(const PointView& view, std::size_t stride, InstructionSet set,
                    std::vector<float>& intensities);
 

@@ -20,8 +20,8 @@ constexpr auto enum_names(RobustLoss) {
 /// RGB-D Cameras", ICRA 2013).
 constexpr float kStudentFreedom = 5;
 
-/// Natural logarithm of x >= 1, error below 2e-6: the same bits on every machine, unlike the
-/// library's, and a loop over it is vectorised. ln m = 2 artanh((m - 1) / (m + 1)).
+/// Returns the natural logarithm of x >= 1 with an error below 2e-6. Unlike the library's it gives
+/// identical bits on every machine and vectorizes in loops: ln m = 2 artanh((m - 1) / (m + 1)).
 inline float natural_log(float x) {
   constexpr float kLn2 = 0.69314718F;
   constexpr std::uint32_t kMantissa = 0x007fffff;
@@ -35,14 +35,15 @@ inline float natural_log(float x) {
   return exponent * kLn2 + 2 * s * series;
 }
 
-/// Weight w(r) of iteratively re-weighted least squares and loss rho(r), with w = rho'(r) / (2 r).
+/// The loss rho(r) and the weight w(r) = rho'(r) / (2 r) of iteratively re-weighted least squares.
 struct RobustValue {
   float weight;
   float loss;
 };
 
+/// Returns the weight and the loss of a residual, where k is the scale:
 /// - none: r^2.
-/// - huber: r^2 up to the scale k and k (2 |r| - k) beyond (paper, Eq. 8, with |r| in its test).
+/// - huber: r^2 up to k and k (2 |r| - k) beyond (paper, Eq. 8, with |r| in its test).
 /// - tukey: k^2 / 3 (1 - (1 - (r / k)^2)^3) up to k, constant beyond.
 /// - student_t: (n + 1) k^2 ln(1 + r^2 / (n k^2)), n degrees of freedom.
 template <RobustLoss kLoss>
@@ -79,8 +80,8 @@ inline RobustValue robust_value(RobustLoss loss, float residual, float scale) {
   }
 }
 
-/// d(w r) / dr over w: how much of a weight is curvature of the loss. 1 for least squares; less, or
-/// below 0, where the loss bends.
+/// Returns d(w r) / dr over w, the curvature of the loss as a share of the weight: 1 for least
+/// squares; less, or below 0, where the loss bends.
 inline double curvature_share(RobustLoss loss, double residual, double scale) {
   const double square = residual * residual / (scale * scale);
   switch (loss) {
@@ -95,8 +96,8 @@ inline double curvature_share(RobustLoss loss, double residual, double scale) {
   }
 }
 
-/// What makes a robust loss 95 % as efficient as least squares on Gaussian residuals of unit
-/// standard deviation (for the t-distribution, the standard deviation itself).
+/// Returns the scale at which a robust loss is 95 % as efficient as least squares on Gaussian
+/// residuals of unit standard deviation (for the t-distribution, that standard deviation itself).
 constexpr double efficient_scale(RobustLoss loss) {
   return loss == RobustLoss::huber ? 1.345 : loss == RobustLoss::tukey ? 4.685 : 1;
 }

@@ -10,20 +10,21 @@
 
 namespace vo {
 
-/// Sums over the points of a pair of images of w s J J^T, where s is how far below the middle row a
+/// Sums of w s J J^T over the points of a pair of images, where s is how far below the middle row a
 /// point is seen, in image heights. With a rolling shutter a velocity moves a point by s times
-/// itself over the read-out time, so these are how b changes with velocities.
+/// itself over the read-out time, so these sums are how b changes with velocities.
 struct RollingShutterMoments {
   using Moment = Eigen::Matrix<double, kPassParameters, 6>;
 
-  Moment points = Moment::Zero();  ///< s where the points are
-  Moment image = Moment::Zero();   ///< s where they are looked up
+  Moment points = Moment::Zero();  ///< sum with s at the points' own pixels
+  Moment image = Moment::Zero();   ///< sum with s at the pixels where they are looked up
 
-  /// `scores` are of the view.
+  /// Sums the moments of a view's points; `scores` must have been computed from that view.
   static RollingShutterMoments of(const PointView& view, const PointTerms& scores);
 };
 
-/// How the residuals of a pair of images change with the read-out time: q = dr / dt of each point.
+/// Sums that tell how the residuals of a pair of images change with the read-out time t, where each
+/// point has q = dr / dt.
 struct ReadoutMoments {
   using Coupling = Eigen::Matrix<double, kPassParameters, 1>;
 
@@ -31,8 +32,8 @@ struct ReadoutMoments {
   double by_residual = 0;                ///< sum of w r q
   Coupling coupling = Coupling::Zero();  ///< sum of w q J
 
-  /// `points_twist` and `image_twist` are the velocities while either frame was read, m/s and
-  /// rad/s, in the camera frame of the image.
+  /// Sums the moments. `points_twist` and `image_twist` are the velocities while either frame was
+  /// read, m/s and rad/s, in the camera frame of the image.
   static ReadoutMoments of(const PointView& view, const PointTerms& scores,
                            const Vector6d& points_twist, const Vector6d& image_twist);
 };

@@ -7,16 +7,17 @@
 namespace vo {
 namespace {
 
-constexpr int kSpacing = 8;  // px
-constexpr int kRadius = 3;   // px, of what a plane is fitted to
+constexpr int kSpacing = 8;  // px, between the points of the grid
+constexpr int kRadius = 3;   // px, half-width of the neighbourhood that a plane is fitted to
 
 Eigen::Vector3d ray_of(const PyramidLevel& level, int u, int v) {
   return {level.rays(v, u)[0], level.rays(v, u)[1], 1};
 }
 
-/// (a, b, c) of the plane a X + b Y + c Z = 1 through the neighbourhood, unless it is not flat.
+/// Returns (a, b, c) of the plane a X + b Y + c Z = 1 fitted to the neighbourhood, or nothing if it
+/// has holes or is not flat.
 std::optional<Eigen::Vector3d> fitted_plane(const PyramidLevel& level, cv::Point centre) {
-  constexpr double kMaxResidual = 0.02;  // of the inverse depth
+  constexpr double kMaxResidual = 0.02;  // share of the inverse depth
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
   Eigen::Vector3d g = Eigen::Vector3d::Zero();
   double sum_of_squares = 0;

@@ -8,8 +8,7 @@
 namespace vo {
 
 /// A rigid transform and a camera in the precision of the point loop (float) or of a test (double).
-/// The innermost loops do the same for
-/// blocks of points (point_block.h).
+/// The innermost loops use their own for blocks of points (point_block.h).
 template <typename Scalar>
 struct Warp {
   Eigen::Matrix<Scalar, 3, 3> R_cur_ref;
@@ -29,7 +28,7 @@ struct Warp {
         distorted(!camera.distortion.is_zero()) {}
 };
 
-/// Where a point of the reference appears in the current image.
+/// The position of a reference point in the current camera's frame and image.
 template <typename Scalar>
 struct WarpedPoint {
   Eigen::Matrix<Scalar, 3, 1> p_cur;          ///< m
@@ -58,7 +57,7 @@ inline WarpedPoint<Scalar> warp_point(const Warp<Scalar>& warp,
   return point;
 }
 
-/// In front of the camera and inside its image.
+/// Returns whether a warped point is in front of the camera and inside its image.
 template <typename Scalar>
 inline bool is_seen(const WarpedPoint<Scalar>& point, const PinholeCamera& camera) {
   return point.p_cur.z() > 0 && camera.contains({point.u, point.v});

@@ -10,7 +10,7 @@
 namespace vo {
 namespace {
 
-/// Neglects how the vignette itself changes from pixel to pixel.
+/// Rescales the points' intensities and gradients, neglecting the vignette's own gradient.
 void take_out(const Vignette& vignette, const PinholeCamera& camera, const Vignette& before,
               EdgePointLevel& points) {
   const VignetteTerms terms(camera);
@@ -24,7 +24,7 @@ void take_out(const Vignette& vignette, const PinholeCamera& camera, const Vigne
   }
 }
 
-/// What the keyframe would be, had this vignette been taken out of its image.
+/// Returns the keyframe as it would be if this vignette had been removed from its image.
 Keyframe without_vignette(Keyframe keyframe, const Vignette& vignette) {
   const Vignette before = std::exchange(keyframe.pyramid.vignette, vignette);
   EdgePoints points = *keyframe.points;
@@ -91,7 +91,7 @@ std::size_t LocalMap::memory_bytes() const {
 }
 
 void LocalMap::take_out(const Vignette& vignette) {
-  constexpr double kNoticeable = 0.01;  // of the intensity at the corners
+  constexpr double kNoticeable = 0.01;  // share of the intensity at the corners
   for (std::shared_ptr<const Keyframe>& keyframe : keyframes_) {
     const Eigen::Vector2d corner = Eigen::Vector2d::Ones();
     const double change = vignette.gain(corner) - keyframe->pyramid.vignette.gain(corner);
@@ -122,7 +122,7 @@ void LocalMap::adjust(std::size_t keyframe, const SE3& T_world_keyframe, EdgePoi
   keyframes_[keyframe] = std::make_shared<const Keyframe>(std::move(adjusted));
 }
 
-/// Least flow first, at most `count` of those with enough in common.
+/// Returns at most `count` keyframes that overlap enough, least displacement first.
 std::vector<std::size_t> LocalMap::seen_from(const SE3& T_world_camera, std::size_t count) const {
   std::vector<std::pair<double, std::size_t>> ranked;
   for (std::size_t k = 0; k < keyframes_.size(); ++k) {

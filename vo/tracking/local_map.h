@@ -15,24 +15,23 @@
 
 namespace vo {
 
-/// A frame that others are aligned to.
+/// A frame that others are aligned to, with its points and its pose.
 struct Keyframe {
   FramePyramid pyramid;
-  std::shared_ptr<const EdgePoints> points;  ///< of its own edges
+  std::shared_ptr<const EdgePoints> points;  ///< edge points of this frame
   SE3 T_world_keyframe;
-  std::optional<FrameVelocity>
-      velocity;  ///< of the camera in its own frame, m/s and rad/s; if known
-  std::shared_ptr<const SurfacePoints> surface;  ///< where depth is aligned, too
-  std::vector<float> measured_depth;  ///< m, of the finest points; where the window is adjusted
+  std::optional<FrameVelocity> velocity;  ///< in the camera's own frame, m/s and rad/s; if known
+  std::shared_ptr<const SurfacePoints> surface;  ///< surface points for depth alignment, or null
+  std::vector<float> measured_depth;  ///< m, of the finest points if the window adjusts depth
 };
 
-/// How the points of one frame move in the image of another.
+/// The motion of one frame's points in the image of another.
 struct ImageMotion {
   double overlap = 0;  ///< share of the points that is seen
-  double flow_px = 0;  ///< mean displacement of those, px of the finest level
+  double flow_px = 0;  ///< mean displacement of the seen points, px of the finest level
 };
 
-/// Measured on the points of the coarsest level.
+/// Measures the motion of the points of the coarsest level.
 ImageMotion image_motion(const EdgePoints& points, const FramePyramid& frame, const SE3& T_cur_ref);
 
 /// The keyframes around the camera.
@@ -43,20 +42,20 @@ class LocalMap {
   bool empty() const { return keyframes_.empty(); }
   const std::shared_ptr<const Keyframe>& last() const { return keyframes_.back(); }
   const std::deque<std::shared_ptr<const Keyframe>>& keyframes() const { return keyframes_; }
-  std::size_t memory_bytes() const;  ///< of the images and points of all keyframes
+  std::size_t memory_bytes() const;  ///< bytes of all keyframes
   void add(Keyframe keyframe);
-  void take_out(const Vignette& vignette);  ///< of the keyframes that it changes noticeably
-  void set_last_velocity(const FrameVelocity& velocity);           ///< once the next frame has told
-  void set_last_points(std::shared_ptr<const EdgePoints> points);  ///< as far as they are known now
+  void take_out(const Vignette& vignette);                ///< removes it where it shows
+  void set_last_velocity(const FrameVelocity& velocity);  ///< for when the next frame tells
+  void set_last_points(std::shared_ptr<const EdgePoints> points);  ///< with newer depths
 
-  /// Where it is by now, and its finest points.
+  /// Replaces a keyframe's pose and its points of the finest level.
   void adjust(std::size_t keyframe, const SE3& T_world_keyframe, EdgePointLevel finest);
 
-  /// The keyframe that the camera sees most alike, then the next, at most `references`; the last
-  /// keyframe where none has enough in common.
+  /// Returns at most `references` keyframes that overlap enough, least displacement first, or the
+  /// last keyframe where none does or `references` is 1.
   std::vector<std::shared_ptr<const Keyframe>> references_for(const SE3& T_world_camera) const;
 
-  /// The last keyframe, then those that it sees most alike; indices, at most `count`.
+  /// Returns the indices of the last keyframe, then of those it sees most alike, at most `count`.
   std::vector<std::size_t> around_last(std::size_t count) const;
 
  private:

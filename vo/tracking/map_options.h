@@ -2,13 +2,13 @@
 
 namespace vo {
 
-/// Which keyframes are kept, and which of them a frame is aligned to.
+/// The number of keyframes kept and the choice of those that a frame is aligned to.
 struct MapOptions {
   int references = 1;        ///< keyframes that a frame is aligned to at once
-  int max_keyframes = 40;    ///< kept; the oldest is forgotten
+  int max_keyframes = 40;    ///< keyframes kept; the oldest is dropped
   double min_overlap = 0.5;  ///< share of a keyframe's points that a reference must see
 
-  void validate() const;  ///< throws Error
+  void validate() const;  ///< throws Error if an option is invalid
 };
 
 template <typename Visitor>

@@ -9,7 +9,7 @@
 namespace vo {
 namespace {
 
-/// The poses of highest agreement, best first, the earlier of equals; at most `count`.
+/// Returns the poses of highest agreement, best first, the earlier of equals; at most `count`.
 std::vector<SE3> highest(std::vector<std::pair<double, SE3>> ranked, std::size_t count) {
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kMaxReadout = 0.033;  // s, a frame's time at 30 Hz
 
-/// As much as a hundred times the least squares of one residual per 20 ms.
+/// Information of the first value, 1/s^2: a hundred times that of a standard deviation of 20 ms.
 constexpr double kReadoutPriorInformation = 100 / (0.02 * 0.02);
 
 }  // namespace

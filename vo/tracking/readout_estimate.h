@@ -4,24 +4,24 @@
 
 namespace vo {
 
-/// The read-out time of a rolling shutter, found while tracking: the images themselves say at which
-/// one the frames agree best. A wrong one bends every image that is taken in motion; 10 ms at 20
-/// deg/s is 1.7 px between the first and the last row of a Kinect's.
+/// Estimates the read-out time of a rolling shutter while tracking: the one at which the frames
+/// agree best. A wrong one bends every image that is taken in motion; 10 ms at 20 deg/s is 1.7 px
+/// between the first and the last row of a Kinect's image.
 ///
-/// Every frame gives the derivatives of its least cost by the read-out time; their quadratic models
-/// are summed, starting from one that holds the time at its first value.
+/// Every frame gives the derivatives of its minimal cost by the read-out time. Their quadratic
+/// models are summed, starting from a prior that holds the time at its first value.
 class ReadoutEstimate {
  public:
   explicit ReadoutEstimate(double first_s);
 
   double seconds() const;
 
-  /// Takes in what a frame's loss says that was aligned with this read-out time.
+  /// Adds the loss of a frame that was aligned with this read-out time, s.
   void update(const LossByReadout& loss, double readout_s);
 
  private:
   double information_;  ///< 1/s^2
-  double weighted_;     ///< information times its best time, 1/s
+  double weighted_;     ///< information times the estimate, 1/s
 };
 
 }  // namespace vo

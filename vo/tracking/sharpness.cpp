@@ -7,7 +7,7 @@
 namespace vo {
 namespace {
 
-/// Sums over pixels of one image.
+/// Sums of gradient magnitudes and of intensities over pixels of one image.
 struct Strength {
   double gradient = 0;
   double intensity = 0;
@@ -20,8 +20,8 @@ struct Strength {
   double contrast() const { return intensity > 0 ? gradient / intensity : 0; }
 };
 
-/// Contrast of `other` over that of the image, at those of the image's points that both see; 0 if
-/// there are none.
+/// Returns the contrast of `other` over that of `image`, at those of the image's points that both
+/// see, or 0 if there are none.
 double contrast_ratio(const PointedImage& image, const PointedImage& other,
                       const SE3& T_other_image) {
   const Warp<float> warp(other.level.camera, T_other_image);

@@ -14,16 +14,16 @@ namespace {
 constexpr double kRecognisedCorrelation = 0.7;
 constexpr double kRecognisedDepthAgreement = 0.8;
 
-/// Of a frame's own edges, whatever else chooses points while tracking.
+/// Returns a finder of points at a frame's own edges, whatever else chooses points while tracking.
 EdgePointFinder own_point_finder(EdgePointOptions options) {
   options.source = EdgeSource::reference;
   return EdgePointFinder(options);
 }
 
-/// Whether a pose that was searched for is believed rather than the best there is.
+/// Returns whether a pose that was searched for is preferred to the best one so far.
 bool is_more_credible(const TrackingResult& found, const TrackingResult& best) {
-  constexpr double kClearlyBetter = 0.02;  // of two correlations
-  constexpr double kWorse = 0.05;          // of two depth agreements
+  constexpr double kClearlyBetter = 0.02;  // difference of two correlations
+  constexpr double kWorse = 0.05;          // difference of two depth agreements
   if (found.status != TrackingStatus::tracked || best.status != TrackingStatus::tracked) {
     return found.status == TrackingStatus::tracked;
   }
@@ -85,7 +85,7 @@ TrackingResult Tracker::track(const FramePyramid& current) {
   return attempt.result;
 }
 
-/// In the memory of the last frame's, unless that became a keyframe.
+/// Reuses the memory of the last frame's points unless that frame became a keyframe.
 void Tracker::find_current_points(const FramePyramid& current) {
   if (current_points_ == nullptr || current_points_.use_count() > 1) {
     current_points_ = std::make_shared<EdgePoints>();
@@ -262,13 +262,13 @@ bool Tracker::needs_keyframe(const FramePyramid& current, const TrackingResult& 
   if (flow <= options.max_flow && overlap >= options.min_overlap) {
     return false;
   }
-  constexpr double kLongestWait = 2;  // for a sharp frame, of the flow at which one is due
+  constexpr double kLongestWait = 2;  // times the due keyframe's flow, for a sharp frame
   const bool urgent = flow > kLongestWait * options.max_flow || overlap < options_.map.min_overlap;
   return urgent || (result.alignment.correlation >= options.min_correlation &&
                     !is_blurred(current, T_cur_last));
 }
 
-/// Beside the last keyframe.
+/// Returns whether the frame is too blurred relative to the last keyframe.
 bool Tracker::is_blurred(const FramePyramid& current, const SE3& T_cur_last) const {
   if (current_points_ == nullptr) {
     return false;
@@ -290,7 +290,7 @@ void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyf
   }
 }
 
-/// Those that are moved come first. One is held in any case: the one that was there first.
+/// Returns the window's frames, those that are moved first. At least one is held: the oldest.
 std::vector<WindowFrame> Tracker::window(const std::vector<std::size_t>& keyframes) const {
   const auto moved = static_cast<std::size_t>(options_.window.moved);
   const std::size_t oldest = *std::min_element(keyframes.begin(), keyframes.end());
@@ -308,7 +308,7 @@ std::vector<WindowFrame> Tracker::window(const std::vector<std::size_t>& keyfram
   return frames;
 }
 
-/// The newest keyframe is the last tracked frame.
+/// Adjusts the keyframes around the newest, which is the last tracked frame.
 void Tracker::adjust_keyframes() {
   const int count = options_.window.moved + options_.window.held;
   const std::vector<std::size_t> keyframes = map_.around_last(static_cast<std::size_t>(count));

@@ -17,41 +17,43 @@
 
 namespace vo {
 
-/// Tracks frames against keyframes. Knows nothing of where their depth came from.
+/// Tracks frames against keyframes, wherever the depth of their points came from.
 class Tracker {
  public:
   explicit Tracker(const TrackerOptions& options, SE3 T_world_first = {});
 
-  /// The first frame with enough edge pixels that have depth starts the map at T_world_first;
-  /// frames before it are lost. After a lost frame the motion model starts again from rest.
+  /// Tracks a frame. Before there is a keyframe, a frame with enough edge pixels with depth is
+  /// initialized at T_world_first and others are lost. After a lost frame the motion model starts
+  /// from rest.
   TrackingResult track(const FramePyramid& current);
 
-  /// Whether the frame of this result should become a keyframe: it is time for one, and the frame
-  /// is fit to be one.
+  /// Returns whether the frame of this result should become a keyframe: it is time for one, and the
+  /// frame is fit to be one.
   bool needs_keyframe(const FramePyramid& current, const TrackingResult& result) const;
+  /// Makes a frame a keyframe with points of its own depth, and adjusts the window if that is on.
   void set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyframe);
 
-  /// The same with points of a depth map instead of the frame's own depth, and what that map knows
-  /// of the last keyframe's points by now.
+  /// Makes a frame a keyframe with points of a depth map instead of the frame's own depth.
   void set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyframe,
                     std::shared_ptr<const EdgePoints> points);
+  /// Replaces the last keyframe's points by what the depth map knows of them by now.
   void update_keyframe(std::shared_ptr<const EdgePoints> points);
   const LocalMap& map() const { return map_; }
 
-  /// To be taken out of the next frame.
+  /// Returns the vignette that is to be removed from the next frame.
   const Vignette& vignette() const { return vignette_.vignette(); }
 
-  /// The first reference's points as they were aligned to the last frame; for pictures and tests.
+  /// Returns the first reference's points as aligned to the last frame; for pictures and tests.
   const EdgePoints& reference_points() const { return *reference_points_; }
 
  private:
-  /// What a frame is aligned to: keyframes, which of their points, and how they lie to each other.
+  /// The keyframes that a frame is aligned to, the points used of each, and their views.
   struct References {
     std::vector<std::shared_ptr<const Keyframe>> keyframes;
     std::vector<std::shared_ptr<const EdgePoints>> points;
-    std::vector<AlignReference> views;  ///< of these points
+    std::vector<AlignReference> views;  ///< one per keyframe, with its points
 
-    bool velocities_known() const;  ///< the first keyframe's is known a frame later
+    bool velocities_known() const;  ///< the first one is known a frame later
   };
 
   /// Where an alignment starts: at the pose that the motion model expects, or at one of those that
@@ -88,15 +90,15 @@ class Tracker {
 
   EdgePointFinder own_point_finder_;
   std::shared_ptr<const EdgePoints> reference_points_;
-  std::shared_ptr<EdgePoints> current_points_;  ///< of the tracked frame, where symmetric
+  std::shared_ptr<EdgePoints> current_points_;  ///< own points of the tracked frame, if symmetric
 
   int frames_since_keyframe_ = 0;
   bool is_lost_ = false;       ///< whether the last frame was lost
   double last_timestamp_ = 0;  ///< s, of the last tracked frame
   SE3 T_world_last_;
-  SE3 T_last_predicted_;                       ///< motion since the last frame, by the motion model
+  SE3 T_last_predicted_;                       ///< motion expected from the last frame to the next
   std::optional<MeanVelocity> mean_velocity_;  ///< between the last two frames, if known
-  std::optional<FrameVelocity> velocity_;      ///< of the last frame, if known
+  std::optional<FrameVelocity> velocity_;      ///< at the last tracked frame, if known
 };
 
 }  // namespace vo

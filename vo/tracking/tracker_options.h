@@ -12,11 +12,11 @@
 
 namespace vo {
 
-/// Where the search for the next pose starts.
+/// The pose at which the alignment of a frame starts.
 enum class MotionModel {
-  stationary,         ///< at the last pose
-  constant_velocity,  ///< at the last pose moved on as between the last two frames
-  best,               ///< at whichever of these agrees better with the keyframe
+  stationary,         ///< the last pose
+  constant_velocity,  ///< the last pose moved on as between the last two frames
+  best,               ///< whichever of the two agrees better with the keyframe
 };
 
 constexpr auto enum_names(MotionModel) {
@@ -25,9 +25,9 @@ constexpr auto enum_names(MotionModel) {
                     std::pair{MotionModel::best, "best"}};
 }
 
-/// How the lens enters the warp.
+/// The treatment of lens distortion in the warp.
 enum class LensModel {
-  ignore,      ///< as the paper: the pinhole part alone
+  ignore,      ///< the pinhole part alone, as in the paper
   distortion,  ///< rays are undistorted and projections distorted; images stay as they are
 };
 
@@ -36,10 +36,10 @@ constexpr auto enum_names(LensModel) {
                     std::pair{LensModel::distortion, "distortion"}};
 }
 
-/// How the shutter enters the warp.
+/// The treatment of a rolling shutter in the warp.
 enum class ShutterModel {
-  given,      ///< read out in `align.readout`; 0 is a global shutter
-  estimated,  ///< starting there, the read-out time is found while tracking
+  given,      ///< the read-out time is `align.readout`; 0 is a global shutter
+  estimated,  ///< the read-out time is found while tracking, from `align.readout` on
 };
 
 constexpr auto enum_names(ShutterModel) {
@@ -47,15 +47,15 @@ constexpr auto enum_names(ShutterModel) {
                     std::pair{ShutterModel::estimated, "estimated"}};
 }
 
-/// When a frame becomes a keyframe.
+/// The conditions under which a frame becomes a keyframe.
 struct KeyframeOptions {
-  int every = 1;               ///< frames; 1 aligns frame to frame, 0 goes by what the image shows:
-  double max_flow = 0.04;      ///< mean displacement since the last one, image widths
-  double min_overlap = 0.75;   ///< share of the last or the nearest one's points in view
-  double min_sharpness = 0;    ///< of edges, over the last one's; blurred frames wait
-  double min_correlation = 0;  ///< of an alignment that makes a keyframe
+  int every = 1;               ///< frames from keyframe to keyframe; 1 is frame to frame, 0 by view
+  double max_flow = 0.04;      ///< mean displacement since the last keyframe, image widths
+  double min_overlap = 0.75;   ///< share of the last or the nearest keyframe's points in view
+  double min_sharpness = 0;    ///< sharpness relative to the last keyframe; blurred frames wait
+  double min_correlation = 0;  ///< correlation of an alignment that makes a keyframe
 
-  void validate() const;  ///< throws Error
+  void validate() const;  ///< throws Error if an option is invalid
 };
 
 template <typename Visitor>
@@ -69,14 +69,14 @@ void visit_fields(Visitor& visit, KeyframeOptions& options) {
   visit("min_correlation", options.min_correlation, "not yet where images agree less");
 }
 
-/// When an alignment is not believed.
+/// The conditions under which an alignment is rejected.
 struct LostOptions {
-  double min_visible_fraction = 0.4;  ///< of the reference's edge points
-  double min_correlation = 0.5;       ///< of the intensities at the visible points
-  double min_depth_agreement = 0;     ///< share of the reference's surfaces measured where they are
+  double min_visible_fraction = 0.4;  ///< share of the reference's edge points in view
+  double min_correlation = 0.5;       ///< correlation of the intensities at visible points
+  double min_depth_agreement = 0;     ///< share of the reference's surfaces measured in place
   bool recover = false;               ///< whether other starting points are tried
 
-  void validate() const;  ///< throws Error
+  void validate() const;  ///< throws Error if an option is invalid
 };
 
 template <typename Visitor>
@@ -91,10 +91,10 @@ void visit_fields(Visitor& visit, LostOptions& options) {
         "whether turned poses and all keyframes are tried before a frame is lost");
 }
 
-/// How a fall-off of brightness towards the corners enters.
+/// The treatment of a fall-off of brightness towards the corners.
 enum class VignetteModel {
   ignore,
-  estimated,  ///< found while tracking and taken out of every image
+  estimated,  ///< found while tracking and removed from every image
 };
 
 constexpr auto enum_names(VignetteModel) {
@@ -117,7 +117,7 @@ struct TrackerOptions {
   ShutterModel shutter = ShutterModel::given;
   VignetteModel vignette = VignetteModel::ignore;
 
-  void validate() const;  ///< throws Error
+  void validate() const;  ///< throws Error if an option is invalid
 };
 
 template <typename Visitor>

@@ -17,14 +17,14 @@ constexpr auto enum_names(TrackingStatus) {
                     std::pair{TrackingStatus::lost, "lost"}};
 }
 
-/// Why a frame is lost.
+/// The reason why a frame is lost.
 enum class LostReason {
-  none,             ///< it is not
+  none,             ///< the frame is not lost
   too_few_points,   ///< too few edge pixels with depth, or too few of them in view
-  undetermined,     ///< the points leave a direction of motion open
+  undetermined,     ///< the points leave a direction of motion undetermined
   out_of_view,      ///< too small a share of the reference is in view
   images_disagree,  ///< the images do not look alike where they were brought to agree
-  depths_disagree,  ///< other depths are measured than the reference's surfaces would have
+  depths_disagree,  ///< the measured depths differ from those of the reference's surfaces
 };
 
 constexpr auto enum_names(LostReason) {
@@ -38,15 +38,15 @@ constexpr auto enum_names(LostReason) {
 
 struct TrackingResult {
   double timestamp = 0;  ///< s
-  SE3 T_world_camera;    ///< the last tracked pose when lost
+  SE3 T_world_camera;    ///< the last tracked pose if the frame is lost
   TrackingStatus status = TrackingStatus::lost;
   LostReason reason = LostReason::none;
   bool is_keyframe = false;
   AlignResult alignment;           ///< to the first reference; meaningless when initialized
-  double reference_timestamp = 0;  ///< s, of the first reference
-  SE3 T_cur_ref_guess;             ///< where the alignment started
-  double readout_s = 0;            ///< of the rolling shutter, as this frame was aligned with
-  Vignette vignette;               ///< taken out of this frame
+  double reference_timestamp = 0;  ///< s, timestamp of the first reference
+  SE3 T_cur_ref_guess;             ///< pose where the alignment started
+  double readout_s = 0;            ///< s, rolling-shutter read-out time used for this frame
+  Vignette vignette;               ///< removed from this frame's intensities
 };
 
 }  // namespace vo

@@ -7,20 +7,21 @@
 namespace vo {
 namespace {
 
-/// Errors of neighbouring points are alike, and the same points are seen in frame after frame: what
-/// they say together is worth a hundredth of as many that are independent.
+/// Errors of neighbouring points are alike, and the same points are seen in frame after frame:
+/// together they are worth a hundredth of as many independent points.
 constexpr double kDependence = 100;
 
-constexpr double kVignettePriorInformation = kDependence / (0.2 * 0.2);  ///< of a fall-off by 0.2
+/// Information of the prior: a standard deviation of 0.2 for each coefficient.
+constexpr double kVignettePriorInformation = kDependence / (0.2 * 0.2);
 
-constexpr double kDamping = 1e-6;  ///< where nothing determines what is eliminated
+constexpr double kDamping = 1e-6;  ///< keeps the eliminated block invertible
 
-constexpr double kInsignificant = 4;  ///< chi^2: as likely as not there is no vignette
+constexpr double kInsignificant = 4;  ///< chi^2 up to which no vignette is assumed
 
 constexpr int kCoefficients = 2;
 constexpr auto kParameters = static_cast<int>(kPassParameters);
 
-/// Of the coefficients and of what is eliminated.
+/// The normal equations' types for the coefficients and the eliminated parameters.
 using Vector10d = Eigen::Matrix<double, kCoefficients + kParameters, 1>;
 using Matrix10d = Eigen::Matrix<double, kCoefficients + kParameters, kCoefficients + kParameters>;
 
@@ -29,13 +30,13 @@ struct VignettePair {
   PointView view;
   const PointTerms& scores;
   ResidualModel model;
-  const Vignette& of_points;  ///< taken out of the points' image
-  const Vignette& of_image;   ///< taken out of the image they are looked up in
+  const Vignette& of_points;  ///< removed from the points' image
+  const Vignette& of_image;   ///< removed from the image they are looked up in
 };
 
-/// The point's residual and its derivatives by the coefficients, had the image's vignette been
-/// taken out of both images. The mean of both intensities stands for that of the scene: its noise
-/// has no bias to either side.
+/// A point's residual and its derivatives by the coefficients, as if the image's vignette had been
+/// removed from both images. The mean of both intensities stands for that of the scene, so that
+/// noise biases neither side.
 struct VignetteResidual {
   double value;  ///< intensity
   Eigen::Vector2d J;
@@ -56,7 +57,7 @@ VignetteResidual vignette_residual(const VignettePair& pair, const VignetteTerms
   return {value, (seen - value / 2) * logarithmic};
 }
 
-/// Normal equations H delta = -b of the coefficients, in squares of the loss's scale.
+/// The normal equations H delta = -b of the coefficients, in squares of the loss's scale.
 struct VignetteSystem {
   Eigen::Matrix2d H;
   Eigen::Vector2d b;

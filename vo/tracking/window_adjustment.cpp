@@ -16,17 +16,17 @@ namespace {
 
 constexpr Eigen::Index kPose = 6;
 
-/// The points of one frame, the host, in the image of another, the target.
+/// The indices of a host frame, whose points are used, and of the target they are looked up in.
 struct WindowPair {
   std::size_t host;
   std::size_t target;
 };
 
-/// All that is adjusted.
+/// All quantities that are adjusted.
 struct WindowState {
   std::vector<SE3> T_frame_world;
-  std::vector<Eigen::VectorXd> inverse_depth;  ///< 1/m, of each frame's points
-  std::vector<ResidualModel> models;           ///< of each pair
+  std::vector<Eigen::VectorXd> inverse_depth;  ///< 1/m, one vector per host frame
+  std::vector<ResidualModel> models;           ///< one per pair
 
   SE3 T_target_host(const WindowPair& pair) const {
     return T_frame_world[pair.target] * T_frame_world[pair.host].inverse();
@@ -51,7 +51,7 @@ double visible_fraction(const PointView& view) {
   return seen.empty() ? 0 : 1 - static_cast<double>(hidden) / static_cast<double>(seen.size());
 }
 
-/// Brightness and scale of a pair as its images show them, each in turn.
+/// Returns the brightness and the scale that a pair's images show, estimated alternately.
 ResidualModel shown_model(const PointView& view, const AlignOptions& options) {
   constexpr int kRounds = 3;
   ResidualModel model{options.loss_scale, {}};
@@ -112,7 +112,7 @@ class Window {
     return sum;
   }
 
-  /// Where a step from `state` leads.
+  /// Returns the state that a damped step from `state` leads to.
   WindowState stepped(const WindowState& state, double damping) const {
     std::vector<HostSystem> systems;
     Eigen::MatrixXd H = Eigen::MatrixXd::Zero(pose_rows(), pose_rows());
@@ -159,7 +159,7 @@ class Window {
             RowMotion(frames_[pair.target].velocity.twist, options_.readout)};
   }
 
-  /// Inverse variance of the measured inverse depths, m^2.
+  /// Returns the inverse variance of the measured inverse depths, m^2.
   Eigen::VectorXd information(std::size_t host) const {
     const WindowFrame& frame = frames_[host];
     Eigen::VectorXd result(static_cast<Eigen::Index>(frame.points.size()));
@@ -189,7 +189,7 @@ class Window {
     return system;
   }
 
-  /// d(increments of the host's pairs) / d(increments left of all T_frame_world).
+  /// Returns d(increments of the host's pairs) / d(increments left of all T_frame_world).
   Eigen::MatrixXd increment_jacobian(std::size_t host, const WindowState& state) const {
     const std::vector<std::size_t>& pairs = pairs_of_[host];
     Eigen::MatrixXd J =
@@ -231,7 +231,7 @@ class Window {
   }
 
   void move_points(std::size_t host, const HostSystem::Step& step, WindowState& next) const {
-    constexpr double kMaxChange = 0.3;  // of an inverse depth, in one step
+    constexpr double kMaxChange = 0.3;  // share of an inverse depth, in one step
     for (std::size_t k = 0; k < pairs_of_[host].size(); ++k) {
       Brightness& brightness = next.models[pairs_of_[host][k]].brightness;
       brightness.gain += step.brightness[2 * static_cast<Eigen::Index>(k)];
@@ -247,8 +247,8 @@ class Window {
   const WindowOptions& window_;
   const AlignOptions& options_;
   std::vector<WindowPair> pairs_;
-  std::vector<std::vector<std::size_t>> pairs_of_;  ///< of each frame as a host
-  std::vector<std::size_t> hosts_;                  ///< frames with pairs
+  std::vector<std::vector<std::size_t>> pairs_of_;  ///< indices of the pairs of each host frame
+  std::vector<std::size_t> hosts_;                  ///< frames that host a pair
   WindowState start_;
 };
 

@@ -5,11 +5,11 @@
 
 namespace vo {
 
-/// What is adjusted of the newest keyframes when there is a new one.
+/// The quantities of the newest keyframes that are adjusted when there is a new one.
 enum class WindowAdjustment {
   none,
-  poses,  ///< their poses
-  depth,  ///< and the inverse depths of their points
+  poses,  ///< the keyframes' poses
+  depth,  ///< the keyframes' poses and their points' inverse depths
 };
 
 constexpr auto enum_names(WindowAdjustment) {
@@ -21,14 +21,14 @@ constexpr auto enum_names(WindowAdjustment) {
 /// Photometric bundle adjustment of the newest keyframes.
 struct WindowOptions {
   WindowAdjustment adjust = WindowAdjustment::none;
-  int moved = 3;             ///< newest keyframes whose poses are adjusted
-  int held = 2;              ///< keyframes before them, aligned to but not moved
-  int max_iterations = 6;    ///< of Levenberg and Marquardt
-  double converged = 1e-4;   ///< share of the loss; a step that gains less is the last
+  int moved = 3;             ///< number of newest keyframes whose poses are adjusted
+  int held = 2;              ///< number of keyframes before them, with fixed poses
+  int max_iterations = 6;    ///< most Levenberg-Marquardt iterations
+  double converged = 1e-4;   ///< share of the loss; the step that gains less is the last
   double min_overlap = 0.3;  ///< share of the points of one keyframe that another must see
-  double depth_noise = 1;    ///< times what is known of the points' depth
+  double depth_noise = 1;    ///< factor on the points' depth_sigma
 
-  void validate() const;  ///< throws Error
+  void validate() const;  ///< throws Error if an option is invalid
 };
 
 template <typename Visitor>
