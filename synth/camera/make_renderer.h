@@ -8,12 +8,13 @@
 
 namespace synth {
 
-/// The renderer of `options.kind` for a scene, which must outlive it. Throws vo::Error for options
-/// out of their ranges.
+/// Creates the renderer of `options.kind` for a scene, which must outlive it. Throws vo::Error for
+/// options out of their ranges.
 std::unique_ptr<Renderer> make_renderer(const Scene& scene, const RenderOptions& options);
 
-/// The ray tracer has moving things move while a capture is taken; lights stay as they are `now`.
-/// The rasterizer, which takes captures of an instant alone, has all things as they are `now`.
+/// Creates a renderer of a moving scene, which must outlive it. The ray tracer moves geometry
+/// within a capture and keeps lights as in `during.now`; the rasterizer keeps all as in
+/// `during.now`.
 std::unique_ptr<Renderer> make_renderer(const SceneDuring& during, const RenderOptions& options);
 
 }  // namespace synth

@@ -14,7 +14,7 @@ constexpr double kMiddleGrey = 0.18;
 constexpr int kMeteringWidth = 80;  // px
 constexpr std::size_t kMeteringPoses = 8;
 
-/// Same view, fewer pixels.
+/// Returns a camera with the view of `camera` and at most kMeteringWidth columns.
 vo::PinholeCamera metering_camera(const vo::PinholeCamera& camera) {
   vo::PinholeCamera small = camera;
   small.width = std::min(kMeteringWidth, camera.width);
@@ -28,7 +28,7 @@ vo::PinholeCamera metering_camera(const vo::PinholeCamera& camera) {
   return small;
 }
 
-/// Of ITU-R BT.709.
+/// Returns the luminance of linear RGB after ITU-R BT.709.
 float luminance(const cv::Vec3f& rgb) {
   return 0.2126F * rgb[0] + 0.7152F * rgb[1] + 0.0722F * rgb[2];
 }

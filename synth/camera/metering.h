@@ -10,18 +10,18 @@
 
 namespace synth {
 
-/// What a camera's metering makes of a view, rendered small.
+/// The exposure and mean colour that a camera meters from a small rendering of a view.
 struct Metering {
-  double exposure = 1;  ///< brings the median to 18 % grey; 1 in the dark
-  Eigen::Vector3d mean = Eigen::Vector3d::Ones();  ///< linear RGB; 1 in the dark
+  double exposure = 1;  ///< gain that brings the median luminance to 18 % grey; 1 in the dark
+  Eigen::Vector3d mean = Eigen::Vector3d::Ones();  ///< mean linear RGB of the view; 1 in the dark
 };
 
 Metering meter(const Renderer& renderer, const vo::PinholeCamera& camera,
                const vo::SE3& T_world_camera);
 
-/// The gain that brings the middle of what the camera sees to 18 % grey, rendered small at eight
-/// poses spread over the trajectory, the scene as it is then; 1 for a scene without lights, whose
-/// colours are final.
+/// Returns the gain that brings the median luminance to 18 % grey over eight poses spread over the
+/// trajectory, rendered small with the scene at those times; 1 for a scene without lights or lit
+/// surfaces, whose colours are final, and for an empty trajectory.
 double meter_exposure(const Scene& scene, const RenderersOverTime& renderers,
                       const vo::PinholeCamera& camera, const vo::Trajectory& trajectory);
 

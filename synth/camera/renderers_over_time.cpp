@@ -6,7 +6,7 @@
 namespace synth {
 namespace {
 
-/// With the scene that the renderer refers to.
+/// A renderer together with the scene that it refers to.
 struct Moment {
   Scene scene;
   std::unique_ptr<const Renderer> renderer;

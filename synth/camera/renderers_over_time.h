@@ -8,22 +8,21 @@
 
 namespace synth {
 
-/// Renderers of a scene as it is at times of its animations. What they are made from must outlive
-/// them.
+/// Provides renderers of an animated scene as it is at chosen times. The scene must outlive it.
 class RenderersOverTime {
  public:
   RenderersOverTime(const Scene& scene, const RenderOptions& options);
 
-  /// One renderer for all times.
+  /// Uses one renderer for all times.
   explicit RenderersOverTime(std::shared_ptr<const Renderer> still) : still_(std::move(still)) {}
 
-  /// Time in s. Builds one, but where nothing moves.
+  /// Returns a renderer of the scene at a time, s; builds a new one if anything in the scene moves.
   std::shared_ptr<const Renderer> at(double time) const;
 
  private:
   const Scene* scene_ = nullptr;
   RenderOptions options_;
-  std::shared_ptr<const Renderer> still_;  ///< none where something moves
+  std::shared_ptr<const Renderer> still_;  ///< null if anything in the scene moves
 };
 
 }  // namespace synth

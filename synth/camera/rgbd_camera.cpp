@@ -16,7 +16,7 @@ DepthView seen_by_depth_camera(const RenderedFrame& frame) {
   return {frame.depth, frame.normal};
 }
 
-/// When the capture's rows are exposed, in the scene's time.
+/// Returns the time span in which the capture's rows are exposed, s of the scene's animations.
 TimeSpan span_of(const Capture& capture) {
   const int height = capture.camera.height;
   return {capture.scene_time + capture.shutter.time_in_row(0, 0, height),
@@ -77,7 +77,8 @@ std::vector<double> RgbdSensor::stamps() const {
   return times;
 }
 
-/// The exposure of the whole sequence is reached with the shutter's exposure time alone.
+/// Follows the exposure metered for each frame. The exposure metered for the whole sequence is
+/// reached with the shutter's own exposure time and no amplification.
 void RgbdSensor::follow_exposure(const std::vector<Metering>& metered) {
   const AutoExposureOptions& control = options_.auto_exposure;
   if (!control.enabled) {
@@ -120,7 +121,7 @@ void RgbdSensor::follow_balance(const std::vector<Metering>& metered) {
     }
   }
   for (FrameSetting& setting : settings_) {
-    setting.balance /= setting.balance.minCoeff();  // what is saturated stays white
+    setting.balance /= setting.balance.minCoeff();  // least gain 1: saturated pixels stay white
   }
 }
 

@@ -16,31 +16,32 @@
 
 namespace synth {
 
-/// What a sensor is carried along.
+/// The motion of a sensor during a sequence.
 struct SensorMotion {
   vo::Trajectory truth;  ///< T_world_camera at the stamp of each frame
-  CameraPath path;       ///< and at any time between
+  CameraPath path;       ///< T_world_camera at any time between the stamps
 };
 
-/// The path through poses: a spline, at rest where there is only one.
+/// Returns the spline path through poses, or a path at rest for fewer than two poses.
 CameraPath path_through(const vo::Trajectory& poses);
 
-/// Takes the frames of a sequence, from any thread, in any order: each depends on its index and on
-/// what it was made from alone. What it is made from must outlive it.
+/// Takes the frames of a sequence, from any thread and in any order: each depends only on its index
+/// and the constructor's arguments. `renderers`, `camera` and `motion` must outlive the sensor.
 class RgbdSensor {
  public:
-  /// Meters the whole sequence where exposure or white balance follow the scene.
+  /// Meters the scene where `options.exposure` is 0, and every frame where exposure or white
+  /// balance are automatic.
   RgbdSensor(const Scene& scene, const RenderersOverTime& renderers,
              const vo::PinholeCamera& camera, const SensorMotion& motion,
              const SensorOptions& options);
 
-  /// Stamped with the colour image's; depth's is `options.depth.delay` later.
+  /// Takes a frame, stamped with the colour image's time; depth is `options.depth.delay` later.
   vo::RgbdFrame take(std::size_t index) const { return take(index, *renderer_at(index)); }
 
-  /// When anything of a frame is measured, s after the first stamp.
+  /// Returns the time span, s after the first stamp, in which a frame is exposed.
   TimeSpan span(std::size_t index) const;
 
-  /// With a renderer of the scene as it is during the frame.
+  /// Takes a frame with a renderer of the scene as it is during the frame.
   vo::RgbdFrame take(std::size_t index, const Renderer& now) const;
 
   const FrameSetting& setting(std::size_t index) const { return settings_[index]; }

@@ -14,8 +14,8 @@ vo::SE3 start_pose(const MoveOptions& options) {
   return vo::look_at(options.eye, options.target, Eigen::Vector3d::UnitY());
 }
 
-/// The way from 0 to 1 at a steady speed between two ramps, on which the speed is the cubic step
-/// 3 u^2 - 2 u^3, whose slope vanishes at both ends.
+/// Progress from 0 to 1 at constant speed between two ramps, on which the speed follows the cubic
+/// step 3 u^2 - 2 u^3, whose slope vanishes at both ends.
 class Progress {
  public:
   Progress(double ramp_s, double duration_s) : ramp_(ramp_s), duration_(duration_s) {
@@ -52,7 +52,7 @@ vo::SE3 turned(double angle_deg, const Eigen::Vector3d& axis) {
 void MoveOptions::validate() const {
   vo::require(eye.allFinite() && target.allFinite() && by.allFinite() && std::isfinite(turn_deg),
               "move: expected finite numbers");
-  constexpr double kLeastSine = 1e-6;  // of the angle to the vertical
+  constexpr double kLeastSine = 1e-6;  // sine of the gaze's angle to the vertical
   const Eigen::Vector3d gaze = target - eye;
   vo::require(std::hypot(gaze.x(), gaze.z()) > kLeastSine * gaze.norm(),
               "move: expected a target beside the eye, not at it or straight above or below it");

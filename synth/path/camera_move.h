@@ -6,17 +6,16 @@
 
 namespace synth {
 
-/// A camera that starts at a pose and moves in one way, from rest to rest: it speeds up and slows
-/// down so that its acceleration is continuous. It rests before time 0 and after the duration.
+/// A camera that starts at a pose and makes one move from rest to rest with continuous
+/// acceleration. It rests before time 0 and after the duration.
 struct MoveOptions {
-  Eigen::Vector3d eye = Eigen::Vector3d::Zero();  ///< m, world; where it starts
-  Eigen::Vector3d target =
-      -Eigen::Vector3d::UnitZ();                  ///< m, world; what it looks at when it starts
-  Eigen::Vector3d by = Eigen::Vector3d::UnitX();  ///< m, in the start pose's axes; dolly
-  double turn_deg = 45;                           ///< to the left (pan), clockwise (roll)
-  double ramp = 0.5;                              ///< s, to speed up, and to slow down
+  Eigen::Vector3d eye = Eigen::Vector3d::Zero();       ///< m, world; start position
+  Eigen::Vector3d target = -Eigen::Vector3d::UnitZ();  ///< m, world; point looked at when it starts
+  Eigen::Vector3d by = Eigen::Vector3d::UnitX();       ///< m, dolly, in the start pose's axes
+  double turn_deg = 45;                                ///< deg, pan to the left, or roll clockwise
+  double ramp = 0.5;                                   ///< s, to speed up, and again to slow down
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error if out of range
 };
 
 template <typename Visitor>
@@ -30,13 +29,13 @@ void visit_fields(Visitor& visit, MoveOptions& options) {
 
 CameraPath still(const MoveOptions& options);
 
-/// Straight on, without turning.
+/// Returns a path that translates the camera by `options.by` without turning it.
 CameraPath dolly(const MoveOptions& options, double duration_s);
 
-/// About the world's vertical through the camera.
+/// Returns a path that turns the camera about the world's vertical through its position.
 CameraPath pan(const MoveOptions& options, double duration_s);
 
-/// About the optical axis.
+/// Returns a path that turns the camera about its optical axis.
 CameraPath roll(const MoveOptions& options, double duration_s);
 
 }  // namespace synth

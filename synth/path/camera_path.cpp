@@ -23,7 +23,7 @@ struct NaturalSpline {
   Vector7d at(double time) const;
 };
 
-/// Between two knots h apart, a and b being the shares of the nearer end:
+/// Evaluates the spline between two knots h apart, a and b being the shares of the knots:
 ///     a y0 + b y1 + ((a^3 - a) y0'' + (b^3 - b) y1'') h^2 / 6.
 Vector7d NaturalSpline::at(double time) const {
   const double clamped = std::clamp(time, times.front(), times.back());
@@ -36,7 +36,7 @@ Vector7d NaturalSpline::at(double time) const {
          ((a * a * a - a) * curvatures[i] + (b * b * b - b) * curvatures[i + 1]) * (h * h / 6);
 }
 
-/// Continuity of the first derivative gives, with slopes s_i = (y_i+1 - y_i) / h_i,
+/// Solves for second derivatives. With slopes s_i = (y_i+1 - y_i) / h_i, a continuous slope gives
 ///     h_i-1 y_i-1'' + 2 (h_i-1 + h_i) y_i'' + h_i y_i+1'' = 6 (s_i - s_i-1),
 /// tridiagonal, solved by elimination from the first to the last knot and back.
 std::vector<Vector7d> solve_curvatures(const std::vector<double>& times,

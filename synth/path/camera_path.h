@@ -13,18 +13,18 @@ namespace synth {
 using CameraPath = std::function<vo::SE3(double time)>;
 
 struct TimeSpan {
-  double begin = 0;  ///< s
-  double end = 0;    ///< s
+  double begin = 0;  ///< s, start of the span
+  double end = 0;    ///< s, end of the span
 };
 
 struct OrbitOptions {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< m, world; the camera looks at it
-  double radius = 1.0;                               ///< m
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< m, world; point the camera looks at
+  double radius = 1.0;                               ///< m, horizontal distance from the centre
   double height = 0.0;                               ///< m above the centre
   double period = 20.0;                              ///< s per turn, counter-clockwise from above
-  double start_deg = 0.0;                            ///< where it starts, deg from +x towards -z
+  double start_deg = 0.0;                            ///< deg, start angle from +x towards -z
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error if out of range
 };
 
 template <typename Visitor>
@@ -38,20 +38,20 @@ void visit_fields(Visitor& visit, OrbitOptions& options) {
 
 CameraPath orbit(const OrbitOptions& options);
 
-/// Twice continuously differentiable on SE(3), through every control pose at its time: natural
-/// cubic splines of the position and of the sign-continuous quaternion, which is normalised. A
-/// rigid change of the world's or the camera's frame changes the path by the same, quaternions
-/// being multiplied by linear maps. Constant before the first and after the last control pose.
-/// Needs at least two.
+/// Returns a path on SE(3) through every control pose at its time: natural cubic splines of the
+/// position and of the sign-continuous quaternion, which is normalised. The path is twice
+/// continuously differentiable between the first and the last pose and constant before and after.
+/// Rigid changes of the world's frame and rotations of the camera's frame carry over to the path,
+/// since they act linearly on quaternions. Throws vo::Error for fewer than two poses.
 CameraPath spline(const vo::Trajectory& control_poses);
 
-/// 0, 1 / rate, 2 / rate, ... below or at `duration`.
+/// Returns the times 0, 1 / rate, 2 / rate, ... below or at the duration, s.
 std::vector<double> sample_times(double rate_hz, double duration_s);
 
-/// The path's poses at these times.
+/// Returns the path's poses at these times, s.
 vo::Trajectory sample(const CameraPath& path, const std::vector<double>& times);
 
-/// The path's poses at `sample_times`.
+/// Returns the path's poses at `sample_times`.
 vo::Trajectory sample(const CameraPath& path, double rate_hz, double duration_s);
 
 }  // namespace synth

@@ -24,7 +24,7 @@ using Wobble = std::array<Sinusoid, kParts>;
 
 enum Draw : std::uint64_t { frequency_draw = 1, phase_draw = 2 };
 
-/// Of mean square 1: a sinusoid has half of its squared amplitude.
+/// Returns a sum of sinusoids of mean square 1; each has half of its squared amplitude.
 Wobble make_wobble(const ShakeOptions& options, std::uint64_t axis) {
   Wobble wobble;
   double mean_square = 0;
@@ -64,7 +64,7 @@ void ShakeOptions::validate() const {
 
 CameraPath with_hand_shake(CameraPath path, const ShakeOptions& options) {
   options.validate();
-  std::array<Wobble, 6> wobbles;  // of translation and rotation
+  std::array<Wobble, 6> wobbles;  // three of translation, three of rotation
   for (std::size_t axis = 0; axis < wobbles.size(); ++axis) {
     wobbles.at(axis) = make_wobble(options, axis);
   }

@@ -10,21 +10,21 @@
 namespace synth {
 
 /// A uniform cubic B-spline of Dim values that starts and ends at rest, at its first and last
-/// control point: twice continuously differentiable, its slope nowhere steeper than that of the
-/// straight lines between control points, and nowhere farther than 0.55 of their spacing from the
-/// nearest of them.
+/// control point. It is twice continuously differentiable, nowhere steeper than the straight lines
+/// between control points, and nowhere farther than 0.55 of their spacing from the nearest control
+/// point.
 template <int Dim>
 class RestSpline {
  public:
   using Vector = Eigen::Matrix<double, Dim, 1>;
 
-  /// One control point every `step` seconds.
+  /// Places one control point every `step_s` seconds.
   RestSpline(std::vector<Vector> controls, double step_s)
       : controls_(std::move(controls)), step_(step_s) {}
 
   double duration() const { return step_ * static_cast<double>(controls_.size() + 1); }
 
-  /// Constant before 0 and after the duration.
+  /// Returns the value at a time, s, which is constant before 0 and after the duration.
   Vector at(double time) const {
     const double steps = std::clamp(time / step_, 0.0, static_cast<double>(controls_.size() + 1));
     const auto segment = std::min(static_cast<std::ptrdiff_t>(steps), count());
@@ -39,7 +39,7 @@ class RestSpline {
  private:
   std::ptrdiff_t count() const { return static_cast<std::ptrdiff_t>(controls_.size()); }
 
-  /// The first and the last one stand three times.
+  /// Returns a control point, of which the first and the last are each repeated three times.
   const Vector& control(std::ptrdiff_t index) const {
     return controls_[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(index, 0, count() - 1))];
   }

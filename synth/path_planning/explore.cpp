@@ -18,15 +18,15 @@ namespace {
 using Eigen::Vector3d;
 using Vector5d = Eigen::Matrix<double, 5, 1>;  ///< position, yaw, pitch
 
-/// The options without zeros, and what follows from them.
+/// The parameters of the path, with all defaults resolved.
 struct Plan {
-  double scale = 0;      ///< m
-  double clearance = 0;  ///< m
+  double scale = 0;      ///< m, typical distance to what is seen
+  double clearance = 0;  ///< m, least distance to surfaces
   double spacing = 0;    ///< m between control points, at most
-  double step = 0;       ///< s between them
+  double step = 0;       ///< s between control points
   std::size_t controls = 0;
 
-  double margin() const { return clearance + 1.1 * spacing; }  ///< m, of points to be smoothed
+  double margin() const { return clearance + 1.1 * spacing; }  ///< m, clearance before smoothing
 };
 
 Plan make_plan(const ExploreOptions& options, double scale, double duration_s) {
@@ -45,7 +45,7 @@ Plan make_plan(const ExploreOptions& options, double scale, double duration_s) {
   return plan;
 }
 
-/// Points along the polyline, `spacing` apart, the first `count` of them.
+/// Returns the first `count` points along the polyline, `spacing` apart.
 std::vector<Vector3d> resampled(const std::vector<Vector3d>& polyline, double spacing,
                                 std::size_t count) {
   std::vector<Vector3d> points = {polyline.front()};
@@ -60,7 +60,8 @@ std::vector<Vector3d> resampled(const std::vector<Vector3d>& polyline, double sp
   return points;
 }
 
-/// An elastic band: every point is drawn to the middle of its neighbours while the margin is kept.
+/// Smooths an elastic band: every point moves towards the middle of its neighbours while it keeps a
+/// clearance of `margin`, m.
 void relax(const FreeSpace& space, double margin, std::vector<Vector3d>& points) {
   constexpr int kRounds = 40;
   for (int round = 0; round < kRounds; ++round) {
@@ -75,11 +76,11 @@ void relax(const FreeSpace& space, double margin, std::vector<Vector3d>& points)
 
 std::vector<Vector3d> find_way(const FreeSpace& space, const ExploredRegion& region,
                                const Plan& plan, std::uint64_t seed) {
-  constexpr double kRounding = 1.07;  // the margin is kept up to a sixteenth between places
+  constexpr double kRounding = 1.07;  // is_free keeps its radius up to a sixteenth
   const Roadmap roadmap = make_roadmap(space, region, kRounding * plan.margin(), seed);
   vo::require(!roadmap.places.empty(), "explore: found no free space with a clearance of ",
               plan.clearance, " m; expected a smaller explore.clearance or another scene");
-  constexpr double kShrinking = 1.5;  // what relaxing may take off
+  constexpr double kShrinking = 1.5;  // greatest factor by which relaxing shortens
   const double length = plan.spacing * static_cast<double>(plan.controls);
   std::vector<Vector3d> points =
       resampled(wander(roadmap, kShrinking * length + 1, seed), plan.spacing,
@@ -88,11 +89,11 @@ std::vector<Vector3d> find_way(const FreeSpace& space, const ExploredRegion& reg
   return resampled(points, plan.spacing, plan.controls);
 }
 
-/// A view for each point: planned for some, straight between them.
+/// Returns a view for each point: planned for some, interpolated linearly between them.
 std::vector<PlannedView> find_gazes(const SurfaceTracer& tracer,
                                     const std::vector<Vector3d>& points, const Plan& plan,
                                     double turn_deg) {
-  constexpr double kLookAgain = 0.5;  // s at least
+  constexpr double kLookAgain = 0.5;  // s, least time between planned views
   const double turn_rate = turn_deg * std::numbers::pi / 180;
   const double interval = std::max(kLookAgain, least_turn() / turn_rate);
   const auto stride = static_cast<std::size_t>(std::ceil(interval / plan.step));
@@ -101,7 +102,7 @@ std::vector<PlannedView> find_gazes(const SurfaceTracer& tracer,
     places.push_back(points[std::min(i, points.size() - 1)]);
   }
   const double max_turn = turn_rate * plan.step * static_cast<double>(stride);
-  constexpr double kReach = 2.5;  // scales
+  constexpr double kReach = 2.5;  // in units of the scale
   const std::vector<PlannedView> keys =
       plan_views(tracer, places, {.reach = kReach * plan.scale, .max_turn = max_turn});
   std::vector<PlannedView> views;
@@ -114,7 +115,7 @@ std::vector<PlannedView> find_gazes(const SurfaceTracer& tracer,
   return views;
 }
 
-/// The least along the path, m.
+/// Returns the least clearance along the path, m, or twice the plan's where that is less.
 double least_clearance(const FreeSpace& space, const RestSpline<5>& spline, const Plan& plan) {
   constexpr int kPerStep = 8;
   double least = 2 * plan.clearance;

@@ -7,16 +7,16 @@
 
 namespace synth {
 
-/// A camera that finds its own way. What is 0 is chosen by the scene's own scale: how far one
-/// typically sees in it.
+/// The limits of a camera path that is planned automatically. A value of 0 is chosen by the scene's
+/// scale: the typical distance from a camera to what it sees.
 struct ExploreOptions {
-  double length = 0;     ///< m at most; 0 = what the duration allows
-  double speed = 0;      ///< m/s at most; 0 = a fifth of the scale a second
-  double clearance = 0;  ///< m to everything, all along; 0 = a tenth of the scale
-  double turn_deg = 40;  ///< deg/s at most
+  double length = 0;     ///< m, greatest length; 0 = what the duration allows
+  double speed = 0;      ///< m/s, greatest speed; 0 = a fifth of the scale a second
+  double clearance = 0;  ///< m, least distance to surfaces; 0 = a tenth of the scale
+  double turn_deg = 40;  ///< deg/s, greatest angular speed
   std::uint64_t seed = 0;
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error if out of range
 };
 
 template <typename Visitor>
@@ -30,15 +30,15 @@ void visit_fields(Visitor& visit, ExploreOptions& options) {
 
 struct ExploredPath {
   CameraPath path;       ///< from rest to rest, twice continuously differentiable, never rolled
-  double duration = 0;   ///< s
-  double speed = 0;      ///< m/s, nowhere exceeded
-  double clearance = 0;  ///< m, everywhere kept
+  double duration = 0;   ///< s, time from rest to rest
+  double speed = 0;      ///< m/s, upper bound of the speed
+  double clearance = 0;  ///< m, least distance to surfaces along the path
 };
 
-/// Wanders along a roadmap of the scene's free space, inside of it if there is an inside, smoothed
-/// as far as the clearance allows, and looks where much textured surface is in reach, found by
-/// dynamic programming over small renders. `duration` counts where no length is asked for. A pure
-/// function of its arguments. Throws vo::Error where there is no room.
+/// Plans a path along a roadmap of the scene's free space, indoors if there is an inside, smoothed
+/// as far as the clearance allows. It looks where much textured surface is in reach, by dynamic
+/// programming over small renders. `duration_s` counts where no length is asked for. The result is
+/// a pure function of the arguments. Throws vo::Error where there is no free space.
 ExploredPath explore(const SurfaceTracer& tracer, double duration_s, const ExploreOptions& options);
 
 }  // namespace synth

@@ -11,9 +11,10 @@ namespace synth {
 namespace {
 
 constexpr int kDirections = 96;
-constexpr float kLevel = 0.5F;  // sine of 30 deg: rays below count as level, to where walls are
+constexpr float kLevel = 0.5F;  // sine of 30 deg elevation, below which rays count as level
 
-/// Gonzalez, Measurement of areas on a sphere using Fibonacci lattices (2010).
+/// Returns unit directions of a Fibonacci lattice (Gonzalez, Measurement of areas on a sphere using
+/// Fibonacci lattices, 2010).
 std::vector<Eigen::Vector3f> even_directions(int count) {
   std::vector<Eigen::Vector3f> directions;
   for (int i = 0; i < count; ++i) {
@@ -47,7 +48,7 @@ double FreeSpace::clearance(const Eigen::Vector3d& p_world, double reach) const 
                              static_cast<float>(reach));
 }
 
-/// From each place on the way as far as the ball around it is free.
+/// Advances along the segment as far as the ball around each position is free.
 bool FreeSpace::is_free(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                         double radius) const {
   const double length = (to - from).norm();
@@ -81,7 +82,7 @@ Eigen::Vector3d FreeSpace::beside_surface(const Eigen::Vector4d& shares) const {
   const FlatMesh& mesh = tracer_.world().meshes[mesh_index];
   const std::array<Eigen::Vector3f, 3> corners =
       corners_of(mesh, static_cast<int>(index - triangles_before_[mesh_index]));
-  const double root = std::sqrt(shares[1]);  // evenly over the triangle
+  const double root = std::sqrt(shares[1]);  // makes the point uniform over the triangle
   const Eigen::Vector3d a = corners[0].cast<double>();
   const Eigen::Vector3d ab = corners[1].cast<double>() - a;
   const Eigen::Vector3d ac = corners[2].cast<double>() - a;
@@ -92,7 +93,7 @@ Eigen::Vector3d FreeSpace::beside_surface(const Eigen::Vector4d& shares) const {
     normal *= -1;
   }
   const double size = bounds().diagonal().norm();
-  const double start = 1e-5 * size;  // off the triangle itself
+  const double start = 1e-5 * size;  // m, offset from the triangle itself
   const double opposite = distance_along(point + start * normal, normal);
   return point + normal * (start + shares[3] * (opposite > 0 ? opposite : size / 2));
 }

@@ -13,7 +13,8 @@
 namespace synth {
 namespace {
 
-/// Moller & Trumbore, Fast, minimum storage ray/triangle intersection (1997).
+/// Whether a step crosses a triangle (Moller & Trumbore, Fast, minimum storage ray/triangle
+/// intersection, 1997).
 bool crosses(const TimedStep& step, const std::array<Eigen::Vector3d, 3>& corners) {
   const Eigen::Vector3d way = step.to - step.from;
   const Eigen::Vector3d a = corners[1] - corners[0];
@@ -49,7 +50,7 @@ double last_key(const SceneMotion& motion) {
   return last;
 }
 
-/// The instance as it is in one scene, in another one.
+/// Adds a copy of an instance of one scene, and of its mesh, to another scene.
 void add_copy(const Scene& from, std::size_t index, Scene& to) {
   Instance copy = from.instances[index];
   if (copy.mesh != kNone) {
@@ -63,7 +64,7 @@ void add_copy(const Scene& from, std::size_t index, Scene& to) {
 
 Scene with_traces(const Scene& scene, double duration) {
   constexpr double kInterval = 0.25;  // s
-  constexpr double kMost = 64;        // traces
+  constexpr double kMost = 64;        // greatest number of copies
   const std::vector<bool> moving = moving_instances(scene);
   const double end = std::min(duration, last_key(scene.motion));
   const double count = std::clamp(std::ceil(end / kInterval), 0.0, kMost);

@@ -20,11 +20,11 @@ namespace synth {
 namespace {
 
 constexpr int kBetweenFrames = 8;
-constexpr double kTouch = 1e-3;        // m, from where on it is a collision
-constexpr double kBlank = 0.05;        // share of textured tiles
-constexpr double kDifference = 0.005;  // s, to either side
+constexpr double kTouch = 1e-3;        // m, clearance below which it is a collision
+constexpr double kBlank = 0.05;        // share of textured tiles below which a view is blank
+constexpr double kDifference = 0.005;  // s, step to either side of central differences
 
-/// The scene at an instant. What is in it refers to itself.
+/// The scene at an instant, with a tracer and a free space that refer to it.
 struct Instant {
   explicit Instant(Scene now)
       : scene(std::move(now)), tracer(scene, RenderOptions{}.ambient), space(tracer) {}
@@ -57,7 +57,7 @@ void measure_motion(const CameraPath& path, FrameCheck& frame) {
       (kDifference * kDifference);
 }
 
-/// Of the camera's motion alone.
+/// Returns the median optical flow by the camera's motion alone, in pixels of `camera`.
 double median_flow(const SurfaceTracer& tracer, const vo::PinholeCamera& camera,
                    const vo::SE3& T_world_cur, const vo::SE3& T_world_next) {
   const vo::PinholeCamera small = thumbnail(camera, 64);

@@ -9,17 +9,17 @@
 
 namespace synth {
 
-/// What a path must keep to. 0 = no limit.
+/// The limits that a path must keep; 0 = no limit.
 struct PathLimits {
-  double min_clearance = 0;       ///< m
-  double min_depth_share = 0;     ///< of the pixels, in every frame
-  double min_textured_share = 0;  ///< see synth::ViewContent; in every frame
+  double min_clearance = 0;       ///< m, to any surface
+  double min_depth_share = 0;     ///< share of pixels with depth, in every frame
+  double min_textured_share = 0;  ///< ViewContent::textured_share, in every frame
   double max_speed = 0;           ///< m/s
-  double max_turn_deg = 0;        ///< deg/s
+  double max_turn_deg = 0;        ///< deg/s, angular speed
   double max_acceleration = 0;    ///< m/s^2
-  double max_flow_px = 0;         ///< of a frame's median
+  double max_flow_px = 0;         ///< px, median optical flow of a frame
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error if out of range
 };
 
 template <typename Visitor>
@@ -33,16 +33,16 @@ void visit_fields(Visitor& visit, PathLimits& limits) {
   visit("max_flow_px", limits.max_flow_px, "a frame's median optical flow, px");
 }
 
-/// A frame, and the way from it to the next one.
+/// Measurements of a frame and of the motion from it to the next one.
 struct FrameCheck {
   double time = 0;            ///< s
-  double clearance = 0;       ///< m, least on the way; 0 where a surface is met
+  double clearance = 0;       ///< m, least until the next frame; 0 = collision
   double speed = 0;           ///< m/s
-  double turn_deg = 0;        ///< deg/s
+  double turn_deg = 0;        ///< deg/s, angular speed
   double acceleration = 0;    ///< m/s^2
-  double depth_share = 0;     ///< of the pixels
-  double textured_share = 0;  ///< of the tiles
-  double flow_px = 0;         ///< median over the pixels with depth, to the next frame
+  double depth_share = 0;     ///< share of pixels with depth
+  double textured_share = 0;  ///< share of textured tiles
+  double flow_px = 0;         ///< px, median optical flow to the next frame
 };
 
 struct Range {
@@ -53,20 +53,20 @@ struct Range {
 
 struct PathReport {
   double duration = 0;  ///< s, from the first to the last frame
-  double length = 0;    ///< m
-  int collisions = 0;   ///< ways between frames that cross or touch a surface, moving or not
+  double length = 0;    ///< m, sum of the distances between frames
+  int collisions = 0;   ///< frame intervals in which the camera touches or crosses a surface
   int blank_views = 0;  ///< frames with contrast in fewer than a twentieth of their tiles
   std::vector<FrameCheck> frames;
-  std::vector<std::string> violations;  ///< a sentence for each limit that is not kept
+  std::vector<std::string> violations;  ///< a message for each limit that is not kept
 };
 
-/// The range of one of a frame's values.
+/// Returns the range of one measured value over all frames.
 Range range_of(const std::vector<FrameCheck>& frames, double FrameCheck::*value);
 
-/// Each frame sees the scene as it is then, its animations starting with the first frame. Clearance
-/// is looked at eight times between frames; speeds and acceleration are central differences over 10
-/// ms; the flow is that of pixels of a view 64 pixels wide by the camera's motion alone, in pixels
-/// of `camera`.
+/// Checks a path against limits. Each frame sees the scene at its time, animations starting with
+/// the first frame. Clearance is sampled in eight steps between frames; speeds and acceleration are
+/// central differences over 10 ms; flow is that of a view 64 pixels wide by the camera's motion
+/// alone, in pixels of `camera`.
 PathReport check_path(const Scene& scene, const vo::PinholeCamera& camera, const TimedPath& timed,
                       const PathLimits& limits);
 

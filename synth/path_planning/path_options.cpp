@@ -24,7 +24,7 @@ vo::Trajectory poses_of_file(const PathOptions& options) {
                                             : vo::read_trajectory(options.file);
 }
 
-/// The spline through a file's poses, over their own time span.
+/// Returns the spline through a file's poses, sampled at `rate`, Hz, over their own time span.
 TimedPath resampled(const vo::Trajectory& poses, double rate) {
   vo::require(poses.size() >= 2, "path.file: expected at least two poses for a spline");
   const double start = poses.front().timestamp;
@@ -41,7 +41,7 @@ TimedPath resampled(const vo::Trajectory& poses, double rate) {
   return result;
 }
 
-/// The poses at their own times, smooth between them.
+/// Returns the poses at their own times, with a spline between them.
 TimedPath as_recorded(const vo::Trajectory& poses) {
   TimedPath result;
   for (const vo::StampedPose& pose : poses) {

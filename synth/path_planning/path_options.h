@@ -16,15 +16,15 @@
 namespace synth {
 
 enum class PathKind {
-  orbit,       ///< around a point
-  spline,      ///< smooth, through poses: `eyes` and `targets`, or those of `file`
+  orbit,       ///< circle around a point
+  spline,      ///< smooth path through `eyes` and `targets`, or the poses of `file`
   trajectory,  ///< the poses of `file` as they are
-  recorded,    ///< those of `file`, put into the scene and resampled
-  still,       ///< at rest
-  dolly,       ///< straight on
-  pan,         ///< about the vertical
-  roll,        ///< about the optical axis
-  explore,     ///< through the scene's free space, as it finds it
+  recorded,    ///< poses of `file`, placed in the scene and resampled
+  still,       ///< camera at rest
+  dolly,       ///< straight translation
+  pan,         ///< rotation about the vertical
+  roll,        ///< rotation about the optical axis
+  explore,     ///< automatically planned path through the scene's free space
 };
 
 constexpr auto enum_names(PathKind) {
@@ -42,17 +42,17 @@ constexpr auto enum_names(PathKind) {
 struct PathOptions {
   PathKind kind = PathKind::orbit;
   double rate = 30;     ///< frames per second
-  double duration = 5;  ///< s
+  double duration = 5;  ///< s, length of the path in time
   OrbitOptions orbit;
-  std::vector<Eigen::Vector3d> eyes;     ///< m, world; spread evenly over the duration
+  std::vector<Eigen::Vector3d> eyes;     ///< m, world; camera positions, evenly spread over time
   std::vector<Eigen::Vector3d> targets;  ///< m, world; what the camera looks at from each eye
   std::filesystem::path file;            ///< TUM trajectory, or EuRoC's where it ends in .csv
   RecordedOptions recorded;
   MoveOptions move;
   ExploreOptions explore;
-  ShakeOptions shake;  ///< on top of any path
+  ShakeOptions shake;  ///< hand shake added to any path
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error if out of range
 };
 
 template <typename Visitor>
@@ -70,17 +70,17 @@ void visit_fields(Visitor& visit, PathOptions& options) {
   visit("shake", options.shake, "");
 }
 
-/// A motion without gaps and the times of its frames, s. It can be asked for any time between them.
+/// A continuous camera path and the times of its frames, s.
 struct TimedPath {
   CameraPath path;
   std::vector<double> times;
 };
 
-/// `scene` is read where the camera explores it; there it keeps clear of all places that moving
-/// things come by.
+/// Returns the path and its frames' times. `scene` is read only for PathKind::explore, where the
+/// path keeps clear of `with_traces`. Throws vo::Error for invalid options.
 TimedPath make_path(const PathOptions& options, const SceneFile& scene);
 
-/// T_world_camera of each frame.
+/// Returns T_world_camera of each frame.
 vo::Trajectory make_trajectory(const PathOptions& options, const SceneFile& scene);
 
 }  // namespace synth

@@ -30,8 +30,8 @@ Vector3d random_place(const Eigen::AlignedBox3d& box, const Eigen::Vector4d& sha
   return box.min() + shares.head<3>().cwiseProduct(box.sizes());
 }
 
-/// Within the building: hardly a ray escapes to the sides and below (above a model may be open),
-/// and it is not a closed body's inside, whose walls turn their backs.
+/// Whether a position is indoors: hardly a ray escapes to the sides and below (models may be open
+/// above), and most hits are fronts, unlike within a closed solid.
 bool is_inside(const Surroundings& around) {
   return around.level_share > 0.9 && around.front_share > 0.5;
 }
@@ -41,12 +41,12 @@ bool is_outside(const Surroundings& around) {
 }
 
 bool belongs(const Surroundings& around, const ExploredRegion& region) {
-  constexpr double kHall = 3;  // scales: beyond is the space between a house and its sky
+  constexpr double kHall = 3;  // in scales; beyond is the space between a house and its sky
   return region.is_inside ? is_inside(around) && around.far_distance < kHall * region.scale
                           : is_outside(around);
 }
 
-/// Neither under the ceiling nor on the floor.
+/// Whether a position indoors is neither close to the ceiling nor to the floor.
 bool is_at_eye_level(const FreeSpace& space, const Vector3d& place, const ExploredRegion& region) {
   const double down = space.distance_along(place, -Vector3d::UnitY());
   const double up = space.distance_along(place, Vector3d::UnitY());
@@ -60,8 +60,8 @@ bool is_at_eye_level(const FreeSpace& space, const Vector3d& place, const Explor
 constexpr std::size_t kEnough = 60;
 constexpr std::size_t kLeast = 20;
 
-/// How far one sees from places in the region's box that belong to it; fewer than `kLeast` where it
-/// hardly exists.
+/// Returns Surroundings::far_distance, m, of random positions in the region; fewer than `kLeast`
+/// where the region hardly exists.
 std::vector<double> distances_in(const FreeSpace& space, const ExploredRegion& region,
                                  std::uint64_t seed) {
   constexpr std::uint64_t kTries = 4000;
@@ -76,7 +76,8 @@ std::vector<double> distances_in(const FreeSpace& space, const ExploredRegion& r
   return distances;
 }
 
-/// How far one sees in rooms, if many of the places beside surfaces are in rooms.
+/// Returns Surroundings::far_distance, m, of rooms; empty if few positions by surfaces are in
+/// rooms.
 std::vector<double> distances_in_rooms(const FreeSpace& space, std::uint64_t seed) {
   constexpr std::uint64_t kTries = 5 * kEnough;
   std::vector<double> distances;
@@ -143,7 +144,7 @@ Roadmap connected(std::vector<Vector3d> places, const FreeSpace& space, double r
   return roadmap;
 }
 
-/// The places that can be reached from one, itself included.
+/// Returns the places that can be reached from a place, itself included.
 std::vector<std::size_t> reachable(const Roadmap& roadmap, std::size_t from) {
   std::vector<bool> is_known(roadmap.places.size(), false);
   std::vector<std::size_t> found = {from};
@@ -181,13 +182,13 @@ Roadmap largest_part(const Roadmap& roadmap) {
   return result;
 }
 
-/// Dijkstra's: the places after `from` on the way to `to`.
+/// Returns the places after `from` on the shortest path to `to`, by Dijkstra's algorithm.
 std::vector<std::size_t> shortest_way(const Roadmap& roadmap, std::size_t from, std::size_t to) {
   using Entry = std::pair<double, std::size_t>;
   std::vector<double> distances(roadmap.places.size(), std::numeric_limits<double>::infinity());
   std::vector<std::size_t> next(roadmap.places.size(), to);
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  distances[to] = 0;  // from the end, so that `next` leads forwards
+  distances[to] = 0;  // search from the end, so that `next` leads forwards
   queue.emplace(0, to);
   while (!queue.empty()) {
     const auto [distance, place] = queue.top();
@@ -216,7 +217,7 @@ double distance_to(const std::vector<Vector3d>& visited, const Vector3d& place) 
   return nearest;
 }
 
-/// Of some random places the one farthest from those visited.
+/// Returns the one of some random places that is farthest from those visited.
 std::size_t next_target(const Roadmap& roadmap, const std::vector<Vector3d>& visited,
                         std::uint64_t seed, std::uint64_t leg) {
   constexpr std::uint64_t kCandidates = 8;
@@ -237,7 +238,7 @@ std::size_t next_target(const Roadmap& roadmap, const std::vector<Vector3d>& vis
 }  // namespace
 
 ExploredRegion find_region(const FreeSpace& space, std::uint64_t seed) {
-  constexpr double kSky = 20;  // m, from where on an inside is hardly a building's
+  constexpr double kSky = 20;  // m, scale above which an inside is hardly a building's
   ExploredRegion inner{space.bounds(), true, 0};
   const std::vector<double> inside = distances_in(space, inner, seed);
   if (inside.size() >= kLeast) {

@@ -11,9 +11,9 @@ namespace synth {
 namespace {
 
 constexpr int kTile = 4;                 // px
-constexpr double kLeastContrast = 0.08;  // of encoded grey
+constexpr double kLeastContrast = 0.08;  // least range of encoded grey in a textured tile
 
-/// sRGB-encoded, of what light there is; Rec. 709's luminance.
+/// Returns the sRGB-encoded Rec. 709 luminance of the base colour times the share of light.
 cv::Mat_<float> grey_of(const SurfaceView& view) {
   cv::Mat_<float> grey(view.depth.size());
   for (int v = 0; v < grey.rows; ++v) {

@@ -6,20 +6,20 @@
 
 namespace synth {
 
-/// What a view offers to visual odometry.
+/// Measures of how useful a view is to visual odometry.
 struct ViewContent {
-  double depth_share = 0;     ///< of the pixels: there is a surface
-  double textured_share = 0;  ///< of the tiles of 4x4 pixels: a surface in reach, and contrast
+  double depth_share = 0;     ///< share of the pixels that see a surface
+  double textured_share = 0;  ///< share of 4x4 px tiles with contrast and surfaces in reach
   double nearest = 0;         ///< m, least depth; 0 = nothing seen
 };
 
-/// The tiles count whose surfaces are on average nearer than `reach`, m, and whose grey values span
-/// more than 0.08 of black to white: base colours, darkened by the light's share that shadows take.
-/// A camera of about 32x24 pixels is enough.
+/// Returns the content of a view. A tile is textured if all its pixels see surfaces, on average
+/// nearer than `reach`, m, and its grey values (base colour, darkened by shadows) span more than
+/// 0.08 of black to white. A camera of about 32x24 pixels is enough.
 ViewContent view_content(const SurfaceTracer& tracer, const vo::PinholeCamera& camera,
                          const vo::SE3& T_world_camera, double reach);
 
-/// The same view in fewer pixels: as wide, of square pixels, and `width` of them.
+/// Returns a camera with the field of view of `camera` that is `width` pixels wide.
 vo::PinholeCamera thumbnail(const vo::PinholeCamera& camera, int width);
 
 }  // namespace synth

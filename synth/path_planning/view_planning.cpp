@@ -15,19 +15,19 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kYaws = 24;
-constexpr int kRenderedYaws = 12;  // those between are interpolated
+constexpr int kRenderedYaws = 12;  // the yaws between them are interpolated
 constexpr std::array kPitchesDeg = {-25.0, -10.0, 5.0};
 constexpr int kGazes = kYaws * static_cast<int>(kPitchesDeg.size());
 constexpr double kYawStep = 2 * std::numbers::pi / kYaws;
-constexpr double kAlongTheWay = 0.1;  // what looking ahead is worth, in shares of texture
-constexpr double kTurning = 0.03;     // what a turn by the limit costs
+constexpr double kAlongTheWay = 0.1;  // value of looking ahead, in shares of texture
+constexpr double kTurning = 0.03;     // cost of a turn by the limit, in shares of texture
 
 PlannedView gaze_of(int index) {
   return {kYawStep * (index % kYaws),
           kPitchesDeg.at(static_cast<std::size_t>(index / kYaws)) * std::numbers::pi / 180};
 }
 
-/// Within -pi..pi.
+/// Returns the angle wrapped to -pi..pi, rad.
 double wrapped(double angle) {
   return std::remainder(angle, 2 * std::numbers::pi);
 }
@@ -70,7 +70,8 @@ Vector3d heading(const std::vector<Vector3d>& places, std::size_t i) {
   return way.norm() > 0 ? Vector3d(way.normalized()) : Vector3d::Zero();
 }
 
-/// The best sums up to each view at one place, and where they come from.
+/// A stage of dynamic programming: the best sum up to each view at one place, and the view before
+/// it.
 struct Stage {
   Scores sums{};
   std::array<int, kGazes> from{};
@@ -125,7 +126,7 @@ std::vector<PlannedView> plan_views(const SurfaceTracer& tracer,
   return trace_back(stages);
 }
 
-/// A step of yaw is as much as one of pitch.
+/// A step of yaw and a step of pitch are equally large, 15 degrees.
 double least_turn() {
   constexpr double kRounding = 1e-9;
   return kYawStep + kRounding;

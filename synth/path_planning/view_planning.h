@@ -8,7 +8,7 @@
 
 namespace synth {
 
-/// Where a level-headed camera looks.
+/// The viewing direction of a camera without roll.
 struct PlannedView {
   double yaw = 0;    ///< rad, of the optical axis, from +x towards +z
   double pitch = 0;  ///< rad, upwards
@@ -17,18 +17,18 @@ struct PlannedView {
 };
 
 struct GazeLimits {
-  double reach = 0;     ///< m, beyond which a surface counts for nothing
-  double max_turn = 0;  ///< rad from one place to the next
+  double reach = 0;     ///< m, distance beyond which a surface counts for nothing
+  double max_turn = 0;  ///< rad, greatest turn from one place to the next
 };
 
-/// One view for each place, each turned by at most `max_turn` from the one before it (as a change
-/// of yaw and pitch together), so that the views hold as much texture in reach as can be had in
-/// all; of equal ones those along the way. Yaws are continuous, not wrapped.
+/// Returns one view for each place, each turned by at most `max_turn` from the one before it (yaw
+/// and pitch together), so that the views see as much texture in reach as possible in all, with
+/// small preferences for looking ahead and for turning little. Yaws are continuous, not wrapped.
 std::vector<PlannedView> plan_views(const SurfaceTracer& tracer,
                                     const std::vector<Eigen::Vector3d>& places,
                                     const GazeLimits& limits);
 
-/// The least `max_turn` with which the camera can turn at all, rad.
+/// Returns the least `max_turn` with which the camera can turn at all, rad.
 double least_turn();
 
 }  // namespace synth

@@ -20,8 +20,8 @@ constexpr auto enum_names(RendererKind) {
                     std::pair{RendererKind::rasterizer, "rasterizer"}};
 }
 
-/// What colour is made of: lights that shine directly, with shadows, and ambient light; light on
-/// all its ways; the base colour as it is; nothing (black), for those who need the depth alone.
+/// How radiance is computed: direct light with shadows and ambient light; path tracing; the base
+/// colour without lighting; or none (black), where only depth is needed.
 enum class RenderMode { direct, path, unlit, depth };
 
 constexpr auto enum_names(RenderMode) {
@@ -29,24 +29,25 @@ constexpr auto enum_names(RenderMode) {
                     std::pair{RenderMode::unlit, "unlit"}, std::pair{RenderMode::depth, "depth"}};
 }
 
-/// The mean light is the irradiance if all of the lights' flux into the bounding box of what is lit
-/// spread evenly over the box's surface: 4 pi I / area of a point light inside, E / 4 of a
-/// directional one. A scene without lights has a sky instead, without shadows: pi (1 + n . s) / 2
-/// on a surface facing n, s being 30 degrees off the zenith, and pi / 2 its mean light, both scaled
-/// so that a surface facing s shows its base colour.
+/// How a scene is rendered. Ambient light is a share of the mean irradiance, that of all the
+/// lights' flux into the bounding box of lit surfaces if it spread evenly over the box's surface: 4
+/// pi I / area for a point light inside, E / 4 for a directional one. A scene without lights has a
+/// sky without shadows instead, of irradiance pi (1 + n . s) / 2 on a surface facing n, s being 30
+/// degrees off the zenith, and of mean pi / 2, both scaled so that a surface facing s shows its
+/// base colour.
 ///
-/// Mode `path`: the same ambient light comes from infinitely far and only reaches what nothing
-/// hides from it. Both sides of every triangle are seen, whatever glTF's doubleSided says.
+/// In mode `path` ambient light comes from infinitely far and geometry occludes it. Both sides of
+/// every triangle are visible, whatever glTF's doubleSided says.
 struct RenderOptions {
   RendererKind kind = RendererKind::ray_tracer;
   RenderMode mode = RenderMode::direct;
-  int samples = 4;          ///< colour samples per pixel at least; a square grid of them is taken
-  double ambient = 0.3;     ///< constant light from all sides, as a share of the mean light
-  double light_radius = 0;  ///< m, of point and spot lights as spheres; 0 casts sharp shadows
-  int bounces = 4;          ///< mode `path`: reflections of light after the first
+  int samples = 4;          ///< least colour samples per pixel, rounded up to a square grid
+  double ambient = 0.3;     ///< ambient light, as a share of the mean irradiance
+  double light_radius = 0;  ///< m, radius of point and spot lights; 0 casts sharp shadows
+  int bounces = 4;          ///< mode `path`: number of reflections after the first
 
-  int samples_per_edge() const;  ///< of the grid: the least whole number whose square suffices
-  void validate() const;         ///< throws vo::Error
+  int samples_per_edge() const;  ///< side of the sample grid, ceil(sqrt(samples))
+  void validate() const;         ///< throws vo::Error if out of range
 };
 
 template <typename Visitor>
@@ -61,17 +62,17 @@ void visit_fields(Visitor& visit, RenderOptions& options) {
 
 using IdImage = cv::Mat_<std::uint16_t>;
 
-/// What a perfect sensor would see. Each row's depth, normals and ids are those of the middle of
-/// its exposure; colour is a mean over all of it.
+/// The images of an ideal sensor. Depth, normals and ids of a row are those of the middle of its
+/// exposure; radiance is a mean over all of it.
 struct RenderedFrame {
   cv::Mat_<cv::Vec3f> radiance;  ///< linear RGB, mean over the pixel's area
   vo::DepthImage depth;        ///< m along the optical axis, at the pixel's centre; 0 = nothing hit
-  cv::Mat_<cv::Vec3f> normal;  ///< unit, camera's axes, of the triangle, towards the camera, or 0
-  IdImage instance;            ///< at the pixel's centre, as SurfaceIds says; 0 = nothing hit
-  IdImage material;            ///< the same
+  cv::Mat_<cv::Vec3f> normal;  ///< unit triangle normal, camera's axes, towards the camera; or 0
+  IdImage instance;            ///< SurfaceIds::instance at the pixel's centre; 0 = nothing hit
+  IdImage material;            ///< SurfaceIds::material at the pixel's centre; 0 = nothing hit
 };
 
-/// The channels that are wanted, nothing seen yet.
+/// Returns a frame whose requested channels are allocated and 0 everywhere.
 RenderedFrame empty_frame(const vo::PinholeCamera& camera, const Channels& channels);
 
 /// Renders a scene. `render` may be called from several threads; its result depends on its
@@ -87,7 +88,7 @@ class Renderer {
 
   virtual RenderedFrame render(const Capture& capture) const = 0;
 
-  /// Colour and depth as a camera at rest sees them.
+  /// Renders colour and depth as a camera at rest sees them.
   RenderedFrame render(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera) const {
     return render(still(camera, T_world_camera));
   }

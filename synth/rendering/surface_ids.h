@@ -7,13 +7,13 @@
 
 namespace synth {
 
-/// Of each flat mesh.
+/// The 16-bit ids of each flat mesh of a world geometry.
 struct SurfaceIds {
   std::vector<std::uint16_t> instance;  ///< 1 + index in Scene::instances
-  std::vector<std::uint16_t> material;  ///< 1 + index in Scene::materials, 1 + their number if none
+  std::vector<std::uint16_t> material;  ///< 1 + index in Scene::materials; 1 + their count if none
 };
 
-/// Throws vo::Error beyond 65535.
+/// Returns the ids of all meshes. Throws vo::Error if an id would exceed 65535.
 SurfaceIds surface_ids(const WorldGeometry& world);
 
 }  // namespace synth

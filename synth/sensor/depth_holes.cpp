@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t kHoles = 0x401e;
 constexpr std::uint64_t kFlying = 0xf17e;
 
-/// Of a row whose second view is to the right, from right to left.
+/// Marks the pixels of a row that a second view to the right sees, from right to left.
 void mark_seen(const float* depth, int width, double focal_baseline, bool framed, uchar* seen) {
   double leftmost = std::numeric_limits<double>::infinity();
   for (int u = width - 1; u >= 0; --u) {
@@ -28,7 +28,7 @@ void mark_seen(const float* depth, int width, double focal_baseline, bool framed
   }
 }
 
-/// The chance that a pixel is lost.
+/// Returns the chance that a pixel is lost, 0 to 1.
 double loss(const DepthView& view, const vo::PinholeCamera& camera, const DepthHoles& holes,
             const cv::Point& pixel) {
   constexpr double kDegrees = 180 / std::numbers::pi;
@@ -49,7 +49,7 @@ double loss(const DepthView& view, const vo::PinholeCamera& camera, const DepthH
   return lost;
 }
 
-/// The share of a normal distribution below a value.
+/// Returns the cumulative distribution function of the standard normal distribution.
 double normal_share(double value) {
   return std::erfc(-value / std::numbers::sqrt2) / 2;
 }

@@ -10,22 +10,22 @@
 
 namespace synth {
 
-/// Where a depth camera measures nothing.
+/// The conditions under which a depth camera measures nothing.
 struct DepthHoles {
-  double max_incidence_deg = 90;    ///< deg between normal and ray; beyond it, none
-  double sure_incidence_deg = 90;   ///< deg; from here on some are lost, linearly more up to all
-  double max_step = 0;              ///< m between the farthest and nearest of 3x3; 0 = any
+  double max_incidence_deg = 90;    ///< deg, greatest measured angle of normal and ray; 90 = any
+  double sure_incidence_deg = 90;   ///< deg, from which losses grow linearly up to the maximum
+  double max_step = 0;              ///< m, greatest depth range of 3x3 pixels; 0 = any
   double edge_loss = 0;             ///< share of pixels lost beside depth edges
-  double dark_level = 0;            ///< 0..255 of the image's grey; darker surfaces have none
-  double second_view = 0;           ///< m to the right: the projector or second camera; 0 = none
-  bool second_view_framed = false;  ///< whether that is as wide as the image and sees no more
-  double correlation = 0;           ///< px, between what neighbours lose by chance
+  double dark_level = 0;            ///< grey level, 0..255, below which pixels have no depth
+  double second_view = 0;           ///< m to the right, of a projector or second camera; 0 = none
+  bool second_view_framed = false;  ///< whether the second view is only as wide as the image
+  double correlation = 0;           ///< px, blur sigma that correlates random losses
   std::uint64_t seed = 0;
 };
 
-/// Pixels beside a depth edge that see both surfaces and measure something between.
+/// Flying pixels: pixels at a depth edge that measure a depth between both surfaces.
 struct FlyingPixels {
-  double share = 0;  ///< of the pixels beside depth edges
+  double share = 0;  ///< share of the pixels beside depth edges
   std::uint64_t seed = 0;
 };
 
@@ -49,24 +49,24 @@ void visit_fields(Visitor& visit, FlyingPixels& flying) {
   visit("seed", flying.seed, "of these");
 }
 
-/// The least and greatest depth of the 3x3 pixels around one, m; both 0 without any.
+/// The least and greatest depth of the 3x3 pixels around a pixel, m; both 0 without any depth.
 struct DepthSpan {
   float nearest = 0;
   float farthest = 0;
 
-  /// More than a tenth apart.
+  /// Whether the farthest depth exceeds the nearest by more than a tenth.
   bool is_edge() const { return farthest > 1.1F * nearest; }
 };
 
 DepthSpan span_around(const vo::DepthImage& depth, const cv::Point& pixel);
 
-/// 255 where a second camera (or projector), a baseline b to the right with the same axes, sees the
-/// surface too: pixel u of depth Z is at u - f b / Z there, and the nearer surface hides the
-/// farther.
+/// Returns 255 where a second camera or projector, a baseline b to the right with parallel axes,
+/// sees the surface too: pixel u of depth Z is at u - f b / Z there, and the nearer surface
+/// occludes the farther. `framed` limits the second view to the image's width.
 cv::Mat_<uchar> seen_from_beside(const vo::DepthImage& depth, double focal_px, double baseline,
                                  bool framed);
 
-/// `measured` without what the sensor loses of `view`; `dark_level` is not looked at.
+/// Returns `measured` without the pixels that the sensor loses in `view`; ignores `dark_level`.
 vo::DepthImage with_holes(const vo::DepthImage& measured, const DepthView& view,
                           const vo::PinholeCamera& camera, const DepthHoles& holes,
                           std::uint64_t frame);
@@ -74,7 +74,7 @@ vo::DepthImage with_holes(const vo::DepthImage& measured, const DepthView& view,
 vo::DepthImage with_flying_pixels(const vo::DepthImage& measured, const vo::DepthImage& exact,
                                   const FlyingPixels& flying, std::uint64_t frame);
 
-/// Without what is darker than `level` in the image that the depth is registered to.
+/// Returns the depth without pixels that are darker than `level`, 0..255, in the registered image.
 vo::DepthImage without_dark(const vo::DepthImage& depth, const vo::ColorImage& image, double level);
 
 }  // namespace synth

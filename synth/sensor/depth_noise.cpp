@@ -16,7 +16,7 @@ constexpr std::uint64_t kAxial = 0xa41a;
 constexpr std::uint64_t kDisparity = 0xd15b;
 constexpr double kRightAngle = std::numbers::pi / 2;
 
-/// `change(pixel, depth)` where there is depth; what is no depth then is none.
+/// Returns `change(pixel, depth)` where there is depth; 0 elsewhere and for invalid results.
 template <typename Change>
 vo::DepthImage changed(const vo::DepthImage& depth, const Change& change) {
   vo::DepthImage result(depth.size(), 0.0F);
@@ -35,7 +35,7 @@ double rounded_to(double value, double step) {
   return step > 0 ? step * std::round(value / step) : value;
 }
 
-/// At a place within the image.
+/// Returns the depth at a position within the image, m.
 float sampled(const vo::DepthImage& depth, double u, double v, DepthSampling sampling) {
   const float nearest = depth(static_cast<int>(std::lround(v)), static_cast<int>(std::lround(u)));
   if (sampling == DepthSampling::nearest) {

@@ -11,18 +11,18 @@
 
 namespace synth {
 
-/// What a depth camera looks at.
+/// The exact depth and normals that a depth camera observes.
 struct DepthView {
   vo::DepthImage depth;        ///< m along the optical axis; 0 = nothing
-  cv::Mat_<cv::Vec3f> normal;  ///< unit, camera's axes, towards the camera; 0 = nothing
+  cv::Mat_<cv::Vec3f> normal;  ///< unit normal, camera's axes, towards the camera; 0 = nothing
 };
 
-/// The angle between a surface's normal and the ray that sees it, rad.
+/// Returns the angle between a pixel's surface normal and its ray, rad.
 double incidence(const DepthView& view, const vo::PinholeCamera& camera, const cv::Point& pixel);
 
 enum class DepthSampling {
-  nearest,  ///< the pixel that is hit
-  linear,   ///< between four pixels: flying pixels at edges
+  nearest,  ///< depth of the nearest pixel
+  linear,   ///< bilinear interpolation, with flying pixels at depth edges
 };
 
 constexpr auto enum_names(DepthSampling) {
@@ -30,48 +30,48 @@ constexpr auto enum_names(DepthSampling) {
                     std::pair{DepthSampling::linear, "linear"}};
 }
 
-/// Each pixel has the depth of a place that is off in u and v by a normal number of standard
-/// deviation sigma + grazing a / (pi / 2 - a) at an incidence a (Nguyen, Izadi & Lovell 2012).
+/// Each pixel takes the depth of a position displaced in u and v by Gaussian noise of standard
+/// deviation sigma + grazing a / (pi / 2 - a) at incidence a (Nguyen, Izadi & Lovell 2012).
 struct LateralNoise {
-  double sigma = 0;    ///< px
-  double grazing = 0;  ///< px
+  double sigma = 0;    ///< px, standard deviation at incidence 0
+  double grazing = 0;  ///< px, growth of the standard deviation with incidence
   DepthSampling sampling = DepthSampling::nearest;
   std::uint64_t seed = 0;
 };
 
-/// Surfaces move along their normal by a normal number with that many pixels' width at their depth
-/// (Handa, Whelan, McDonald & Davison 2014).
+/// Noise along the surface normal, of standard deviation sigma + grazing a / (pi / 2 - a) pixel
+/// widths at the surface's depth, at incidence a (Handa, Whelan, McDonald & Davison 2014).
 struct NormalNoise {
-  double sigma = 0;    ///< px
-  double grazing = 0;  ///< px
+  double sigma = 0;    ///< px, standard deviation at incidence 0
+  double grazing = 0;  ///< px, growth of the standard deviation with incidence
   std::uint64_t seed = 0;
 };
 
-/// Normal noise along the optical axis with a standard deviation at depth z and incidence a of
+/// Gaussian noise along the optical axis, of standard deviation at depth z and incidence a
 ///     constant + linear max(z - linear_from, 0) + quadratic (z - quadratic_from)^2
 ///         + grazing / sqrt(z) a^2 / (pi / 2 - a)^2  above 60 degrees.
 struct AxialNoise {
-  double constant = 0;        ///< m
-  double linear = 0;          ///< m per m
-  double linear_from = 0;     ///< m
-  double quadratic = 0;       ///< 1/m
-  double quadratic_from = 0;  ///< m
-  double grazing = 0;         ///< m^1.5
-  double correlation = 0;     ///< px, between neighbours
+  double constant = 0;        ///< m, standard deviation at any depth
+  double linear = 0;          ///< m per m, growth with depth beyond linear_from
+  double linear_from = 0;     ///< m, depth from which the linear term grows
+  double quadratic = 0;       ///< 1/m, factor of the quadratic term
+  double quadratic_from = 0;  ///< m, depth where the quadratic term is 0
+  double grazing = 0;         ///< m^1.5, factor of the term above 60 degrees
+  double correlation = 0;     ///< px, blur sigma that correlates neighbours
   std::uint64_t seed = 0;
 
   bool is_on() const { return constant > 0 || linear > 0 || quadratic > 0 || grazing > 0; }
 };
 
-/// Depth is found as a disparity d = focal_baseline / Z that is noisy and a multiple of a step:
+/// Noise and rounding of a disparity d = focal_baseline / Z from which depth is measured:
 ///     Z' = focal_baseline / (step round((d + sigma n + offset) / step)).
 struct DisparityNoise {
   double focal_baseline = 0;  ///< px m, focal length times baseline; 0 = off
-  double sigma = 0;           ///< px
-  double step = 0;            ///< px; 0 = continuous
-  double offset = 0;          ///< px
-  double depth_step = 0;      ///< m, of the depth before; 0 = continuous
-  double correlation = 0;     ///< px, between neighbours
+  double sigma = 0;           ///< px, standard deviation of the disparity
+  double step = 0;            ///< px, quantisation of the disparity; 0 = continuous
+  double offset = 0;          ///< px, added to the disparity
+  double depth_step = 0;      ///< m, quantisation of the input depth; 0 = continuous
+  double correlation = 0;     ///< px, blur sigma that correlates neighbours
   std::uint64_t seed = 0;
 };
 
@@ -113,18 +113,21 @@ void visit_fields(Visitor& visit, DisparityNoise& noise) {
   visit("seed", noise.seed, "of this noise");
 }
 
-/// sigma + grazing a / (pi / 2 - a), incidences above 85 degrees being taken as that.
+/// Returns sigma + grazing a / (pi / 2 - a) at incidence a, which is limited to 85 degrees.
 double lateral_sigma(double sigma, double grazing, double incidence_rad);
 
-double axial_sigma(const AxialNoise& noise, double depth, double incidence_rad);  ///< m
+double axial_sigma(const AxialNoise& noise, double depth, double incidence_rad);  ///< sigma, m
 
-/// Each makes a new image; pixels without depth stay so.
+/// Returns depth with noise along the normals, or the input image itself if the noise is off.
 vo::DepthImage with_normal_noise(const DepthView& view, const vo::PinholeCamera& camera,
                                  const NormalNoise& noise, std::uint64_t frame);
+/// Returns depth with lateral noise, or the input image itself if the noise is off.
 vo::DepthImage with_lateral_noise(const DepthView& view, const vo::PinholeCamera& camera,
                                   const LateralNoise& noise, std::uint64_t frame);
+/// Returns depth with axial noise, or the input image itself if the noise is off.
 vo::DepthImage with_axial_noise(const DepthView& view, const vo::PinholeCamera& camera,
                                 const AxialNoise& noise, std::uint64_t frame);
+/// Returns depth with disparity noise, or the input image itself if the noise is off.
 vo::DepthImage with_disparity_noise(const vo::DepthImage& depth, const DisparityNoise& noise,
                                     std::uint64_t frame);
 

@@ -6,7 +6,7 @@
 namespace synth {
 namespace {
 
-/// The colour pixel that a corner of a depth pixel falls into.
+/// Returns the colour pixel that a corner of a depth pixel projects to.
 Eigen::Vector2i landing(const vo::PinholeCamera& depth_camera, const vo::PinholeCamera& color,
                         const Eigen::Vector2d& corner, double depth,
                         const Eigen::Vector3d& offset) {
@@ -29,7 +29,7 @@ void cover(const Eigen::Vector2i& first, const Eigen::Vector2i& last, float dept
 
 vo::DepthImage registered(const vo::DepthImage& depth, const vo::PinholeCamera& color,
                           const Eigen::Vector3d& offset) {
-  constexpr double kCorner = 0.499;  // px: a corner on the border between two pixels is its own's
+  constexpr double kCorner = 0.499;  // px, below 0.5: a corner stays in its own pixel
   const vo::PinholeCamera depth_camera = color.without_distortion();
   vo::DepthImage result(color.height, color.width, 0.0F);
   for (int v = 0; v < depth.rows; ++v) {

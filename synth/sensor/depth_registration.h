@@ -7,10 +7,10 @@
 
 namespace synth {
 
-/// Depth of a camera without distortion, else of the same intrinsics, that stands at `offset` (m,
-/// in the colour camera's axes, which it shares), as it appears in the colour camera. Each depth
-/// pixel covers the pixels that its corners come to lie in, as librealsense does it; the nearest
-/// wins. What the depth camera does not see has no depth.
+/// Returns depth as it appears in the colour camera. The depth camera has the colour camera's
+/// intrinsics without distortion and its axes, and stands at `offset`, m, in them. Each depth pixel
+/// covers the colour pixels that its corners project to, as in librealsense; the nearest depth
+/// wins. Colour pixels that the depth camera does not see have no depth.
 vo::DepthImage registered(const vo::DepthImage& depth, const vo::PinholeCamera& color,
                           const Eigen::Vector3d& offset);
 

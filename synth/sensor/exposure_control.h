@@ -7,24 +7,24 @@
 namespace synth {
 
 enum class ExposureBy {
-  gain,  ///< amplification: noise grows in the dark
-  time,  ///< exposure time: blur grows in the dark
+  gain,  ///< changes amplification: noise grows in the dark
+  time,  ///< changes exposure time: motion blur grows in the dark
 };
 
 constexpr auto enum_names(ExposureBy) {
   return std::array{std::pair{ExposureBy::gain, "gain"}, std::pair{ExposureBy::time, "time"}};
 }
 
-/// A control loop in logarithms: after `delay`, each frame takes the share 1 - exp(-dt /
-/// time_constant) of the step from its setting to what was metered.
+/// Automatic exposure, a control loop in logarithms: each frame takes the share 1 - exp(-dt /
+/// time_constant) of the step from the last setting to what was metered `delay` earlier.
 struct AutoExposureOptions {
   bool enabled = false;
-  double time_constant = 0.3;  ///< s; 0 = at once
-  double delay = 0.05;         ///< s from a frame to its effect
+  double time_constant = 0.3;  ///< s, time constant of the approach; 0 = at once
+  double delay = 0.05;         ///< s from a metered frame to its effect
   ExposureBy by = ExposureBy::gain;
-  double max_exposure_time = 0.03;  ///< s; beyond it, gain (by = time)
+  double max_exposure_time = 0.03;  ///< s, limit with by = time, beyond which gain is used
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error if out of range
 };
 
 template <typename Visitor>
@@ -36,15 +36,15 @@ void visit_fields(Visitor& visit, AutoExposureOptions& options) {
   visit("max_exposure_time", options.max_exposure_time, "s; beyond it, gain (by = time)");
 }
 
-/// Gains of red and blue, and their control loop, which makes the mean of what is seen grey.
+/// White balance: gains of red and blue, and a control loop that makes the image's mean grey.
 struct WhiteBalanceOptions {
   double red = 1;
   double blue = 1;
   bool enabled = false;
-  double time_constant = 1;  ///< s; 0 = at once
-  double delay = 0.05;       ///< s from a frame to its effect
+  double time_constant = 1;  ///< s, time constant of the approach; 0 = at once
+  double delay = 0.05;       ///< s from a metered frame to its effect
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error if out of range
 };
 
 template <typename Visitor>
@@ -56,9 +56,9 @@ void visit_fields(Visitor& visit, WhiteBalanceOptions& options) {
   visit("delay", options.delay, "from a frame to its effect on the gains, s");
 }
 
-/// Of frames at these times: `wanted` by each frame, followed with a first-order lag that looks at
-/// the last frame that is at least `delay` old and never at the frame itself. The first frame has
-/// what it wants.
+/// Returns each frame's setting at `times`, s: `wanted` followed with a first-order lag that looks
+/// at the last frame that is at least `delay` old and never at the frame itself. The first frame
+/// has the setting that it wants.
 std::vector<double> followed(const std::vector<double>& times, const std::vector<double>& wanted,
                              double time_constant, double delay);
 

@@ -17,7 +17,7 @@ Pixel weighted_sum(const std::vector<float>& kernel, const Pixel* middle, std::p
   return sum;
 }
 
-/// Without a border as wide as half the kernel.
+/// Returns the separable convolution without the border, which is the kernel's radius wide.
 template <typename Pixel>
 cv::Mat_<Pixel> convolved(const cv::Mat_<Pixel>& padded, const std::vector<float>& kernel) {
   const int radius = static_cast<int>(kernel.size()) - 1;
@@ -71,7 +71,7 @@ cv::Mat_<float> noise_image(const cv::Size& size, double correlation_px,
       white(v, u) = static_cast<float>(random.normal(u - radius, v - radius));
     }
   }
-  double variance = -static_cast<double>(kernel[0]) * kernel[0];  // of each of the two passes
+  double variance = -static_cast<double>(kernel[0]) * kernel[0];  // after each of both passes
   for (const float weight : kernel) {
     variance += 2.0 * weight * weight;
   }

@@ -48,7 +48,7 @@ cv::Mat_<cv::Vec3f> with_image_noise(const cv::Mat_<cv::Vec3f>& linear,
                                      std::uint64_t frame) {
   const vo::RandomField capture(options.seed, kShot, frame);
   const vo::RandomField read(options.seed, kRead, frame);
-  const vo::RandomField gain(options.seed, kGain, 0);  // the pixels' own: the same in all frames
+  const vo::RandomField gain(options.seed, kGain, 0);  // fixed pattern: equal in all frames
   cv::Mat_<cv::Vec3f> noisy(linear.size());
   for (int v = 0; v < linear.rows; ++v) {
     for (int u = 0; u < linear.cols; ++u) {

@@ -9,7 +9,7 @@ struct JpegOptions {
   int quality = 0;  ///< 1 to 100; 0 = not compressed
   vo::ChromaSampling chroma = vo::ChromaSampling::quarter;
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error if out of range
 };
 
 template <typename Visitor>
@@ -18,7 +18,7 @@ void visit_fields(Visitor& visit, JpegOptions& options) {
   visit("chroma", options.chroma, "samples of colour per pixel");
 }
 
-/// The image as it comes back from JPEG.
+/// Returns the image after JPEG compression and decompression.
 vo::ColorImage through_jpeg(const vo::ColorImage& image, const JpegOptions& options);
 
 }  // namespace synth

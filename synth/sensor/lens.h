@@ -6,11 +6,11 @@
 
 namespace synth {
 
-/// Light that is lost towards the image's corners: cos(a)^cos_power (1 + k2 r^2 + k4 r^4 + k6 r^6),
-/// a being the angle off the optical axis and r the distance from the principal point over half the
-/// image's diagonal.
+/// Vignetting, the loss of light towards the image's corners, by the factor cos(a)^cos_power (1 +
+/// k2 r^2 + k4 r^4 + k6 r^6), a being the angle off the optical axis and r the distance from the
+/// principal point over half the image's diagonal.
 struct Vignetting {
-  double cos_power = 0;  ///< 4 = a thin lens
+  double cos_power = 0;  ///< exponent of the cosine; 4 = thin lens
   double k2 = 0;
   double k4 = 0;
   double k6 = 0;
@@ -18,12 +18,12 @@ struct Vignetting {
   bool is_zero() const { return cos_power == 0 && k2 == 0 && k4 == 0 && k6 == 0; }
 };
 
-/// What the lens does to light besides distortion, which is the camera's.
+/// The effects of the lens besides distortion, which the camera model has.
 struct LensOptions {
-  double blur = 0;  ///< px, standard deviation of its Gaussian point-spread function
+  double blur = 0;  ///< px, standard deviation of the Gaussian point-spread function
   Vignetting vignetting;
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error if out of range
 };
 
 template <typename Visitor>
@@ -40,11 +40,11 @@ void visit_fields(Visitor& visit, LensOptions& options) {
   visit("vignetting", options.vignetting, "");
 }
 
-/// The share of the light that reaches a pixel; none does where the lens sees nothing.
+/// Returns the share of the light that reaches a pixel; 0 where the lens sees nothing.
 double light_share(const vo::PinholeCamera& camera, const Eigen::Vector2d& pixel,
                    const Vignetting& vignetting);
 
-/// Linear light on the sensor behind the lens.
+/// Returns the linear light on the sensor: the radiance after blur and vignetting.
 cv::Mat_<cv::Vec3f> through_lens(const cv::Mat_<cv::Vec3f>& radiance,
                                  const vo::PinholeCamera& camera, const LensOptions& options);
 

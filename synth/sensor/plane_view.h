@@ -5,8 +5,8 @@
 
 namespace synth {
 
-/// A plane in closed form, to judge a depth sensor with: it meets the optical axis at `depth` (m)
-/// and leans by `lean_deg` about the vertical, so that this is the incidence there.
+/// Returns the exact view of a plane, for judging a depth sensor. The plane meets the optical axis
+/// at `depth`, m, and is tilted by `lean_deg` about the vertical, its incidence there.
 DepthView plane_view(const vo::PinholeCamera& camera, double depth, double lean_deg);
 
 }  // namespace synth

@@ -3,7 +3,7 @@
 namespace synth {
 namespace {
 
-/// Of the PrimeSense chip: 585.5 px times 75 mm.
+/// Focal length times baseline of the PrimeSense chip, px m: 585.5 px times 75 mm.
 constexpr double kPrimeSenseFocalBaseline = 43.9125;
 
 SensorOptions kinect_v1() {
@@ -74,7 +74,7 @@ SensorOptions realsense_d435() {
   return sensor;
 }
 
-/// Handa, Whelan, McDonald & Davison, ICRA 2014, and the code they released.
+/// ICL-NUIM's noise: Handa, Whelan, McDonald & Davison, ICRA 2014, and their released code.
 SensorOptions icl_nuim() {
   SensorOptions sensor;
   sensor.noise = {.full_well = {9246, 22957, 8900}, .read_noise = {41.6, 87.2, 44.5}};
@@ -90,7 +90,7 @@ SensorOptions icl_nuim() {
   return sensor;
 }
 
-/// Choi, Zhou & Koltun, CVPR 2015, without their sensor's distortion map.
+/// Redwood's noise: Choi, Zhou & Koltun, CVPR 2015, without their sensor's distortion map.
 SensorOptions redwood() {
   SensorOptions sensor{.max_depth = 10};
   sensor.depth.lateral = {.sigma = 0.25};

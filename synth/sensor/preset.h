@@ -4,7 +4,7 @@
 
 namespace synth {
 
-/// The options that a preset stands for: docs/sensors.md says where each number is from.
+/// Returns the options of a preset; docs/sensors.md gives the source of each number.
 SensorOptions preset_options(SensorPreset preset);
 
 }  // namespace synth

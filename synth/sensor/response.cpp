@@ -18,7 +18,7 @@ std::vector<double> parse_table(const std::string& text) {
   return vo::parse_reals(text, commas + 1);
 }
 
-/// The light at which a rising table reaches a brightness.
+/// Returns the light, 0..1, at which a rising table reaches a brightness.
 double light_of(const std::vector<double>& table, double brightness) {
   const auto above = std::lower_bound(table.begin() + 1, table.end() - 1, brightness);
   const auto i = static_cast<std::size_t>(above - table.begin());
@@ -26,7 +26,7 @@ double light_of(const std::vector<double>& table, double brightness) {
   return (static_cast<double>(i - 1) + share) / static_cast<double>(table.size() - 1);
 }
 
-/// The light that separates each code from the next one.
+/// Returns the light that separates each code from the next one.
 std::array<float, 255> code_thresholds(const ResponseOptions& options) {
   const std::vector<double> table =
       options.curve == ResponseCurve::table ? parse_table(options.table) : std::vector<double>{};

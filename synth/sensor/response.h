@@ -13,7 +13,7 @@ namespace synth {
 enum class ResponseCurve {
   srgb,   ///< IEC 61966-2-1
   gamma,  ///< linear^(1 / gamma)
-  table,  ///< measured, as of Grossberg & Nayar
+  table,  ///< a measured curve, as of Grossberg & Nayar
 };
 
 constexpr auto enum_names(ResponseCurve) {
@@ -22,13 +22,13 @@ constexpr auto enum_names(ResponseCurve) {
                     std::pair{ResponseCurve::table, "table"}};
 }
 
-/// From linear light in 0..1 to the image's codes.
+/// The camera's response from linear light in 0..1 to 8-bit codes.
 struct ResponseOptions {
   ResponseCurve curve = ResponseCurve::srgb;
-  double gamma = 2.2;  ///< 1 = linear
+  double gamma = 2.2;  ///< exponent of the gamma curve; 1 = linear
   std::string table;   ///< brightness at evenly spaced light from 0 to 1: "0, 0.5, 0.8, 1"
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error if out of range
 };
 
 template <typename Visitor>
@@ -38,7 +38,7 @@ void visit_fields(Visitor& visit, ResponseOptions& options) {
   visit("table", options.table, "of the curve table: brightness at even steps of light, 0 to 1");
 }
 
-/// 8 bit, values outside 0..1 clamped; RGB becomes BGR.
+/// Returns the 8-bit BGR image of linear RGB; values outside 0..1 are clamped.
 vo::ColorImage encode(const cv::Mat_<cv::Vec3f>& linear, const ResponseOptions& options);
 
 }  // namespace synth

@@ -9,7 +9,7 @@
 namespace synth {
 namespace {
 
-/// Each channel times its gain.
+/// Returns the image with each channel multiplied by its gain.
 cv::Mat_<cv::Vec3f> scaled(const cv::Mat_<cv::Vec3f>& linear, const Eigen::Vector3d& gains) {
   const cv::Vec3f gain(static_cast<float>(gains[0]), static_cast<float>(gains[1]),
                        static_cast<float>(gains[2]));
@@ -19,7 +19,7 @@ cv::Mat_<cv::Vec3f> scaled(const cv::Mat_<cv::Vec3f>& linear, const Eigen::Vecto
   return result;
 }
 
-/// A pixel holds no more electrons than its full well.
+/// Returns the image limited to 1, at which a pixel's full well is reached.
 cv::Mat_<cv::Vec3f> saturated(const cv::Mat_<cv::Vec3f>& linear) {
   return cv::Mat_<cv::Vec3f>(cv::min(linear, cv::Scalar::all(1)));
 }

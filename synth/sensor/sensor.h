@@ -32,8 +32,8 @@ constexpr auto enum_names(SensorPreset) {
 }
 
 enum class DepthShutter {
-  as_color,  ///< each row with the row of the same number
-  global,    ///< all rows at once
+  as_color,  ///< each row is measured with the colour row of equal number
+  global,    ///< all rows are measured at once
 };
 
 constexpr auto enum_names(DepthShutter) {
@@ -41,11 +41,11 @@ constexpr auto enum_names(DepthShutter) {
                     std::pair{DepthShutter::global, "global"}};
 }
 
-/// The depth camera and what it makes of depth, in this order: noise, flying pixels, holes,
-/// rounding, registration to the colour image.
+/// The depth camera and its effects on depth, in this order: noise, flying pixels, holes, rounding,
+/// registration to the colour image.
 struct DepthSensorOptions {
-  Eigen::Vector3d offset = Eigen::Vector3d::Zero();  ///< m, where it is in the colour camera
-  double delay = 0;                                  ///< s, its stamp after the colour image's
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();  ///< m, position in the colour camera's axes
+  double delay = 0;  ///< s, from the colour image's stamp to depth's
   DepthShutter shutter = DepthShutter::as_color;
   NormalNoise normal;
   LateralNoise lateral;
@@ -53,16 +53,16 @@ struct DepthSensorOptions {
   DisparityNoise disparity;
   FlyingPixels flying;
   DepthHoles holes;
-  double step = 0;  ///< m; 0 = continuous
+  double step = 0;  ///< m, quantisation of depth; 0 = continuous
 
-  bool is_apart() const;  ///< whether it sees anything else than the colour camera
-  void validate() const;  ///< throws vo::Error
+  bool is_apart() const;  ///< whether depth needs a capture of its own
+  void validate() const;  ///< throws vo::Error if out of range
 };
 
-/// From what a perfect sensor would see to what this one measures. The defaults are perfect.
+/// All effects between ideal images and what a sensor measures. The defaults are a perfect sensor.
 struct SensorOptions {
-  SensorPreset preset = SensorPreset::perfect;  ///< where the others start from
-  std::uint64_t seed = 0;                       ///< of all effects, beside their own
+  SensorPreset preset = SensorPreset::perfect;  ///< preset that the other options start from
+  std::uint64_t seed = 0;                       ///< common seed, mixed into each effect's own
   double exposure = 0;      ///< gain from linear radiance to linear 0..1; 0 = metered
   double min_depth = 0.01;  ///< m; nearer surfaces have no depth
   double max_depth = 1000;  ///< m; farther surfaces have no depth
@@ -75,7 +75,7 @@ struct SensorOptions {
   JpegOptions jpeg;
   DepthSensorOptions depth;
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error if out of range
 };
 
 template <typename Visitor>
@@ -109,28 +109,29 @@ void visit_fields(Visitor& visit, SensorOptions& options) {
   visit("depth", options.depth, "");
 }
 
-/// The effects' seeds drawn from the one of all, which is then 0.
+/// Returns options with the common seed mixed into each effect's seed; the common seed is then 0.
 SensorOptions seeded(const SensorOptions& options);
 
-/// How a camera set itself for a frame.
+/// The exposure and white balance of one frame.
 struct FrameSetting {
-  std::uint64_t index = 0;                            ///< the noise's
-  double exposure = 1;                                ///< gain from radiance to 0..1
-  double amplification = 1;                           ///< how much of it is not by light
-  double exposure_time = 0;                           ///< s
+  std::uint64_t index = 0;   ///< frame index, for the noise
+  double exposure = 1;       ///< gain from radiance to 0..1
+  double amplification = 1;  ///< factor of `exposure` due to signal gain, not light
+  double exposure_time = 0;  ///< s in which each row collects light
   Eigen::Vector3d balance = Eigen::Vector3d::Ones();  ///< gains of red, green, blue
 };
 
-/// Linear light to an image: lens, noise, saturation, balance, response, JPEG.
+/// Returns the image of linear radiance after lens, noise, saturation, white balance, response and
+/// JPEG.
 vo::ColorImage develop(const cv::Mat_<cv::Vec3f>& radiance, const vo::PinholeCamera& camera,
                        const SensorOptions& options, const FrameSetting& setting);
 
-/// As the depth camera sees it, not registered.
+/// Returns the depth that the depth camera measures, not registered to the colour image.
 vo::DepthImage measure_depth(const DepthView& view, const vo::PinholeCamera& camera,
                              const SensorOptions& options, std::uint64_t frame);
 
-/// What a sensor measures that has an exposure and a range of depth, and no other effect.
-/// `options.exposure` must be set (not metered).
+/// Returns what a sensor measures whose only effects are an exposure and a depth range. Throws
+/// vo::Error unless `options.exposure` is above 0.
 vo::RgbdFrame measure(const RenderedFrame& ideal, double timestamp, const SensorOptions& options);
 
 }  // namespace synth

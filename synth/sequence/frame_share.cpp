@@ -20,7 +20,7 @@ std::size_t parse_count(const std::string& text) {
   return static_cast<std::size_t>(value);
 }
 
-/// The numbers on the two sides of a separator; an empty side is that of `otherwise`. Throws
+/// Returns the numbers on both sides of a separator; `otherwise` replaces an empty side. Throws
 /// vo::Error.
 NumberPair parse_pair(const std::string& text, char separator, const NumberPair& otherwise) {
   const std::size_t middle = text.find(separator);

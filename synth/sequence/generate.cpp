@@ -17,7 +17,7 @@
 namespace synth {
 namespace {
 
-/// Counts finished frames and tells one thread at a time.
+/// Counts finished frames and reports progress, from one thread at a time.
 class FrameCounter {
  public:
   FrameCounter(const vo::Progress& progress, std::size_t total)
@@ -44,7 +44,7 @@ vo::SequenceLayout layout_of(const SequenceRecipe& recipe) {
           .depth_delay = recipe.sensor.depth.delay};
 }
 
-/// T_world_camera at the stamps of depth.
+/// Returns T_world_camera at the stamps of the depth images.
 vo::Trajectory depth_truth(const SequenceRecipe& recipe) {
   const CameraPath path = path_of(recipe);
   vo::Trajectory truth;

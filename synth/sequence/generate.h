@@ -20,28 +20,28 @@
 
 namespace synth {
 
-/// All but the scene that determines a synthetic sequence.
+/// Everything but the scene that determines a synthetic sequence.
 struct SequenceRecipe {
   vo::Trajectory truth;  ///< T_world_camera of each frame, at its stamp
-  CameraPath path;       ///< and at any time; empty = the spline through them, no velocity and IMU
+  CameraPath path;       ///< T_world_camera at any time; if empty: a spline, no velocity or IMU
   vo::RgbdCamera camera;
   RenderOptions render;
   SensorOptions sensor;
   vo::FloatDepth float_depth = vo::FloatDepth::none;
-  TruthOptions channels;  ///< of exact ground truth, beside the poses
+  TruthOptions channels;  ///< exact ground truth to write beside the poses
 };
 
-/// T_world_camera of the recipe at any time.
+/// Returns the recipe's camera path or, where it is empty, the spline through its poses.
 CameraPath path_of(const SequenceRecipe& recipe);
 
-/// All files of a frame.
+/// The encoded files of one frame.
 struct MadeFrame {
   std::vector<vo::NamedBytes> files;
-  std::size_t depth_beyond_16_bit = 0;  ///< pixels that are 0 therefore
+  std::size_t depth_beyond_16_bit = 0;  ///< pixels stored as 0 because 16 bits cannot hold them
 };
 
 /// Makes the frames of one sequence, from any thread: each is a pure function of the scene, the
-/// recipe and its index. Both must outlive it.
+/// recipe and its index. The scene and the recipe must outlive the generator.
 class FrameGenerator {
  public:
   FrameGenerator(const Scene& scene, const SequenceRecipe& recipe);
@@ -54,32 +54,32 @@ class FrameGenerator {
   const Scene& scene_;
   const SequenceRecipe& recipe_;
   SensorMotion motion_;
-  bool moves_;  ///< each frame has a renderer of its own
+  bool moves_;  ///< whether the scene moves, so that each frame has its own renderer
   std::unique_ptr<const RenderersOverTime> renderers_;
   std::unique_ptr<const RgbdSensor> sensor_;
-  std::unique_ptr<const TruthGenerator> truth_;  ///< none where no channel is asked for
+  std::unique_ptr<const TruthGenerator> truth_;  ///< null where no channel is asked for
 };
 
-/// The names of the files that `FrameGenerator::make` makes.
+/// Returns the names of the files that `FrameGenerator::make` makes.
 std::vector<std::string> frame_files(const SequenceRecipe& recipe, std::size_t index);
 
-/// Those of the frames that lack a file in a folder. Files are complete if they are there.
+/// Returns those of `frames` that lack a file in a folder. A file that exists counts as complete.
 std::vector<std::size_t> missing_frames(const SequenceRecipe& recipe,
                                         const std::vector<std::size_t>& frames,
                                         const std::filesystem::path& folder);
 
-/// Renders, measures and writes these frames into an existing folder, in parallel on all cores.
-/// Returns how many pixels of depth 16 bits could not hold.
+/// Renders, measures and writes `frames` into an existing folder, in parallel on all cores. Returns
+/// the number of depth pixels that 16 bits could not hold.
 std::size_t generate_frames(const Scene& scene, const SequenceRecipe& recipe,
                             const std::vector<std::size_t>& frames,
                             const std::filesystem::path& folder, const vo::Progress& progress);
 
-/// Writes what a folder with all frames still lacks: the lists, groundtruth.txt, which is
-/// `recipe.truth`, camera.toml, groundtruth_depth.txt where depth has stamps of its own, and the
-/// channels that are not of single frames.
+/// Writes the files that belong to no single frame: the lists, groundtruth.txt (`recipe.truth`),
+/// camera.toml, groundtruth_depth.txt where depth has stamps of its own, and the velocity and IMU
+/// channels.
 void finish_sequence(const SequenceRecipe& recipe, const std::filesystem::path& folder);
 
-/// All frames, and the rest.
+/// Writes all frames of a sequence and the files that belong to no single frame.
 void generate_sequence(const Scene& scene, const SequenceRecipe& recipe,
                        const std::filesystem::path& folder, const vo::Progress& progress);
 

@@ -8,10 +8,10 @@
 namespace synth {
 namespace {
 
-constexpr std::size_t kMeasured = 3;  // frames, spread over the missing ones
+constexpr std::size_t kMeasured = 3;  // number of frames to render, spread over the missing ones
 constexpr double kSecondsPerMs = 1e-3;
 
-/// Processor time and bytes of rendering these frames, from those in the middle of equal parts.
+/// Estimates processor time and bytes of rendering `frames` from the middle ones of equal parts.
 void measure(const Scene& scene, const RenderJob& job, const std::vector<std::size_t>& frames,
              RenderPlan& plan) {
   const double start_ms = vo::processor_ms();

@@ -7,18 +7,18 @@
 
 namespace synth {
 
-/// What a job will take. Of a few frames that are measured, and the same for all others.
+/// The cost of a render job, estimated from a few of its frames.
 struct RenderPlan {
-  std::size_t frames = 0;    ///< of the job's share
-  std::size_t there = 0;     ///< of these, finished already
-  std::size_t files = 0;     ///< to write
-  double bytes = 0;          ///< to write
-  double processor_s = 0;    ///< of all threads together
-  std::size_t measured = 0;  ///< frames
+  std::size_t frames = 0;    ///< number of frames in the job's share
+  std::size_t there = 0;     ///< number of frames in the share that are finished already
+  std::size_t files = 0;     ///< number of files still to write
+  double bytes = 0;          ///< number of bytes still to write
+  double processor_s = 0;    ///< s, processor time of all threads together
+  std::size_t measured = 0;  ///< number of frames rendered for the estimate
 };
 
-/// Renders up to three of the missing frames and writes nothing. `folder` may be empty: then
-/// nothing is there.
+/// Estimates a job's cost from up to three of its missing frames, which it renders without writing.
+/// With an empty `folder` all frames of the share are missing.
 RenderPlan plan_sequence(const RenderJob& job, const std::filesystem::path& folder);
 
 }  // namespace synth

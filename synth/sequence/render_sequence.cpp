@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kManifest = "sequence.toml";
 
-/// How the exact ground truth is written, and what it was made with.
+/// Returns the format of each ground-truth channel and the options it was made with, as TOML.
 std::string describe_channels(const SequenceRecipe& recipe) {
   TruthOptions options = recipe.channels;
   std::string text;
@@ -47,7 +47,7 @@ bool moves_between_stamps(const SensorOptions& sensor) {
          sensor.depth.delay != 0;
 }
 
-/// Of the motion around the stamps.
+/// Returns a hash of the camera's poses shortly before and after each stamp.
 std::string motion_hash(const SequenceRecipe& recipe) {
   const CameraPath path = path_of(recipe);
   vo::Trajectory around;
@@ -61,7 +61,8 @@ std::string motion_hash(const SequenceRecipe& recipe) {
   return vo::to_hex(hash.value());
 }
 
-/// What a reader of the folder must know, and what two equal folders have in common.
+/// Returns the manifest: conventions that a reader must know, and the inputs that identify a
+/// folder.
 std::string format_manifest(const RenderJob& job, const Scene& scene) {
   std::string text =
       "# Frames: T_world_camera in groundtruth.txt, camera x right, y down, z forward;"
@@ -99,7 +100,7 @@ bool holds(const fs::path& folder, const std::string& manifest, const RenderJob&
   return is_of(folder, manifest) && missing_frames(job.recipe, all_frames(job), folder).empty();
 }
 
-/// Renders a share of the frames and, if no other is missing, completes the sequence.
+/// Renders the job's share of the frames and completes the sequence if no frame is missing then.
 void render_share(const RenderJob& job, const Scene& scene, vo::StagedFolder& staged,
                   const vo::Progress& progress, RenderOutcome& outcome) {
   const fs::path& folder = staged.staging();
@@ -113,7 +114,7 @@ void render_share(const RenderJob& job, const Scene& scene, vo::StagedFolder& st
   }
 }
 
-/// Tells who stopped a run that what it has made is not lost.
+/// Returns the error's message, for a stopped run with advice on where its finished frames are.
 std::string with_advice(const vo::Error& error, const fs::path& staging) {
   const bool is_stopped =
       error.kind() == vo::ErrorKind::temporary || error.kind() == vo::ErrorKind::interrupted;
@@ -176,7 +177,7 @@ RenderOutcome render_sequence(const RenderJob& job, const fs::path& folder,
   } catch (const vo::Error& thrown) {
     error = thrown;
   }
-  if (holds(folder, manifest, job)) {  // another process may have completed it, and moved it away
+  if (holds(folder, manifest, job)) {  // another process may have completed and renamed it
     outcome.missing = 0;
     return outcome;
   }

@@ -13,35 +13,35 @@
 
 namespace synth {
 
-/// All that determines a synthetic sequence, and how much of it to render now.
+/// Everything that determines a synthetic sequence, and the share of it to render now.
 struct RenderJob {
   SceneFile scene;
   SequenceRecipe recipe;
   FrameShare share;
 };
 
-/// All of it but the scene, as TOML.
+/// Returns the job's recipe, which excludes the scene and the share, as TOML.
 std::string format_recipe(const RenderJob& job);
 
 struct RenderOutcome {
-  bool was_there = false;               ///< the folder held the same sequence already
-  std::filesystem::path folder;         ///< where the frames are
-  std::size_t rendered = 0;             ///< frames
-  std::size_t missing = 0;              ///< frames, of the whole sequence; 0 = it is complete
-  std::vector<std::string> notes;       ///< what the scene file holds that was left out
-  std::size_t depth_beyond_16_bit = 0;  ///< pixels of the frames rendered that became 0
+  bool was_there = false;               ///< whether the folder held this sequence already
+  std::filesystem::path folder;         ///< folder that holds the frames
+  std::size_t rendered = 0;             ///< number of frames rendered by this call
+  std::size_t missing = 0;              ///< number of frames the sequence lacks; 0 = complete
+  std::vector<std::string> notes;       ///< features of the scene file that were left out
+  std::size_t depth_beyond_16_bit = 0;  ///< rendered depth pixels stored as 0
 };
 
-/// Renders into a folder that appears when the sequence is complete. Its sequence.toml records the
-/// inputs: an existing folder with the same inputs is left alone. Until then the frames lie in
-/// `<folder>.part`, which any number of processes with the same inputs fill, at once or one after
-/// the other, each with its share; whichever finds all frames there completes the sequence. A frame
-/// that is there is not rendered again.
+/// Renders a job's share into a folder that appears when the sequence is complete. Its
+/// sequence.toml records the inputs: an existing folder with equal inputs is left alone. Until
+/// completion the frames lie in `<folder>.part`, which any number of processes with equal inputs
+/// fill, at once or in turn, each with its share; the process that finds all frames there completes
+/// the sequence. A frame that exists is not rendered again.
 RenderOutcome render_sequence(const RenderJob& job, const std::filesystem::path& folder,
                               vo::ExistingOutput existing, const vo::Progress& progress);
 
-/// The frames of the job's share that are neither in the folder nor waiting beside it, and would be
-/// rendered; all of them without a folder.
+/// Returns the frames of the job's share that the folder or else its staging folder lacks; all of
+/// them if neither has the job's inputs or the folder's name is empty.
 std::vector<std::size_t> frames_to_render(const RenderJob& job, const Scene& scene,
                                           const std::filesystem::path& folder);
 

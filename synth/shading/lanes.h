@@ -4,12 +4,12 @@
 
 namespace synth {
 
-inline constexpr int kPacketSize = 16;  ///< rays that are traced together
+inline constexpr int kPacketSize = 16;  ///< number of rays that are traced together
 
-/// A number of each ray of a packet: side by side, so that the compiler works on several at once.
+/// One number for each ray of a packet, side by side so that the compiler can vectorise.
 using Lanes = std::array<float, kPacketSize>;
 
-/// Embree's way to say which lanes hold a ray: -1 in them, 0 in the others.
+/// Embree's mask of the lanes that hold a ray: -1 in those, 0 in the others.
 using LaneMask = std::array<int, kPacketSize>;
 
 struct Lanes3 {

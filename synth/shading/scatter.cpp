@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-/// The share of the samples that follow the specular lobe.
+/// Returns the share of the samples that follow the specular lobe.
 float specular_share(const SurfacePoint& point) {
   const float dielectric = point.specular > 0 ? 0.25F : 0.0F;
   return dielectric + point.metallic * (0.9F - dielectric);
@@ -29,7 +29,7 @@ Eigen::Vector3f cosine_direction(const Frame& frame, const Eigen::Vector2f& squa
   return place(frame, {disc.x(), disc.y(), z});
 }
 
-/// A microfacet's normal, of density D n.h.
+/// Returns a random microfacet normal, of density D n.h.
 Eigen::Vector3f ggx_normal(const Frame& frame, float alpha, const Eigen::Vector2f& square) {
   const float cos2 = (1 - square.x()) / (1 + (alpha * alpha - 1) * square.x());
   const float sine = std::sqrt(std::max(0.0F, 1 - cos2));
@@ -47,7 +47,7 @@ float ggx_density(const SurfacePoint& point, float alpha, const Eigen::Vector3f&
 
 }  // namespace
 
-/// Duff et al., Building an orthonormal basis, revisited, 2017.
+/// Completes the frame after Duff et al., Building an orthonormal basis, revisited, 2017.
 Frame::Frame(const Eigen::Vector3f& normal) : z(normal) {
   const float sign = std::copysign(1.0F, z.z());
   const float a = -1 / (sign + z.z());

@@ -6,7 +6,7 @@
 
 namespace synth {
 
-/// Two directions that make a right-handed frame with a third.
+/// An orthonormal right-handed frame about a surface normal.
 struct Frame {
   explicit Frame(const Eigen::Vector3f& normal);
 
@@ -15,17 +15,17 @@ struct Frame {
   Eigen::Vector3f z;  ///< the normal
 };
 
-/// A point of the unit disc, spread evenly as the square is (Shirley & Chiu 1997, by angle).
+/// Returns a point of the unit disc, uniform if `square` is, by the area-preserving polar mapping.
 Eigen::Vector2f on_disc(const Eigen::Vector2f& square);
 
-/// Where light came from that leaves a surface towards its viewer.
+/// A sampled direction of incident light, and its weight in the radiance towards the viewer.
 struct Scattered {
-  Eigen::Vector3f direction;  ///< unit
-  Eigen::Vector3f weight;     ///< reflectance times cosine over density; zero: no light comes
+  Eigen::Vector3f direction;  ///< unit, from the surface towards the light
+  Eigen::Vector3f weight;     ///< BRDF times cosine over density; zero: no light comes
 };
 
-/// Chosen as often as it matters: by the cosine for the diffuse share, by GGX's normals for the
-/// specular one. `lobe` and `square` are random in [0, 1).
+/// Returns an importance-sampled direction: by the cosine for the diffuse lobe, by GGX's normals
+/// for the specular one. `lobe` and `square` are random in [0, 1).
 Scattered scatter(const SurfacePoint& point, float lobe, const Eigen::Vector2f& square);
 
 }  // namespace synth

@@ -8,8 +8,8 @@
 namespace synth {
 namespace {
 
-/// The share of a point light's flux that meets the box, outside of it taken as a sphere of the
-/// same surface about the box's middle.
+/// Returns the share of a point light's flux that meets the box, which for a light outside is taken
+/// as a sphere of equal surface about the box's centre.
 double share_received(const Eigen::AlignedBox3d& box, double surface,
                       const Eigen::Vector3d& position) {
   if (box.contains(position)) {
@@ -20,8 +20,8 @@ double share_received(const Eigen::AlignedBox3d& box, double surface,
   return (1 - std::sqrt(1 - std::min(1.0, radius2 / distance2))) / 2;
 }
 
-/// The solid angle into which a light with a place shines, sr: of a spot, the one halfway between
-/// its cones.
+/// Returns the solid angle into which a light with a position shines, sr; of a spot light, the mean
+/// of its inner and its outer cone.
 double solid_angle(const Light& light) {
   constexpr double kPi = std::numbers::pi;
   return light.kind == LightKind::spot
@@ -29,7 +29,7 @@ double solid_angle(const Light& light) {
              : 4 * kPi;
 }
 
-/// Irradiance, lx, if the flux that enters the box spread evenly over its surface.
+/// Returns the irradiance, lx, if the flux that enters the box spread evenly over its surface.
 Eigen::Vector3d mean_irradiance(const std::vector<Light>& lights, const Eigen::AlignedBox3d& box) {
   const Eigen::Vector3d size = box.sizes();
   const double surface = 2 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x());
@@ -46,7 +46,7 @@ Eigen::Vector3d mean_irradiance(const std::vector<Light>& lights, const Eigen::A
   return sum;
 }
 
-/// For scenes without lights: at its brightest a surface shows its base colour.
+/// Returns the sky of scenes without lights, whose brightest surfaces show their base colour.
 AmbientLight default_sky(double share) {
   const double sky = std::numbers::pi / (1 + share / 2);
   AmbientLight light;
@@ -80,7 +80,7 @@ AmbientLight ambient_light(const WorldGeometry& world, double share) {
 }
 
 std::vector<PlacedLight> place_lights(const WorldGeometry& world) {
-  constexpr double kLeastConeWidth = 1e-3;  // KHR_lights_punctual's
+  constexpr double kLeastConeWidth = 1e-3;  // limit of KHR_lights_punctual
   std::vector<PlacedLight> placed;
   for (const Light& light : world.scene->lights) {
     PlacedLight& added = placed.emplace_back();

@@ -15,60 +15,60 @@
 
 namespace synth {
 
-/// Light from all sides: a surface facing n receives uniform + sky (1 + n . sky_axis) / 2, the
-/// second term being what an even sky over half of all directions gives.
+/// Ambient light: a surface facing n receives the irradiance uniform + sky (1 + n . sky_axis) / 2,
+/// the second term being that of a uniform sky over one hemisphere.
 struct AmbientLight {
-  Eigen::Vector3f uniform = Eigen::Vector3f::Zero();  ///< lx
-  Eigen::Vector3f sky = Eigen::Vector3f::Zero();      ///< lx
+  Eigen::Vector3f uniform = Eigen::Vector3f::Zero();  ///< lx, from all directions, linear RGB
+  Eigen::Vector3f sky = Eigen::Vector3f::Zero();      ///< lx, facing the sky, linear RGB
   Eigen::Vector3f sky_axis = Eigen::Vector3f::UnitY();
 
   Eigen::Vector3f irradiance(const Eigen::Vector3f& normal) const;
 
-  /// Of the sky that gives this irradiance where nothing hides it.
+  /// Returns the radiance from a direction that causes `irradiance` where nothing occludes it.
   Eigen::Vector3f radiance(const Eigen::Vector3f& direction) const;
 };
 
-/// `share` is RenderOptions::ambient.
+/// Returns the scene's ambient light; `share` is RenderOptions::ambient.
 AmbientLight ambient_light(const WorldGeometry& world, double share);
 
-/// What a diffuse surface sends back of light that arrives at it.
+/// Returns the radiance that a diffuse surface reflects of an irradiance.
 inline Eigen::Vector3f lambert(const SurfacePoint& point, const Eigen::Vector3f& irradiance) {
   return point.base_color.cwiseProduct(irradiance) * std::numbers::inv_pi_v<float>;
 }
 
-/// What comes back of ambient light. Under light that is the same from all sides a metal sends back
-/// its base colour too.
+/// Returns the reflected radiance of ambient light. A metal reflects its base colour too, since the
+/// light is taken as uniform over all directions.
 inline Eigen::Vector3f reflect_ambient(const SurfacePoint& point, const AmbientLight& ambient) {
   return point.openness * lambert(point, ambient.irradiance(point.normal));
 }
 
-/// A light as it shines on the world-space geometry.
+/// A light source in the coordinates of the world-space geometry.
 struct PlacedLight {
   LightKind kind = LightKind::point;
-  Eigen::Vector3f position = Eigen::Vector3f::Zero();     ///< m, in the world-space geometry's
-                                                          ///< coordinates; not of directional ones
-  Eigen::Vector3f direction = -Eigen::Vector3f::UnitY();  ///< unit, of travel; not of point lights
-  Eigen::Vector3f intensity = Eigen::Vector3f::Ones();  ///< linear RGB; cd, lx of directional ones
-  float inverse_range = 0;                              ///< 1/m; 0: it never fades
-  float cos_outer = -2;          ///< of the angle off `direction` where a spot light ends
-  float inverse_cone_width = 1;  ///< 1 / (cosine where it is full - cos_outer)
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();     ///< m; unused for directional lights
+  Eigen::Vector3f direction = -Eigen::Vector3f::UnitY();  ///< unit, of travel; no effect if point
+  Eigen::Vector3f intensity = Eigen::Vector3f::Ones();    ///< linear RGB, cd; directional: lx
+  float inverse_range = 0;                                ///< 1/m; 0 = unlimited range
+  float cos_outer = -2;          ///< cosine of a spot light's outer cone angle
+  float inverse_cone_width = 1;  ///< 1 / (cosine of the inner cone angle - cos_outer)
 
   bool has_place() const { return kind != LightKind::directional; }
 };
 
 std::vector<PlacedLight> place_lights(const WorldGeometry& world);
 
-/// How one light reaches a point if nothing is between them.
+/// The light of one source at a surface point without occluders.
 struct DirectLight {
-  Eigen::Vector3f to_light;    ///< m to a light that has a place; unit towards a directional one
+  Eigen::Vector3f to_light;    ///< m to a light with a position; unit towards a directional one
   Eigen::Vector3f irradiance;  ///< lx on the surface, linear RGB; zero behind the surface
 };
 
-/// KHR_lights_punctual: distance, range and cone.
+/// Returns the unoccluded light, with distance, range and cone as in KHR_lights_punctual.
 DirectLight direct_light(const PlacedLight& light, const SurfacePoint& point);
 
-/// Of a light that has a place: irradiance per intensity and metre that its direction has along the
-/// surface's normal. `along_axis` is how far the light is against its own direction, m.
+/// Returns the irradiance per intensity of a light with a position, divided by the extent, m, of
+/// the vector to the light along the surface normal. `along_axis` is that vector's extent against
+/// the light's own direction, m, and `distance2` its squared length, m^2.
 EDVO_INLINE float fading(const PlacedLight& light, float along_axis, float distance2) {
   const float per_distance = 1 / std::sqrt(distance2);
   const float of_range = distance2 * light.inverse_range * light.inverse_range;
@@ -78,14 +78,14 @@ EDVO_INLINE float fading(const PlacedLight& light, float along_axis, float dista
   return per_distance * per_distance * per_distance * in_range * (cone * cone);
 }
 
-/// What of a surface decides how it reflects, but for its colour.
+/// The BRDF parameters of a surface other than its colour.
 struct SurfaceFinish {
   float metallic = 0;
   float specular = 0;
   float alpha2 = 1;  ///< GGX's alpha^2
 };
 
-/// GGX's, kept off the mirror at 0, in which no light that has no size is seen.
+/// Returns GGX's alpha, at least 0.001: in a perfect mirror a light without a size is invisible.
 inline float ggx_alpha(const SurfacePoint& point) {
   constexpr float kLeast = 1e-3F;
   return std::max(kLeast, point.roughness * point.roughness);
@@ -93,28 +93,28 @@ inline float ggx_alpha(const SurfacePoint& point) {
 
 SurfaceFinish finish_of(const SurfacePoint& point);
 
-/// Between normal, light and viewer.
+/// The cosines between normal (n), direction to the light (l) and to the viewer (v).
 struct LightCosines {
   float n_l;
   float n_v;
   float l_v;
 };
 
-/// Radiance per irradiance: tint base_color + gloss.
+/// A BRDF's value, radiance per irradiance: tint base_color + gloss.
 struct Reflectance {
   float tint;
   float gloss;
 };
 
-/// glTF 2.0's metallic-roughness model (its appendix B):
+/// Returns the BRDF of glTF 2.0's metallic-roughness model (its appendix B):
 ///   (1 - metallic) (1 - F) base / pi + F D V,
 /// D and V of GGX with alpha = roughness^2 (V: Smith's, height-correlated, over 4 n.l n.v), F after
 /// Schlick from 0.04 specular, or the base colour of a metal. A point with neither metallic nor
-/// specular is Lambert's. With h halfway between l and v, v.h = cos(angle(l, v) / 2) and
-/// n.h = (n.l + n.v) / (2 v.h).
+/// specular is Lambertian. With h halfway between l and v, v.h = cos(angle(l, v) / 2) and n.h =
+/// (n.l + n.v) / (2 v.h).
 EDVO_INLINE Reflectance reflectance(const SurfaceFinish& finish, const LightCosines& cosines) {
   constexpr float kInvPi = std::numbers::inv_pi_v<float>;
-  constexpr float kDielectric = 0.04F;  // reflected by glass at right angles
+  constexpr float kDielectric = 0.04F;  // reflectance of glass at normal incidence
   constexpr float kLeastCosine = 1e-4F;
   const float n_l = std::max(kLeastCosine, cosines.n_l);
   const float n_v = std::max(kLeastCosine, cosines.n_v);
@@ -136,7 +136,7 @@ EDVO_INLINE Reflectance reflectance(const SurfaceFinish& finish, const LightCosi
           dielectric.gloss + finish.metallic * (metal.gloss - dielectric.gloss)};
 }
 
-/// Of a point, linear RGB.
+/// Returns the BRDF of a point towards its viewer, linear RGB; `to_light` may have any length.
 Eigen::Vector3f reflectance(const SurfacePoint& point, const Eigen::Vector3f& to_light);
 
 }  // namespace synth

@@ -9,11 +9,11 @@
 
 namespace synth {
 
-/// Surface points as light meets them: SurfacePoint's values, in the first `size` lanes.
+/// The shading inputs of surface points: SurfacePoint's values, in the first `size` lanes.
 struct LitLanes {
   int size = 0;
   Lanes3 position;
-  Lanes3 start;  ///< m, of rays to the lights: off the surface by its rounding
+  Lanes3 start;  ///< m, origin of shadow rays: off the surface by its rounding
   Lanes3 face_normal;
   Lanes3 normal;
   Lanes3 to_viewer;
@@ -21,28 +21,29 @@ struct LitLanes {
   Lanes scene_share{};  ///< SurfacePoint::share
   Lanes metallic{};
   Lanes specular{};
-  Lanes alpha2{};  ///< of ggx_alpha
+  Lanes alpha2{};  ///< square of ggx_alpha
 };
 
 void add_point(LitLanes& lit, const SurfacePoint& point);
 
-/// One light as it reaches each point if nothing is between them.
+/// The light of one source at each point without occluders.
 struct LightLanes {
-  Lanes3 to_light;  ///< DirectLight's
+  Lanes3 to_light;  ///< DirectLight::to_light of each point
   Lanes share{};    ///< irradiance per intensity; zero behind the surface and beyond the last point
 
-  /// Leaves the light only in active lanes.
+  /// Sets the light to zero in inactive lanes.
   void keep(const LaneMask& active);
 };
 
-/// The same light for all lanes.
+/// Returns the light's position, m, in every lane.
 Lanes3 same_place(const PlacedLight& light);
 
-/// direct_light() of every lane. `places` are the light's, m; not of directional ones.
+/// Returns the unoccluded light of every lane. `places` are positions on the light, m, which
+/// directional lights ignore.
 LightLanes direct_light(const PlacedLight& light, const Lanes3& places, const LitLanes& lit,
                         vo::InstructionSet set);
 
-/// Adds what comes back of the light at each lane.
+/// Adds the reflected radiance of a light of this intensity to each lane.
 void add_reflected(const LitLanes& lit, const LightLanes& light, const Eigen::Vector3f& intensity,
                    vo::InstructionSet set, Lanes3& radiance);
 

@@ -15,7 +15,7 @@
 namespace synth {
 namespace {
 
-/// Beyond this slant a texture is not blurred further.
+/// The least cosine of a slant at which textures are still blurred further.
 constexpr float kMinCosine = 0.05F;
 
 template <typename Values>
@@ -28,8 +28,8 @@ auto interpolate(const Values& values, const std::array<int, 3>& triangle,
 
 constexpr std::array<int, 3> kCorners{0, 1, 2};
 
-/// Twice the area that the triangle covers in the image, texels^2, over twice its own, m^2: an even
-/// mapping of the triangle has its root as texels per metre.
+/// Returns a texture mapped onto a triangle. Texels per metre are the root of the triangle's area
+/// in the image, texels^2, over its area in the scene, m^2; `double_area` is twice the latter.
 TexturePatch texture_patch(const Scene& scene, const FlatMesh& world, const TextureSlot& slot,
                            const std::array<int, 3>& vertices, float double_area) {
   TexturePatch patch;
@@ -58,7 +58,7 @@ Eigen::Vector3f normal_between(const MomentPair& moments, int vertex) {
   return normal;
 }
 
-/// The greatest coordinate that takes part in finding a hit, m.
+/// Returns the greatest coordinate that takes part in finding a hit, m.
 float extent_of(const WorldGeometry& world, const SurfaceTriangle& triangle) {
   const std::array<Eigen::Vector3f, 3>& corners = triangle.corners;
   const Eigen::Array3f extent =
@@ -71,7 +71,7 @@ float extent_of(const WorldGeometry& world, const SurfaceTriangle& triangle) {
   return extent.maxCoeff() + place.cast<float>().cwiseAbs().maxCoeff();
 }
 
-/// Unit, on the front side.
+/// Returns the interpolated unit normal, or the triangle's where there is none.
 Eigen::Vector3f vertex_normal(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights) {
   if (!triangle.mesh->has_normals()) {
     return triangle.normal;
@@ -82,8 +82,8 @@ Eigen::Vector3f vertex_normal(const SurfaceTriangle& triangle, const Eigen::Vect
   return length > kMinLength ? Eigen::Vector3f(normal / length) : triangle.normal;
 }
 
-/// Where u grows along the surface, and the side on which v does: of the mesh or, without tangents
-/// of its own, of the normal map's coordinates.
+/// Returns the tangent, along which u grows, and in w the bitangent's side: of the mesh or, without
+/// tangents of its own, of the normal map's coordinates.
 Eigen::Vector4f tangent_of(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights) {
   const FlatMesh& world = *triangle.mesh;
   if (!world.mesh->tangents.empty()) {
@@ -106,7 +106,7 @@ Eigen::Vector4f tangent_of(const SurfaceTriangle& triangle, const Eigen::Vector3
   return tangent;
 }
 
-/// glTF's normal map in the frame of tangents, on the front side.
+/// Returns the unit normal of glTF's normal map in the tangent frame about `normal`.
 Eigen::Vector3f mapped_normal(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights,
                               const Eigen::Vector3f& normal, float log2_footprint) {
   const Eigen::Vector4f tangent = tangent_of(triangle, weights);
@@ -140,8 +140,8 @@ Eigen::Vector4f color_of(const SurfaceTriangle& triangle, const Eigen::Vector3f&
   return color;
 }
 
-/// Binary logarithm of a positive number to 1e-3, which is plenty for a level of detail: exponent,
-/// and a fit to log2(1 + f) that is exact at 0 and 1.
+/// Returns the binary logarithm of a positive number to 1e-3, enough for a level of detail: the
+/// exponent plus a fit to log2(1 + f) that is exact at 0 and 1.
 float quick_log2(float value) {
   constexpr int kMantissaBits = 23;
   const auto bits = std::bit_cast<std::uint32_t>(value);
@@ -150,12 +150,12 @@ float quick_log2(float value) {
   return exponent + f + f * (1 - f) * (0.43807F - f * (0.23669F - f * 0.08031F));
 }
 
-/// Of the colour sample's width on the surface, m.
+/// Returns log2 of the colour sample's width on the surface, m.
 float log2_footprint(const SurfaceRay& ray, float cosine) {
   return quick_log2(ray.footprint / std::max(kMinCosine, cosine));
 }
 
-/// All that light asks of the material.
+/// Sets a point's material values from the material's factors and textures.
 void read_maps(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights, float log2_width,
                SurfacePoint& point) {
   const Material& material = *triangle.mesh->material;

@@ -9,56 +9,57 @@
 
 namespace synth {
 
-/// Where a ray met the scene.
+/// The point of the scene that a ray hits.
 struct SurfaceHit {
-  int mesh = kNone;                                   ///< of WorldGeometry::meshes
-  int triangle = kNone;                               ///< of that mesh
-  Eigen::Vector3f weights = Eigen::Vector3f::Zero();  ///< of the triangle's vertices, sum 1
+  int mesh = kNone;                                   ///< index in WorldGeometry::meshes
+  int triangle = kNone;                               ///< index in the mesh's triangles
+  Eigen::Vector3f weights = Eigen::Vector3f::Zero();  ///< barycentric, sum 1
 };
 
-/// What a ray saw of it. All directions are unit; both normals are on the viewer's side.
+/// A surface point as a ray sees it. All directions are unit; both normals face the viewer.
 struct SurfacePoint {
   Eigen::Vector3f position;     ///< m, in the world-space geometry's coordinates
-  Eigen::Vector3f face_normal;  ///< of the triangle
-  Eigen::Vector3f normal;       ///< interpolated between the vertices, and of the normal map
+  Eigen::Vector3f face_normal;  ///< normal of the triangle
+  Eigen::Vector3f normal;       ///< shading normal: of the vertices and the normal map
   Eigen::Vector3f to_viewer;
   Eigen::Vector3f base_color;  ///< linear RGB
   Eigen::Vector3f emission;    ///< linear RGB
-  float alpha = 1;             ///< of the base colour
+  float alpha = 1;             ///< alpha of the base colour
   float metallic = 0;          ///< 0 to 1
   float roughness = 1;         ///< 0 to 1
   float specular = 0;          ///< Material::specular
   float openness = 1;          ///< share of the ambient light that arrives
   float rounding = 0;          ///< m, how far the position may be off the triangle
-  float share = 0;             ///< WorldGeometry::share_at, of when it was seen
+  float share = 0;             ///< WorldGeometry::share_at of the ray's time
 };
 
-/// A texture as it lies on one triangle.
+/// A texture mapped onto one triangle.
 struct TexturePatch {
-  const Texture* texture = nullptr;     ///< none: the factor alone counts
-  const TextureImage* image = nullptr;  ///< of the texture
-  std::array<Eigen::Vector2f, 3> uv;    ///< the image's coordinates at the corners
+  const Texture* texture = nullptr;     ///< null where the material's factor alone counts
+  const TextureImage* image = nullptr;  ///< image of the texture
+  std::array<Eigen::Vector2f, 3> uv;    ///< image coordinates at the triangle's corners
   float lod_at_1m = 0;                  ///< level of detail for a footprint of 1 m
 
-  /// One in all channels where there is no texture. `weights` are of the corners.
+  /// Returns the filtered linear RGBA; requires a texture. `weights` are barycentric coordinates,
+  /// `log2_footprint` is log2 of the footprint in m.
   Eigen::Vector4f color(const Eigen::Vector3f& weights, float log2_footprint) const;
 };
 
-/// What of a material is asked for.
+/// The maps of a material to prepare: base colour alone, or all.
 enum class SurfaceMaps { color, all };
 
-/// What all points of a triangle have in common: neighbouring rays tend to hit the same one.
+/// The values that all points of a triangle share: neighbouring rays often hit one triangle.
 struct SurfaceTriangle {
   SurfaceTriangle() = default;
   SurfaceTriangle(const WorldGeometry& world, int mesh, int triangle, float share = 0,
                   SurfaceMaps maps = SurfaceMaps::all);
 
-  const FlatMesh* mesh = nullptr;  ///< at the moment before, where it moves
+  const FlatMesh* mesh = nullptr;  ///< mesh at the moment before the ray if it moves
   std::array<int, 3> vertices{};
   std::array<Eigen::Vector3f, 3> corners;  ///< m, in the world-space geometry's coordinates
-  std::array<Eigen::Vector3f, 3> normals;  ///< at the corners; of no meaning if the mesh has none
-  Eigen::Vector3f normal = Eigen::Vector3f::Zero();  ///< unit, of the front; zero without area
-  float rounding = 0;                                ///< m, SurfacePoint's
+  std::array<Eigen::Vector3f, 3> normals;  ///< at the corners; undefined if the mesh has none
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();  ///< unit, on the front; zero without area
+  float rounding = 0;                                ///< m, SurfacePoint::rounding
   TexturePatch base_color;
   TexturePatch metallic_roughness;
   TexturePatch normal_map;
@@ -66,26 +67,26 @@ struct SurfaceTriangle {
   TexturePatch emissive;
 };
 
-/// A ray that met a triangle.
+/// A ray that hits a triangle.
 struct SurfaceRay {
-  Eigen::Vector3f weights;    ///< of the triangle's vertices at the hit
-  Eigen::Vector3f direction;  ///< of the ray, any length
+  Eigen::Vector3f weights;    ///< barycentric coordinates of the hit
+  Eigen::Vector3f direction;  ///< direction of the ray, any length
   float footprint = 0;        ///< m, width of one colour sample's cone at the hit
-  float share = 0;            ///< WorldGeometry::share_at, of when the triangle was seen
+  float share = 0;            ///< WorldGeometry::share_at of the ray's time
 };
 
-/// The base colour alone, linear RGBA.
+/// Returns the base colour at a hit, linear RGBA.
 Eigen::Vector4f surface_color(const SurfaceTriangle& triangle, const SurfaceRay& ray);
 
 SurfacePoint surface_point(const SurfaceTriangle& triangle, const SurfaceRay& ray);
 SurfacePoint surface_point(const WorldGeometry& world, const SurfaceHit& hit,
                            const Eigen::Vector3f& view_direction, float footprint);
 
-/// The base colour's alpha where its texture is sharpest: what is there must not depend on who
-/// looks.
+/// Returns the base colour's alpha from the sharpest level of its texture, so that it does not
+/// depend on the viewer.
 float surface_alpha(const WorldGeometry& world, const SurfaceHit& hit);
 
-/// The least alpha that counts as being there, for depth and shadows.
+/// Returns the least alpha that counts as solid, for depth and shadows.
 inline float solid_from(const Material& material) {
   return material.alpha_mode == AlphaMode::mask ? material.alpha_cutoff : 0.5F;
 }

@@ -25,7 +25,7 @@ cv::Mat_<cv::Vec3f> encoded(const cv::Mat_<cv::Vec3f>& linear) {
   return result;
 }
 
-/// Labels one view, pair by pair of neighbours.
+/// Labels one view by comparing pairs of neighbouring pixels.
 class Labeller {
  public:
   Labeller(const SurfaceView& view, const vo::PinholeCamera& camera,
@@ -75,7 +75,8 @@ class Labeller {
     }
   }
 
-  /// The colour changes most between these two, and enough from one pixel before to one after.
+  /// Whether the colour changes most between a and b, and enough from one pixel before to one
+  /// after.
   bool has_albedo_edge(const cv::Point& a, const cv::Point& b, const cv::Point& step) const {
     const double contrast = color_step(a, b);
     if (contrast < color_step(a - step, a) || contrast <= color_step(b, b + step)) {
@@ -85,7 +86,7 @@ class Labeller {
            options_.albedo_step;
   }
 
-  /// Neither surface continued as a plane explains the other.
+  /// Whether neither pixel's surface, continued as a plane, explains the other's depth.
   bool has_depth_edge(const cv::Point& a, const cv::Point& b) const {
     const float depth_a = view_.depth(a);
     const float depth_b = view_.depth(b);
@@ -97,7 +98,7 @@ class Labeller {
            std::abs(depth_of_plane_at(b, a) - depth_a) > least;
   }
 
-  /// Depth at which the ray of `to` meets the plane seen at `from`, m.
+  /// Returns the depth at which the ray of `to` meets the plane seen at `from`, m.
   double depth_of_plane_at(const cv::Point& from, const cv::Point& to) const {
     const Eigen::Vector3d normal = to_eigen(view_.face_normal(from));
     const double distance = normal.dot(ray(from)) * view_.depth(from);
@@ -119,8 +120,8 @@ class Labeller {
   const SurfaceView& view_;
   const vo::PinholeCamera& camera_;
   const EdgeLabelOptions& options_;
-  cv::Mat_<cv::Vec3f> color_;  ///< sRGB-encoded
-  double least_cosine_;        ///< between the normals of a surface without crease
+  cv::Mat_<cv::Vec3f> color_;  ///< sRGB-encoded base colour
+  double least_cosine_;        ///< least cosine between normals without a crease
   EdgeLabels labels_;
 };
 

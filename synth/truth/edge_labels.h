@@ -10,12 +10,12 @@
 
 namespace synth {
 
-/// Why there is an edge. Several causes may meet in a pixel.
+/// The cause of an edge. Several causes may meet in a pixel.
 enum class EdgeCause : std::uint8_t {
-  depth,   ///< one surface ends before another, or before nothing
-  crease,  ///< a surface bends
-  albedo,  ///< its colour changes
-  shadow,  ///< a shadow falls on it
+  depth,   ///< occluding boundary, before another surface or nothing
+  crease,  ///< change of surface orientation
+  albedo,  ///< change of base colour
+  shadow,  ///< boundary of a shadow
 };
 
 constexpr auto enum_names(EdgeCause) {
@@ -23,22 +23,22 @@ constexpr auto enum_names(EdgeCause) {
                     std::pair{EdgeCause::albedo, "albedo"}, std::pair{EdgeCause::shadow, "shadow"}};
 }
 
-/// The bit of a pixel's labels that stands for a cause.
+/// Returns the bit of a pixel's labels that stands for a cause.
 constexpr std::uint8_t bit(EdgeCause cause) {
   return static_cast<std::uint8_t>(1U << static_cast<unsigned>(cause));
 }
 
-/// The bits of each pixel's causes; 0 = no edge.
+/// An image of the bits of each pixel's causes; 0 = no edge.
 using EdgeLabels = cv::Mat_<std::uint8_t>;
 
-/// From which step on neighbouring pixels have an edge between them.
+/// The least differences of neighbouring pixels that make an edge between them.
 struct EdgeLabelOptions {
   double depth_step = 0.01;   ///< share of the depth, beyond what the surface's slope explains
   double crease_deg = 25;     ///< deg between the interpolated normals
-  double albedo_step = 0.1;   ///< of the sRGB-encoded base colour (0..1), any channel, in 3 px
-  double shadow_step = 0.15;  ///< share of the light that would arrive without shadows
+  double albedo_step = 0.1;   ///< step of sRGB-encoded base colour (0..1), any channel, in 3 px
+  double shadow_step = 0.15;  ///< step in the share of light that shadows leave
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error if out of range
 };
 
 template <typename Visitor>
@@ -49,10 +49,10 @@ void visit_fields(Visitor& visit, EdgeLabelOptions& options) {
   visit("shadow_step", options.shadow_step, "least step of a shadow, share of the light");
 }
 
-/// Exact edges, about a pixel wide: an edge between a pixel and its right or lower neighbour marks
-/// the nearer surface if depth steps, else the left or upper pixel. A colour that changes over
-/// several pixels has its edge where it changes most; creases and shadows are looked for where
-/// depth does not step. `camera` is the one that saw the view.
+/// Returns exact edges, about a pixel wide: an edge between a pixel and its right or lower
+/// neighbour marks the nearer surface if depth steps, else the left or upper pixel. A gradual
+/// change of colour has its edge where it is steepest. Other causes are only tested where depth
+/// does not step. `camera` is the one that saw the view.
 EdgeLabels edge_labels(const SurfaceView& view, const vo::PinholeCamera& camera,
                        const EdgeLabelOptions& options);
 

@@ -12,7 +12,7 @@ namespace {
 
 enum Purpose : std::uint64_t { kGyroNoise = 0x6701, kGyroWalk, kAccelNoise, kAccelWalk };
 
-/// Independent normal numbers for three axes, of a sample.
+/// Returns independent standard normal numbers for the three axes of a sample.
 Eigen::Vector3d normals(const ImuOptions& options, Purpose purpose, std::size_t sample) {
   const vo::RandomField field(options.seed, purpose, 0);
   const int index = static_cast<int>(sample);
@@ -23,8 +23,8 @@ bool is_density(double value) {
   return value >= 0 && std::isfinite(value);
 }
 
-/// Their error is h^2 / 6 times the third derivative of position and rotation, h^2 / 12 times the
-/// fourth of position.
+/// Returns central differences of step h. The velocities have an error of h^2 / 6 times the third
+/// derivative, the acceleration one of h^2 / 12 times the fourth.
 PathMotion central_differences(const CameraPath& path, double time, double step) {
   const vo::SE3 before = path(time - step);
   const vo::SE3 now = path(time);
@@ -46,7 +46,7 @@ void ImuOptions::validate() const {
               "imu: expected noise densities at or above 0");
 }
 
-/// Nearer to an end than a step, linear from what is one and two steps off it.
+/// Within a step of the span's ends, extrapolates linearly from one and two steps inside.
 PathMotion path_motion(const CameraPath& path, const TimeSpan& span, double time) {
   const double step = std::min(1e-3, (span.end - span.begin) / 4);  // s
   if (!(step > 0)) {

@@ -9,15 +9,15 @@
 
 namespace synth {
 
-/// An inertial measurement unit in the camera: its axes and its place are the camera's. The
-/// defaults are perfect. Noise is white, sigma = density sqrt(rate) per sample; biases start at 0
-/// and walk by sigma = density / sqrt(rate) from sample to sample.
+/// An inertial measurement unit whose frame is the camera's. The defaults are noise-free. White
+/// noise has sigma = density sqrt(rate) per sample; biases start at 0 and follow a random walk with
+/// sigma = density / sqrt(rate) per sample.
 struct ImuOptions {
   vo::ImuNoise noise{.rate = 200};
   double gravity = 9.81;  ///< m/s^2 along the world's -y
   std::uint64_t seed = 1;
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error if out of range
 };
 
 template <typename Visitor>
@@ -27,16 +27,17 @@ void visit_fields(Visitor& visit, ImuOptions& options) {
   visit("seed", options.seed, "of noise and biases");
 }
 
-/// How a path moves at a time within the span. Only the path within the span counts.
+/// The velocities and the acceleration of a path at one time.
 struct PathMotion {
   Eigen::Vector3d velocity;          ///< m/s, world
   Eigen::Vector3d acceleration;      ///< m/s^2, world
   Eigen::Vector3d angular_velocity;  ///< rad/s, camera's axes
 };
 
+/// Returns a path's motion at a time, s, by central differences within the span.
 PathMotion path_motion(const CameraPath& path, const TimeSpan& span, double time);
 
-/// Samples at the span's begin and every 1 / rate seconds after it.
+/// Returns samples and true states at the span's begin and every 1 / rate seconds after it.
 vo::ImuRecord measure_imu(const CameraPath& path, const TimeSpan& span, const ImuOptions& options);
 
 }  // namespace synth

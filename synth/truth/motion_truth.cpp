@@ -11,7 +11,7 @@ cv::Point pixel_of(const PointImage& points, std::size_t index) {
   return {static_cast<int>(index % width), static_cast<int>(index / width)};
 }
 
-/// In the next camera's frame, m.
+/// Returns the point's position at the next frame's time in the next camera's frame, m.
 Eigen::Vector3d seen_from(const NextView& next, const vo::SE3& T_next_world,
                           const TrianglePoint& point) {
   return T_next_world * next.tracer.position(point);
@@ -39,7 +39,7 @@ FlowImage optical_flow(const PointImage& points, const NextView& next) {
 }
 
 cv::Mat_<std::uint8_t> occlusion(const PointImage& points, const NextView& next) {
-  constexpr double kTolerance = 1e-5;  // share of the depth: neighbours in one surface
+  constexpr double kTolerance = 1e-5;  // share of the depth, for neighbouring triangles
   const vo::SE3 T_next_world = next.T_world_camera.inverse();
   cv::Mat_<std::uint8_t> fates(points.size, static_cast<std::uint8_t>(PointFate::nothing));
   std::vector<Eigen::Vector3d> directions;

@@ -10,33 +10,33 @@
 
 namespace synth {
 
-/// (du, dv), px, forward: where the next frame shows the point that a pixel's centre sees.
+/// Forward optical flow (du, dv), px: from a pixel's centre to its point in the next frame.
 using FlowImage = cv::Mat_<cv::Vec2f>;
 
-inline constexpr float kUnknownFlow = 1e10F;  ///< Middlebury's files: beyond 1e9 is unknown
+inline constexpr float kUnknownFlow = 1e10F;  ///< no flow; unknown is above 1e9 as in Middlebury
 
-/// The view after this one: the same scene at its time, the same camera at its pose.
+/// The view of the next frame: the scene at its time and the camera at its pose.
 struct NextView {
   const PointTracer& tracer;
   const vo::PinholeCamera& camera;
   vo::SE3 T_world_camera;
 };
 
-/// Unknown where nothing was hit and where the point is not in front of the next camera.
+/// Returns optical flow, unknown where nothing was hit or the point is behind the next camera.
 FlowImage optical_flow(const PointImage& points, const NextView& next);
 
-/// What becomes of the point that a pixel's centre sees, as grey levels of an image.
+/// The visibility of a pixel's point in the next frame, as grey levels of an image.
 enum class PointFate : std::uint8_t {
-  visible = 0,     ///< in the next frame too
-  nothing = 64,    ///< there is no point
+  visible = 0,     ///< visible in the next frame
+  nothing = 64,    ///< the pixel sees nothing
   outside = 128,   ///< beyond the next frame's border or behind its camera
-  occluded = 255,  ///< another surface is in front of it
+  occluded = 255,  ///< occluded by another surface in the next frame
 };
 
-/// Found by tracing a ray from the next camera to each point.
+/// Returns each pixel's PointFate, found by tracing a ray from the next camera to each point.
 cv::Mat_<std::uint8_t> occlusion(const PointImage& points, const NextView& next);
 
-/// 255 where a point is elsewhere in the world at the other's time, by more than rounding.
+/// Returns 255 where a point's world position at `other`'s time differs by more than rounding.
 cv::Mat_<std::uint8_t> moved_points(const PointImage& points, const PointTracer& tracer,
                                     const PointTracer& other);
 

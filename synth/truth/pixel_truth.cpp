@@ -9,7 +9,7 @@
 namespace synth {
 namespace {
 
-/// `value` of each point, 0 where nothing was hit.
+/// Returns an image of `value` of each point, 0 where nothing was hit.
 template <typename Pixel, typename Value>
 cv::Mat_<Pixel> image_of(const PointImage& points, Value value) {
   cv::Mat_<Pixel> image(points.size);

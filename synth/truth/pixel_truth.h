@@ -8,15 +8,16 @@
 
 namespace synth {
 
-/// Planar depth at pixel centres, m; 0 = nothing hit. However far, and whatever a sensor measures.
+/// Returns exact depth along the optical axis at pixel centres, m, of any range; 0 = nothing hit.
 vo::DepthImage depth_truth(const PointImage& points);
 
-/// Of the triangle, unit, world axes, towards the camera; 0 where nothing was hit.
+/// Returns unit triangle normals, world axes, towards the camera at `eye`; 0 = nothing hit.
 cv::Mat_<cv::Vec3f> normal_truth(const PointImage& points, const PointTracer& tracer,
                                  const Eigen::Vector3d& eye);
 
-/// As SurfaceIds says; 0 where nothing was hit. Throw vo::Error beyond 65535.
+/// Returns SurfaceIds::instance, 0 = nothing hit. Throws vo::Error if an id exceeds 65535.
 IdImage instance_truth(const PointImage& points, const WorldGeometry& world);
+/// Returns SurfaceIds::material, 0 = nothing hit. Throws vo::Error if an id exceeds 65535.
 IdImage material_truth(const PointImage& points, const WorldGeometry& world);
 
 }  // namespace synth

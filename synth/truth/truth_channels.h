@@ -16,8 +16,7 @@
 
 namespace synth {
 
-/// What can be known exactly about a sequence beside its poses. `truth_convention` says how each is
-/// written.
+/// A channel of exact ground truth beside the poses. `truth_convention` describes its files.
 enum class TruthChannel {
   depth,
   normal,
@@ -27,7 +26,7 @@ enum class TruthChannel {
   occlusion,
   edges,
   moving,
-  velocity,  ///< of the whole sequence, as `imu` is; the others are of each frame
+  velocity,  ///< belongs to the whole sequence, as `imu` does, not to each frame
   imu,
 };
 
@@ -41,19 +40,19 @@ constexpr auto enum_names(TruthChannel) {
 }
 
 struct TruthOptions {
-  std::vector<TruthChannel> channels;  ///< in their order above, each once
+  std::vector<TruthChannel> channels;  ///< in the order of TruthChannel, each once
   vo::FloatFormat float_format = vo::FloatFormat::npy;
   EdgeLabelOptions edges;
   ImuOptions imu;
 
   bool has(TruthChannel channel) const;
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error if out of range
 };
 
-/// Names with commas between, or `all`. Throws vo::Error.
+/// Parses names separated by commas, or `all`. Throws vo::Error for unknown or repeated names.
 std::vector<TruthChannel> parse_channels(std::string_view text);
 
-/// Folder, file type, unit, frame and sign, in one sentence.
+/// Returns a channel's folder, file type, unit, frame and sign convention, in one sentence.
 std::string truth_convention(TruthChannel channel, vo::FloatFormat format);
 
 struct TruthFile {
@@ -61,12 +60,12 @@ struct TruthFile {
   std::string name;
 };
 
-/// Of a frame of a sequence of `frames`: flow and occlusion are to the next, so that the last has
-/// none.
+/// Returns the files of a frame in a sequence of `frames` frames. Flow and occlusion lead to the
+/// next frame, so that the last frame has none.
 std::vector<TruthFile> truth_files(const TruthOptions& options, std::size_t index,
                                    std::size_t frames);
 
-/// The files of the channels that are not of single frames. `path` need only be set for these.
+/// Returns the files of the velocity and IMU channels, which alone require `path` to be set.
 std::vector<vo::NamedBytes> encode_motion(const TruthOptions& options, const CameraPath& path,
                                           const vo::Trajectory& trajectory);
 

@@ -16,7 +16,7 @@
 
 namespace synth {
 
-/// The scene at one time.
+/// The scene at one time, with its tracers.
 class TruthGenerator::Instant {
  public:
   Instant(const TruthSubject& subject, const TruthOptions& options, double time)
@@ -29,7 +29,7 @@ class TruthGenerator::Instant {
   }
 
   const PointTracer& tracer() const { return tracer_; }
-  const SurfaceTracer& surfaces() const { return *surfaces_; }  ///< where edges are asked for
+  const SurfaceTracer& surfaces() const { return *surfaces_; }  ///< requires TruthChannel::edges
 
  private:
   std::optional<Scene> moved_;
@@ -40,14 +40,14 @@ class TruthGenerator::Instant {
 
 namespace {
 
-/// The frame to which flow and motion are: the next, or of the last the one before.
+/// Returns the frame to which flow and motion lead: the next one, or for the last the one before.
 std::size_t neighbour(std::size_t index, std::size_t frames) {
   return index + 1 < frames ? index + 1 : std::max<std::size_t>(index, 1) - 1;
 }
 
 }  // namespace
 
-/// All that the channels of a frame are made from.
+/// The inputs from which the channels of a frame are made.
 struct TruthGenerator::Frame {
   const Instant& now;
   const Instant& other;

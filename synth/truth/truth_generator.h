@@ -13,16 +13,16 @@
 
 namespace synth {
 
-/// What a truth generator is about; all but `ambient` must outlive it.
+/// The inputs of a truth generator. Its references must outlive the generator.
 struct TruthSubject {
   const Scene& scene;
   const vo::PinholeCamera& camera;
   const vo::Trajectory& trajectory;
-  double ambient = 0;  ///< RenderOptions::ambient
+  double ambient = 0;  ///< RenderOptions::ambient of the sequence
 };
 
-/// Makes the ground truth of any frame, from any thread: at its stamp, as if the camera took it in
-/// an instant, whatever the shutter and the sensor do.
+/// Makes the exact ground truth of any frame, from any thread, as seen at its stamp in an instant,
+/// without rolling shutter, exposure time and sensor effects.
 class TruthGenerator {
  public:
   TruthGenerator(const TruthSubject& subject, const TruthOptions& options);
@@ -32,18 +32,18 @@ class TruthGenerator {
   TruthGenerator(TruthGenerator&&) = delete;
   TruthGenerator& operator=(TruthGenerator&&) = delete;
 
-  std::vector<vo::NamedBytes> make(std::size_t index) const;  ///< `truth_files`
+  std::vector<vo::NamedBytes> make(std::size_t index) const;  ///< contents of `truth_files`
 
  private:
   class Instant;
   struct Frame;
 
-  std::shared_ptr<const Instant> instant(std::size_t index) const;  ///< of a frame
+  std::shared_ptr<const Instant> instant(std::size_t index) const;  ///< scene at its stamp
   std::string encode(const Frame& frame, TruthChannel channel) const;
 
   TruthSubject subject_;
   TruthOptions options_;
-  std::shared_ptr<const Instant> still_;  ///< of a scene that does not move
+  std::shared_ptr<const Instant> still_;  ///< null if the scene moves
 };
 
 }  // namespace synth
