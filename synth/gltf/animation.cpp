@@ -49,7 +49,7 @@ void require_rotations(const AnimationCurve& curve, const std::string& place) {
   }
 }
 
-/// What the file holds of it is checked, even if the rest is missing.
+/// Reads an animation sampler and checks those of its times and values that the file holds.
 AnimationCurve read_curve(const GltfModel& model, const tinygltf::AnimationSampler& sampler,
                           AnimatedProperty property, const std::string& place) {
   AnimationCurve curve;
@@ -117,7 +117,7 @@ bool overlap(const Targets& a, const Targets& b) {
   return std::any_of(a.begin(), a.end(), [&](const auto& target) { return b.count(target) > 0; });
 }
 
-/// In the file's order, all that move nothing that one before them moves.
+/// Returns, in the file's order, the animations that move nothing that an earlier one moves.
 std::vector<Animation> those_that_fit_together(std::vector<Animation> animations, Notes& notes) {
   std::vector<Animation> fitting;
   Targets taken;

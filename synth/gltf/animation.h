@@ -8,8 +8,8 @@
 
 namespace synth {
 
-/// The animations that GltfOptions::animation names. Throws vo::Error for keys that are not in
-/// order and for a name that no animation has.
+/// Reads the animations that `wanted`, a GltfOptions::animation, selects. Throws vo::Error for key
+/// times that do not increase, rotations that are not unit and a name that no animation has.
 std::vector<Animation> read_animations(GltfReading& reading, const NodeForest& forest,
                                        const std::string& wanted);
 

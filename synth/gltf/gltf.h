@@ -12,12 +12,12 @@
 
 namespace synth {
 
-/// Which part of a file to read. Names are the file's; its elements are also known by their
-/// numbers, from 0.
+/// Options that select the parts of a glTF file to read. Its elements are known by their names or
+/// by their numbers from 0.
 struct GltfOptions {
-  std::string scene;      ///< "" = the file's default, else its first; all nodes if it has none
-  std::string animation;  ///< "" = in the file's order all that move nothing twice, "none", or one
-  bool loop = false;      ///< animations start again at their end instead of holding still
+  std::string scene;      ///< "" = the default scene, else the first; all nodes if there is none
+  std::string animation;  ///< "" = all but those that move what an earlier one does; "none"; or one
+  bool loop = false;      ///< animations restart at their end instead of holding their last pose
 };
 
 template <typename Visitor>
@@ -27,14 +27,14 @@ void visit_fields(Visitor& visit, GltfOptions& options) {
   visit("loop", options.loop, "animations start again at their end instead of holding still");
 }
 
-/// Reads .gltf or .glb. Throws vo::Error naming the file, the element and what was expected;
-/// nothing outside the file's own folder is opened. `notes`, if given, receives what was skipped.
+/// Reads a .gltf or .glb file. Throws vo::Error naming the file, the element and what was expected.
+/// Opens nothing outside the file's own folder. `notes`, if given, receives what was left out.
 Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options,
                 Notes* notes = nullptr);
 Scene load_gltf(const std::filesystem::path& path, Notes* notes = nullptr);
 
-/// The same of a file's content. `path` names it in messages; its folder is where the file's own
-/// references lead.
+/// Reads the content of a .gltf or .glb file as load_gltf does. `path` names it in messages, and
+/// its folder is where the content's references lead.
 Scene parse_gltf(std::span<const std::uint8_t> content, const std::filesystem::path& path,
                  const GltfOptions& options = {}, Notes* notes = nullptr);
 

@@ -27,14 +27,14 @@ namespace {
 
 using vo::require;
 
-/// Bounds what nodes that share a mesh of many primitives may multiply to.
+/// The limit of instances of primitives, as nodes that share a mesh multiply its primitives.
 constexpr std::size_t kMostInstances = 1'000'000;
 
-/// A position and a normal, which renderers keep for each vertex of each instance that does not
-/// share them.
+/// Bytes of a position and a normal, which renderers keep for each vertex of each instance that has
+/// no shared mesh.
 constexpr std::size_t kPlacedVertexBytes = 2 * sizeof(Eigen::Vector3f);
 
-/// Bounds the time that looking at each vertex of each instance takes.
+/// The limit of vertices of all instances, which bounds the time to visit each of them.
 constexpr std::size_t kMostPlacedVertices = std::size_t{1} << 29U;
 
 class SceneReader {
@@ -74,7 +74,7 @@ class SceneReader {
     }
   }
 
-  /// What no node of the scene uses must be sound too.
+  /// Checks the meshes and skins that no node of the scene uses, and all accessors.
   void check_the_rest() {
     Notes unused;
     MemoryBudget budget;
@@ -121,7 +121,7 @@ class SceneReader {
     }
   }
 
-  /// A node below the one that is instancing for each instance of its mesh.
+  /// Adds a child of the instancing node for each instance of its mesh and returns their indices.
   std::vector<int> instance_nodes(int index) {
     const tinygltf::Node& node = model_.content.nodes[at(index)];
     const int parent = forest_.of_gltf[at(index)];
@@ -137,7 +137,7 @@ class SceneReader {
     return nodes;
   }
 
-  /// The node's mesh where another one stands.
+  /// Adds the mesh of `node`, placed by the forest's node `stands_at`.
   void add_mesh_of(const tinygltf::Node& node, int moved_by, int stands_at) {
     if (node.skin != kNone && is_instancing(node)) {
       add_note(reading_.notes, "instances of skinned meshes are left out");
@@ -189,7 +189,7 @@ class SceneReader {
     return static_cast<int>(scene_.meshes.size()) - 1;
   }
 
-  /// The scene's meshes for the primitives of a glTF mesh, read when first asked for.
+  /// Returns the scene's meshes of a glTF mesh's primitives, which are read on first use.
   const std::vector<int>& meshes_of(int gltf_mesh) {
     const auto [entry, is_new] = meshes_.try_emplace(gltf_mesh);
     if (is_new) {
@@ -205,7 +205,7 @@ class SceneReader {
     return entry->second;
   }
 
-  /// Each node has meshes of its own, as each may deform in its own way.
+  /// Adds a morphed or skinned mesh, a copy for each node, as each may deform differently.
   void add_bending(const tinygltf::Node& node, int moved_by, int stands_at) {
     const auto& primitives = model_.content.meshes[at(node.mesh)].primitives;
     for (std::size_t i = 0; i < primitives.size(); ++i) {
@@ -297,13 +297,13 @@ class SceneReader {
   GltfReading reading_;
   MaterialReader materials_;
   NodeForest forest_;
-  std::vector<Eigen::Affine3d> T_world_node_;  ///< of the forest's
+  std::vector<Eigen::Affine3d> T_world_node_;  ///< transform of each of forest_.nodes
   std::map<int, std::vector<int>> meshes_;
   std::vector<int> skins_;
-  std::vector<bool> is_read_;  ///< of glTF's meshes
+  std::vector<bool> is_read_;  ///< whether each glTF mesh was read
 };
 
-/// Of the scene that is wanted, or all if the file has none.
+/// Returns the root nodes of the wanted scene, or all root nodes if the file has no scenes.
 std::vector<int> scene_roots(const GltfModel& model, const std::string& wanted) {
   const std::vector<tinygltf::Scene>& scenes = model.content.scenes;
   if (scenes.empty() && wanted.empty()) {

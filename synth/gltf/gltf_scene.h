@@ -8,10 +8,12 @@
 
 namespace synth {
 
-/// The scene that the options name, at rest, with its motion if something moves.
+/// Reads the scene that the options select, at rest, with its motion if something moves. Throws
+/// vo::Error.
 Scene read_scene(const GltfModel& model, const GltfOptions& options, Notes& notes);
 
-/// The nodes, by glTF's indices, that GltfOptions::scene names, level by level.
+/// Returns the glTF indices of the nodes of the scene that `wanted`, a GltfOptions::scene, selects,
+/// level by level. Throws vo::Error if there is none.
 std::vector<int> scene_nodes(const GltfModel& model, const std::string& wanted);
 
 }  // namespace synth

@@ -25,7 +25,7 @@ std::size_t triangles_of(int mode, std::size_t corners) {
 void count_primitives(const tinygltf::Model& model, GltfSummary& summary) {
   for (const tinygltf::Mesh& mesh : model.meshes) {
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
-      // All attributes have as many elements.
+      // All attributes of a primitive have equal counts.
       const std::size_t vertices =
           primitive.attributes.empty()
               ? 0
@@ -80,7 +80,7 @@ Eigen::AlignedBox3d bounds_of(const Scene& scene) {
   return box;
 }
 
-/// The last key is the time's maximum, which every animation's accessor must state.
+/// Lists animations; the last key's time is the maximum that a sampler's input accessor must state.
 std::vector<AnimationSummary> list_animations(const tinygltf::Model& model) {
   std::vector<AnimationSummary> animations;
   for (const tinygltf::Animation& source : model.animations) {

@@ -17,16 +17,16 @@ struct AnimationSummary {
   std::size_t channels = 0;
 };
 
-/// What a file holds. The counts are those of the Khronos validator: each primitive of the file
+/// A summary of a glTF file. The counts are those of the Khronos validator: each primitive counts
 /// once, however many nodes show it, points and lines included.
 struct GltfSummary {
-  std::size_t draw_calls = 0;  ///< primitives
+  std::size_t draw_calls = 0;  ///< number of primitives
   std::size_t vertices = 0;
   std::size_t triangles = 0;
-  /// m, world: all positions of the scene's meshes where their nodes put them, neither skinned nor
-  /// morphed; points and lines included.
+  /// m, world, of all positions of the scene's meshes with their nodes' transforms, neither skinned
+  /// nor morphed; points and lines included.
   Eigen::AlignedBox3d bounds;
-  Eigen::AlignedBox3d bounds_at_rest;  ///< m, world: what is rendered while no animation plays
+  Eigen::AlignedBox3d bounds_at_rest;  ///< m, world, of what is rendered if no animation plays
   std::vector<std::string> scenes, materials;
   std::vector<std::string> extensions_used, extensions_required;
   std::vector<AnimationSummary> animations;
@@ -34,11 +34,11 @@ struct GltfSummary {
   std::size_t textures = 0;
   std::size_t images = 0;
   std::size_t skins = 0;
-  Scene scene;  ///< as load_gltf reads it
+  Scene scene;  ///< what load_gltf returns
   Notes notes;
 };
 
-/// Loads the file and sums up what is in it. Throws what load_gltf does.
+/// Loads a glTF file and summarises its content. Throws what load_gltf does.
 GltfSummary summarize_gltf(const std::filesystem::path& path, const GltfOptions& options);
 
 }  // namespace synth

@@ -16,7 +16,7 @@ namespace {
 
 using vo::require;
 
-/// As many as there are instances; none where the file does not say.
+/// Reads an attribute of all instances of a node; empty if the node does not have it.
 template <typename Vector>
 std::vector<Vector> read_attribute(GltfReading& reading, const tinygltf::Node& node,
                                    const std::string& name, const std::string& place) {

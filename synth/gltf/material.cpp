@@ -21,8 +21,8 @@ Eigen::Vector2f read_pair(const tinygltf::Value& object, const std::string& key,
       .cast<float>();
 }
 
-/// KHR_texture_transform: scales, rotates against the clock of the image (whose v points down),
-/// and moves, in this order.
+/// Reads KHR_texture_transform, which scales, rotates counter-clockwise in the image (whose v
+/// points down) and translates, in this order.
 Eigen::Affine2f read_texture_transform(const tinygltf::Value& extension) {
   const double angle =
       extension.Has("rotation") ? extension.Get("rotation").GetNumberAsDouble() : 0.0;  // rad
@@ -84,7 +84,7 @@ AlphaMode read_alpha_mode(const std::string& name) {
   return name == "MASK" ? AlphaMode::mask : name == "BLEND" ? AlphaMode::blend : AlphaMode::opaque;
 }
 
-/// The factor times its strength.
+/// Returns the emissive factor times the emissive strength.
 Eigen::Vector3f read_emission(const tinygltf::Material& source) {
   Eigen::Vector3f emission =
       Eigen::Map<const Eigen::Vector3d>(source.emissiveFactor.data()).cast<float>();
@@ -143,7 +143,7 @@ void MaterialReader::read_surface(const tinygltf::PbrMetallicRoughness& source,
   material.specular = 1;
 }
 
-/// What an unlit material does without.
+/// Reads what only a lit material has: emission and all textures but the base colour's.
 void MaterialReader::read_maps(const tinygltf::Material& source, Material& material) {
   material.metallic_roughness_texture =
       slot(source.pbrMetallicRoughness.metallicRoughnessTexture, TexelEncoding::linear);

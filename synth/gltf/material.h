@@ -9,14 +9,14 @@
 
 namespace synth {
 
-/// Puts those materials, textures and images of a model into a scene that are asked for.
+/// Reads a model's materials, with their textures and images, into a scene as they are asked for.
 class MaterialReader {
  public:
-  /// Both must outlive the reader.
+  /// Both arguments must outlive the reader.
   MaterialReader(GltfReading& reading, Scene& scene);
 
-  /// The scene's index of a glTF material; kNone stays kNone. Throws vo::Error if an image that
-  /// it needs cannot be decoded.
+  /// Returns the scene's index of a glTF material, kNone for kNone. Throws vo::Error if an image
+  /// that the material needs cannot be decoded.
   int material(int gltf_index);
 
  private:
@@ -28,14 +28,14 @@ class MaterialReader {
   int texture(int gltf_index, TexelEncoding encoding);
   int image(int gltf_index, TexelEncoding encoding);
 
-  /// What was read already: the scene's index by glTF's and by what its channels mean.
+  /// The scene's index of each texture or image read so far, by glTF index and encoding.
   using Read = std::map<std::pair<int, TexelEncoding>, int>;
 
   GltfReading& reading_;
   const GltfModel& model_;
   Scene& scene_;
   MemoryBudget image_budget_;
-  std::vector<int> materials_;  ///< scene indices, kNone where not read yet
+  std::vector<int> materials_;  ///< scene index by glTF index; kNone until it is read
   Read textures_, images_;
 };
 

@@ -18,7 +18,7 @@ namespace {
 
 using Triangles = std::vector<std::array<int, 3>>;
 
-/// The accessor of an attribute, or kNone.
+/// Returns the accessor index of an attribute, or kNone.
 int find_attribute(const tinygltf::Primitive& primitive, const std::string& name) {
   const auto found = primitive.attributes.find(name);
   return found == primitive.attributes.end() ? kNone : found->second;
@@ -28,7 +28,7 @@ std::array<int, 3> triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   return {static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)};
 }
 
-/// Corners of triangles as the mode arranges them; an incomplete last triangle is dropped.
+/// Assembles corners into triangles by the primitive's mode; drops an incomplete last triangle.
 Triangles assemble(int mode, const std::vector<std::uint32_t>& corners) {
   Triangles triangles;
   if (mode == TINYGLTF_MODE_TRIANGLES) {
@@ -43,14 +43,14 @@ Triangles assemble(int mode, const std::vector<std::uint32_t>& corners) {
       triangles.push_back(triangle(corners[i - 1], corners[i], corners[0]));
     } else if (i % 2 == 0) {
       triangles.push_back(triangle(corners[i - 2], corners[i - 1], corners[i]));
-    } else {  // every other triangle of a strip turns the other way
+    } else {  // every other triangle of a strip has reversed winding
       triangles.push_back(triangle(corners[i - 2], corners[i], corners[i - 1]));
     }
   }
   return triangles;
 }
 
-/// The index that glTF reserves: the largest of its type.
+/// Returns the primitive restart index, which glTF reserves: the largest of the indices' type.
 std::uint32_t restart_index(const tinygltf::Model& model, int accessor) {
   const int type = model.accessors[static_cast<std::size_t>(accessor)].componentType;
   return type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE    ? 0xFFU
@@ -77,7 +77,7 @@ std::vector<std::uint32_t> read_corners(const tinygltf::Model& model,
   return corners;
 }
 
-/// Unit normals, or none if one has no direction.
+/// Reads unit normals; none if one of them is zero.
 std::vector<Eigen::Vector3f> read_normals(const tinygltf::Model& model, int accessor,
                                           const std::string& place, Notes& notes) {
   std::vector<Eigen::Vector3f> normals = read_vectors<Eigen::Vector3f>(model, accessor, place);
@@ -104,7 +104,7 @@ std::vector<Eigen::Vector4f> read_colors(const tinygltf::Model& model, int acces
   return colors;
 }
 
-/// Unit, each with its handedness; none if one has no direction or no handedness.
+/// Reads unit tangents with handedness w = +-1; none if one has zero length or handedness.
 std::vector<Eigen::Vector4f> read_tangents(const tinygltf::Model& model, int accessor,
                                            const std::string& place, Notes& notes) {
   auto tangents = read_vectors<Eigen::Vector4f>(model, accessor, place);
@@ -172,7 +172,7 @@ std::vector<MorphTarget> read_targets(GltfReading& reading, const tinygltf::Prim
   return targets;
 }
 
-/// What reading the primitive will allocate, twice over as some of it is copied.
+/// Returns twice the bytes that reading a primitive allocates, as some of them are copied.
 std::size_t memory_of(const tinygltf::Model& model, const tinygltf::Primitive& primitive) {
   constexpr std::size_t kVertexBytes = 2 * 4 * sizeof(float);
   const auto bytes_of = [&](int accessor) {

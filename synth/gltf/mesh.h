@@ -9,14 +9,14 @@
 
 namespace synth {
 
-/// A primitive in the frame of its mesh.
+/// The geometry of a mesh primitive in the frame of its mesh.
 struct PrimitiveGeometry {
   Mesh mesh;  ///< the material is left as kNone
   std::vector<MorphTarget> targets;
 };
 
-/// Nothing for points, lines and primitives without positions. Throws vo::Error beginning with
-/// `place` for vertex indices out of range and values that are not finite.
+/// Reads a mesh primitive; nothing for points, lines and primitives without positions. Throws
+/// vo::Error beginning with `place` for indices out of range and values that are not finite.
 std::optional<PrimitiveGeometry> read_primitive(GltfReading& reading,
                                                 const tinygltf::Primitive& primitive,
                                                 const std::string& place);

@@ -7,11 +7,11 @@
 
 namespace synth {
 
-/// A light of KHR_lights_punctual, which shines along -z of its node. The direction is zero where
-/// the node has none.
+/// Returns a light of KHR_lights_punctual in the world, which shines along its node's -z axis. The
+/// direction of a directional or spot light is zero if the node's z axis is zero.
 Light place_light(const tinygltf::Light& source, const Eigen::Affine3d& T_world_node);
 
-/// glTF's camera looks along -z of its node and has y up; scale does not change it.
+/// Returns a glTF camera in the world, which looks along its node's -z axis with +y up.
 SceneCamera place_camera(const tinygltf::Camera& source, const Eigen::Affine3d& T_world_node);
 
 }  // namespace synth

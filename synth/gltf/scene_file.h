@@ -8,15 +8,15 @@
 
 namespace synth {
 
-/// A glTF file that is read when its scene is first asked for, and once, by all copies.
+/// A glTF file that is read once, for all copies of this object, when its scene is first needed.
 class SceneFile {
  public:
   SceneFile() = default;
   explicit SceneFile(std::filesystem::path path, GltfOptions options = {});
 
   const std::filesystem::path& path() const { return path_; }
-  const Scene& scene() const;  ///< throws vo::Error; of one thread
-  const Notes& notes() const;  ///< what it leaves out
+  const Scene& scene() const;  ///< reads on first use; throws vo::Error; not thread-safe
+  const Notes& notes() const;  ///< what the scene leaves out of the file
 
  private:
   struct Content {

@@ -13,10 +13,10 @@ namespace {
 
 using vo::require;
 
-/// Bounds what an accessor without a buffer, which is all zeros, may ask for.
+/// The limit of an accessor's count, as no buffer bounds an accessor that has no buffer view.
 constexpr std::size_t kMostElements = std::size_t{1} << 26U;
 
-/// Bytes; none for a type that glTF 2.0 does not have.
+/// Returns the bytes of the object's componentType; nothing for one that is not in glTF 2.0.
 std::optional<std::size_t> component_size(const JsonObject& object) {
   switch (object.required_whole_number("componentType")) {
     case 5120:  // signed byte
@@ -35,15 +35,15 @@ std::optional<std::size_t> component_size(const JsonObject& object) {
 
 struct Elements {
   std::size_t count = 0;
-  std::size_t components = 0;      ///< of one element
-  std::size_t component_size = 0;  ///< bytes
-  std::size_t alignment = 0;       ///< bytes, of the byteOffset
+  std::size_t components = 0;      ///< components of one element
+  std::size_t component_size = 0;  ///< bytes of one component
+  std::size_t alignment = 0;       ///< bytes, divisor of the accessor's byteOffset
   std::size_t size = 0;            ///< bytes of one element
   std::size_t packed_stride = 0;   ///< bytes from one element to the next without byteStride
 };
 
-/// The columns of matrices begin at multiples of four bytes; the last one is not padded. None for
-/// types that glTF 2.0 does not have, which it lets stand where nothing uses them.
+/// Returns an accessor's memory layout; nothing for types not in glTF 2.0, which unused accessors
+/// may have. Matrix columns begin at multiples of four bytes; the last one is not padded.
 std::optional<Elements> element_layout(const JsonObject& accessor, std::size_t count) {
   constexpr std::array<std::pair<const char*, std::size_t>, 4> kVectors = {
       {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}}};
@@ -81,12 +81,12 @@ void check_view(const JsonObject& view, const std::vector<JsonObject>& buffers) 
           ", expected a multiple of 4 from 4 to 252");
   require(!view.has("byteStride") || stride <= length, view.place(), ": byteStride is ", stride,
           ", expected at most its byteLength ", length);
-  constexpr std::size_t kElementArray = 34963;  // what GL calls the buffer of indices
+  constexpr std::size_t kElementArray = 34963;  // OpenGL's ELEMENT_ARRAY_BUFFER
   require(!view.has("byteStride") || view.whole_number("target") != kElementArray, view.place(),
           ": has a byteStride and is for indices, expected a stride for vertices alone");
 }
 
-/// The elements must lie in the view that `object`, which refers to them, names.
+/// Checks that elements lie in the buffer view that `object` refers to, and are aligned.
 void check_range(const JsonObject& object, const Elements& elements,
                  const std::vector<JsonObject>& views) {
   const auto [count, components, component, alignment, size, packed_stride] = elements;

@@ -30,7 +30,7 @@ constexpr std::array kSupportedExtensions = {
     "KHR_materials_emissive_strength", "KHR_materials_unlit",
     "KHR_mesh_quantization",           "KHR_texture_transform"};
 
-/// The glTF Transform commands that write a file without the extension.
+/// Unsupported extensions with the glTF Transform command that writes a file without each.
 constexpr std::array<std::pair<const char*, const char*>, 5> kConversions = {
     {{"KHR_meshopt_compression", "copy"},
      {"KHR_texture_basisu", "ktxdecompress"},
@@ -117,7 +117,7 @@ void check_alpha(const JsonObject& material) {
   material.flag("doubleSided");
 }
 
-/// References to textures must hold in the extensions too that are not supported.
+/// Checks the texture references of all material extensions, also of unsupported ones.
 void check_extended_textures(const JsonObject& material, std::size_t textures) {
   const std::optional<JsonObject> extensions = material.object("extensions");
   for (const std::string& name : extensions ? extensions->keys() : std::vector<std::string>()) {

@@ -4,11 +4,11 @@
 
 namespace synth {
 
-/// The extensions that the loader understands.
+/// Returns whether the loader supports a glTF extension.
 bool is_supported_extension(const std::string& name);
 
-/// Checks all that the document's JSON promises: types, indices, sizes, URIs, the node graph and
-/// the required extensions. After it every index is in range, every accessor lies in its buffer as
+/// Checks a glTF document's whole JSON: types, indices, sizes, URIs, the node graph and the
+/// required extensions. After it every index is in range, every accessor lies in its buffer as
 /// declared, every URI stays in the file's folder, and the nodes form trees. Opens nothing. Throws
 /// vo::Error.
 void check_document(const GltfFile& file);

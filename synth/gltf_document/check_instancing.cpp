@@ -12,7 +12,7 @@ namespace {
 
 using vo::require;
 
-/// Rotations may be normalised bytes or shorts.
+/// Checks an instancing attribute's types; only rotations may be normalised bytes or shorts.
 void check_attribute(const JsonObject& accessor, const std::string& name,
                      const std::string& place) {
   constexpr std::size_t kByte = 5120;

@@ -6,7 +6,7 @@
 
 namespace synth {
 
-/// The name of the glTF extension whose nodes show their mesh many times.
+/// The name of the glTF extension by which a node shows many instances of its mesh.
 inline constexpr const char* kInstancingExtension = "EXT_mesh_gpu_instancing";
 
 /// The attributes of EXT_mesh_gpu_instancing that place an instance.

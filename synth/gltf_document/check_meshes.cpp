@@ -23,15 +23,15 @@ constexpr std::size_t kFloat = 5126;
 struct MeshDocument {
   std::vector<JsonObject> accessors, views;
   std::size_t materials = 0;
-  std::size_t variants = 0;   ///< KHR_materials_variants
-  bool is_quantized = false;  ///< KHR_mesh_quantization
+  std::size_t variants = 0;   ///< number of variants of KHR_materials_variants
+  bool is_quantized = false;  ///< whether KHR_mesh_quantization is used
 };
 
 bool begins_with(const std::string& name, const std::string& prefix) {
   return name.compare(0, prefix.size(), prefix) == 0;
 }
 
-/// Nothing for attributes that the loader does not read.
+/// Returns the accessor types allowed for an attribute; none if the loader does not read it.
 std::vector<std::string> allowed_types(const std::string& name) {
   if (name == "POSITION" || name == "NORMAL") {
     return {"VEC3"};
@@ -46,7 +46,7 @@ std::vector<std::string> allowed_types(const std::string& name) {
                                      : std::vector<std::string>();
 }
 
-/// glTF 2.0, 3.7.2.1, and the tables of KHR_mesh_quantization.
+/// Returns whether glTF 2.0 (3.7.2.1) or KHR_mesh_quantization allows an attribute's components.
 bool is_component_allowed(const std::string& name, std::size_t component, bool is_normalized,
                           bool is_quantized) {
   const bool is_integer = component >= kByte && component <= kUnsignedShort;
@@ -85,7 +85,7 @@ void check_format(const std::string& name, const JsonObject& accessor, const std
           ", expected one that glTF allows it");
 }
 
-/// glTF 2.0, 3.6.2.4: vertices begin at multiples of four bytes.
+/// Checks that an attribute's elements begin at multiples of four bytes (glTF 2.0, 3.6.2.4).
 void check_alignment(const std::string& name, const JsonObject& accessor, const std::string& place,
                      const MeshDocument& document) {
   const auto view = accessor.index("bufferView", document.views.size());
@@ -114,7 +114,7 @@ void check_attributes(const JsonObject& attributes, const MeshDocument& document
   }
 }
 
-/// Attributes that share a buffer view must say how far apart their elements are.
+/// Checks that a buffer view has a byteStride if several attribute accessors share it.
 void check_sharing(const JsonObject& attributes, const MeshDocument& document,
                    std::map<std::size_t, std::size_t>& accessor_of_view) {
   for (const std::string& name : attributes.keys()) {
@@ -143,7 +143,7 @@ void check_indices(const JsonObject& primitive, const MeshDocument& document) {
   require_packed(accessor, document.views, primitive.place() + ": indices");
 }
 
-/// What one target moves must be an attribute, and of the same count.
+/// Checks a morph target: each attribute that it displaces exists in the primitive, in equal count.
 void check_target(const JsonObject& target, const JsonObject& attributes,
                   const MeshDocument& document) {
   const std::vector<JsonObject>& accessors = document.accessors;
@@ -163,7 +163,7 @@ void check_target(const JsonObject& target, const JsonObject& attributes,
   }
 }
 
-/// The extension is not supported, but what it refers to must be there.
+/// Checks the indices of KHR_materials_variants, although the extension is not supported.
 void check_variants(const JsonObject& primitive, const MeshDocument& document) {
   const auto extension = primitive.extension("KHR_materials_variants");
   if (!extension) {

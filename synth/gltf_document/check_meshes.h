@@ -4,8 +4,8 @@
 
 namespace synth {
 
-/// Checks the primitives of a document of which the buffers have been checked: indices, modes, and
-/// that their attributes are of types that glTF and KHR_mesh_quantization allow and of one count.
+/// Checks the primitives of a document whose buffers have been checked: indices, modes, and that
+/// their attributes are of types that glTF or KHR_mesh_quantization allows and of equal counts.
 /// Throws vo::Error.
 void check_meshes(const JsonObject& root);
 

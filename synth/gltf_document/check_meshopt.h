@@ -16,19 +16,19 @@ struct MeshoptView {
   std::size_t buffer = 0;
   std::size_t offset = 0;
   std::size_t length = 0;
-  std::size_t stride = 0;  ///< bytes
+  std::size_t stride = 0;  ///< bytes per element
   std::size_t count = 0;
   std::string mode, filter;
 };
 
-/// Reads the extension's object. Throws vo::Error for members of another type.
+/// Reads a buffer view's extension object. Throws vo::Error for missing or mistyped members.
 MeshoptView read_meshopt_view(const JsonObject& extension);
 
-/// Checks what the document says of buffer views compressed by EXT_meshopt_compression, and of the
-/// fallback buffers that have no data. Throws vo::Error.
+/// Checks the buffer views that EXT_meshopt_compression compresses, and that no others refer to
+/// fallback buffers without data. Throws vo::Error.
 void check_meshopt(const JsonObject& root);
 
-/// Whether the buffer is a fallback: it has no bytes of its own, as compressed views stand for it.
+/// Returns whether EXT_meshopt_compression marks the buffer as a fallback for compressed views.
 bool is_meshopt_fallback(const JsonObject& buffer);
 
 }  // namespace synth

@@ -19,10 +19,10 @@ constexpr std::size_t kFloatType = 5126;
 
 struct AnimatedDocument {
   std::vector<JsonObject> accessors, views, nodes;
-  std::vector<std::size_t> target_counts;  ///< of each mesh
+  std::vector<std::size_t> target_counts;  ///< number of morph targets of each mesh
 };
 
-/// The mesh's number of morph targets; none without a mesh.
+/// Returns the number of morph targets of the node's mesh; 0 without a mesh.
 std::size_t targets_of(const JsonObject& node, const AnimatedDocument& document) {
   const std::optional<std::size_t> mesh = node.index("mesh", document.target_counts.size());
   return mesh ? document.target_counts[*mesh] : 0;
@@ -32,7 +32,7 @@ std::size_t count_of(const JsonObject& accessor) {
   return accessor.required_whole_number("count");
 }
 
-/// Integers must be normalised to stand for fractions.
+/// Checks that components are floats or normalised integers, which represent fractions.
 void require_fractions(const JsonObject& accessor, const std::string& place) {
   const std::size_t component = accessor.required_whole_number("componentType");
   const bool is_short_integer = component >= 5120 && component <= 5123;
@@ -42,7 +42,7 @@ void require_fractions(const JsonObject& accessor, const std::string& place) {
           ", expected float or normalised integers");
 }
 
-/// Of the primitives of a mesh, which all must have as many.
+/// Returns the number of morph targets of a mesh; throws if its primitives differ in it.
 std::size_t target_count(const JsonObject& mesh) {
   const std::vector<JsonObject> primitives = mesh.objects("primitives");
   std::optional<std::size_t> targets;
@@ -55,7 +55,7 @@ std::size_t target_count(const JsonObject& mesh) {
   return targets.value_or(0);
 }
 
-/// Of the mesh's morph targets, whose weights must be as many.
+/// Returns the number of morph targets of a mesh; throws if its weights, if any, are not as many.
 std::size_t checked_target_count(const JsonObject& mesh) {
   const std::size_t targets = target_count(mesh);
   const std::vector<double> weights = mesh.all_numbers("weights");

@@ -4,9 +4,9 @@
 
 namespace synth {
 
-/// Checks animations and morph targets of a document of which buffers, meshes and nodes have
-/// been checked: types and counts of accessors, and that what refers to each other fits. Throws
-/// vo::Error.
+/// Checks animations and morph targets of a document whose buffers, meshes and nodes have been
+/// checked: the types and counts of accessors, and that samplers, targets and weights fit together.
+/// Throws vo::Error.
 void check_motion(const JsonObject& root);
 
 }  // namespace synth

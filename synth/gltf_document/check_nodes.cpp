@@ -17,7 +17,7 @@ namespace {
 using vo::require;
 
 void check_transform(const JsonObject& node) {
-  const std::vector<double> matrix = node.numbers("matrix", 16);  // column by column
+  const std::vector<double> matrix = node.numbers("matrix", 16);  // column-major
   const std::vector<double> rotation = node.numbers("rotation", 4);
   node.numbers("translation", 3);
   node.numbers("scale", 3);
@@ -113,7 +113,7 @@ void check_nodes(const JsonObject& root, const std::vector<JsonObject>& nodes) {
   }
 }
 
-/// As every node has at most one parent, the nodes that no root leads to lie on or below a cycle.
+/// Throws if nodes that have at most one parent form a cycle: if no root reaches one of them.
 void check_for_cycles(const std::vector<JsonObject>& nodes, const Parents& parents) {
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < nodes.size(); ++i) {

@@ -8,14 +8,14 @@
 
 namespace synth {
 
-/// Of each node.
+/// The parent of each glTF node by its index; nothing for a root node.
 using Parents = std::vector<std::optional<std::size_t>>;
 
-/// Throws vo::Error when a node has two parents or is its own.
+/// Returns each node's parent. Throws vo::Error if a node has two parents or is its own parent.
 Parents find_parents(const std::vector<JsonObject>& nodes);
 
-/// Checks nodes, skins, cameras, lights and scenes of a document: indices, transforms, and that
-/// the nodes form trees of which scenes name the roots. Throws vo::Error.
+/// Checks the nodes, cameras, lights and scenes of a document: indices, transforms, and that the
+/// nodes form trees whose roots are what scenes list. Throws vo::Error.
 void check_node_graph(const JsonObject& root);
 
 }  // namespace synth

@@ -15,11 +15,11 @@ namespace {
 
 using vo::require;
 
-/// Numbers of the nodes in an order in which each is followed at once by all nodes below it.
+/// Numbers of the nodes in depth-first preorder: all descendants directly follow their ancestor.
 struct NodeOrder {
-  std::vector<std::size_t> root;   ///< node at the top of each node's tree
+  std::vector<std::size_t> root;   ///< root node of each node's tree
   std::vector<std::size_t> first;  ///< each node's own number
-  std::vector<std::size_t> last;   ///< the largest number below it or its own
+  std::vector<std::size_t> last;   ///< greatest number in each node's subtree
 
   bool leads_to(std::size_t ancestor, std::size_t node) const {
     return first[ancestor] <= first[node] && first[node] <= last[ancestor];
@@ -59,7 +59,7 @@ NodeOrder order_nodes(const std::vector<JsonObject>& nodes) {
 struct SkinnedDocument {
   std::vector<JsonObject> accessors, views, nodes;
   NodeOrder order;
-  std::vector<std::size_t> skin_roots;  ///< of the tree that each skin's joints are in
+  std::vector<std::size_t> skin_roots;  ///< root node of the tree of each skin's joints
 };
 
 void check_matrices(const JsonObject& skin, std::size_t joints, const SkinnedDocument& document) {
@@ -77,7 +77,7 @@ void check_matrices(const JsonObject& skin, std::size_t joints, const SkinnedDoc
           joints, " joints");
 }
 
-/// Returns the root of its joints.
+/// Checks a skin and returns the root node of its joints' tree.
 std::size_t checked_root(const JsonObject& skin, const SkinnedDocument& document) {
   const NodeOrder& order = document.order;
   const std::vector<std::size_t> joints = skin.indices("joints", document.nodes.size());
@@ -97,13 +97,13 @@ std::size_t checked_root(const JsonObject& skin, const SkinnedDocument& document
   return order.root[joints.front()];
 }
 
-/// "3" of "JOINTS_3" for the prefix "JOINTS_"; none for other names.
+/// Returns "3" for "JOINTS_3" with the prefix "JOINTS_"; nothing for other names.
 std::optional<std::string> set_of(const std::string& name, const std::string& prefix) {
   return name.compare(0, prefix.size(), prefix) == 0 ? std::optional(name.substr(prefix.size()))
                                                      : std::nullopt;
 }
 
-/// Joints come with weights, and their sets are numbered from 0 without a gap.
+/// Checks that JOINTS_n come with WEIGHTS_n and are numbered from 0 without a gap.
 void check_joints(const JsonObject& primitive) {
   const JsonObject attributes = primitive.required_object("attributes");
   std::size_t sets = 0;
@@ -136,7 +136,7 @@ void check_wearer(const JsonObject& node, const std::vector<JsonObject>& meshes)
   }
 }
 
-/// The joints of each skin that a scene shows must be in the scene.
+/// Checks that the joints of each skin that a scene shows are in the scene.
 void check_scene(const JsonObject& scene, const SkinnedDocument& document) {
   const std::vector<std::size_t> listed = scene.indices("nodes", document.nodes.size());
   const std::set<std::size_t> roots(listed.begin(), listed.end());

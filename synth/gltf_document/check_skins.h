@@ -4,8 +4,8 @@
 
 namespace synth {
 
-/// Checks skins, the nodes that wear them and the attributes that follow their joints. Throws
-/// vo::Error. The node graph must have been checked.
+/// Checks skins, the nodes that use them and the attributes JOINTS_n and WEIGHTS_n. The node graph
+/// must have been checked. Throws vo::Error.
 void check_skins(const JsonObject& root);
 
 }  // namespace synth

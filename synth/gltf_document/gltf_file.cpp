@@ -20,16 +20,16 @@ constexpr std::size_t kChunkHeader = 8;  // bytes: length, type
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
 constexpr std::uint32_t kBinaryChunk = 0x004E4942;
 
-/// glTF nests a few levels deep; extras may nest further. A limit keeps recursive readers safe.
+/// The limit of JSON nesting, for recursive readers: glTF is a few levels deep, extras maybe more.
 constexpr int kDeepestNesting = 100;
 
-/// The message of a JSON exception without its leading "[json.exception...] ".
+/// Returns the message of a JSON exception without its leading "[json.exception...] ".
 std::string without_tag(const std::string& message) {
   const std::size_t end = message.find("] ");
   return end == std::string::npos ? message : message.substr(end + 2);
 }
 
-/// glTF lets whole numbers be written like 3.0 or 30e-1.
+/// Converts a whole number that is written like 3.0 or 30e-1, as glTF allows, to an integer.
 void make_whole(json& value) {
   constexpr double kMostExact = 9007199254740992;  // 2^53
   const double number = value.get<double>();
@@ -70,7 +70,7 @@ bool is_glb(std::span<const std::uint8_t> bytes) {
   return bytes.size() >= 4 && as_text(bytes, 0, 4) == "glTF";
 }
 
-/// Checks the header and returns the length it states.
+/// Checks the header of a .glb and returns the length, bytes, that it states.
 std::size_t glb_length(std::span<const std::uint8_t> bytes, const std::string& place) {
   require(bytes.size() >= kGlbHeader + kChunkHeader, place, ": is a .glb of ", bytes.size(),
           " bytes, expected a header and a JSON chunk");
@@ -82,7 +82,7 @@ std::size_t glb_length(std::span<const std::uint8_t> bytes, const std::string& p
   return length;
 }
 
-/// glTF 2.0, 4.4.3: JSON first, once; BIN second or not at all; others are for extensions.
+/// Checks a .glb chunk (glTF 2.0, 4.4.3): JSON is first, BIN second or absent; others may follow.
 void check_chunk(int chunk, std::uint32_t type, std::size_t size, const std::string& place) {
   const auto require_chunk = [&](bool is_right, const char* message) {
     require(is_right, place, ": chunk ", chunk, " of the .glb ", message);
@@ -117,7 +117,7 @@ void read_glb(std::span<const std::uint8_t> bytes, GltfFile& file) {
   }
 }
 
-/// A file as messages name it: after the element that refers to it, if any.
+/// Returns a file's name for messages, after the element that refers to it, if any.
 std::string named(const fs::path& path, const std::string& place) {
   return place.empty() ? path.string() : place + ": " + path.string();
 }

@@ -14,7 +14,7 @@ namespace synth {
 /// "room.gltf: accessors[3]". The document must outlive it.
 class JsonObject {
  public:
-  /// The document itself.
+  /// Wraps the document's root; `file` names it in errors. Throws if it is no object.
   JsonObject(const nlohmann::json& document, std::string file);
 
   std::string place() const { return element_.empty() ? file_ : file_ + ": " + element_; }
@@ -27,12 +27,12 @@ class JsonObject {
   std::optional<bool> flag(const std::string& key) const;
   std::optional<std::string> text(const std::string& key) const;
   std::string required_text(const std::string& key) const;
-  /// Exactly `size` numbers, or none if absent.
+  /// Reads an array of exactly `size` numbers; empty if the member is absent.
   std::vector<double> numbers(const std::string& key, std::size_t size) const;
   std::vector<double> all_numbers(const std::string& key) const;
   std::vector<std::string> texts(const std::string& key) const;
 
-  /// A number that selects one of the `size` elements of an array.
+  /// Reads an index into an array of `size` elements; nothing if the member is absent.
   std::optional<std::size_t> index(const std::string& key, std::size_t size) const;
   std::size_t required_index(const std::string& key, std::size_t size) const;
   std::vector<std::size_t> indices(const std::string& key, std::size_t size) const;
@@ -40,7 +40,7 @@ class JsonObject {
   std::optional<JsonObject> object(const std::string& key) const;
   JsonObject required_object(const std::string& key) const;
   std::vector<JsonObject> objects(const std::string& key) const;
-  /// The object's `extensions` member of this name.
+  /// Returns the object's glTF extension of this name, if it has one.
   std::optional<JsonObject> extension(const std::string& name) const;
 
  private:

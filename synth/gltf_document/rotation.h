@@ -6,7 +6,8 @@
 
 namespace synth {
 
-/// Whether a quaternion's length is 1 but for the rounding of bytes, the coarsest that glTF allows.
+/// Returns whether a quaternion's length is 1 within the rounding of normalised bytes, the coarsest
+/// components that glTF allows.
 template <typename Derived>
 bool is_nearly_unit(const Eigen::MatrixBase<Derived>& quaternion) {
   constexpr double kTolerance = 0.01;

@@ -15,7 +15,7 @@ using vo::require;
 
 constexpr std::string_view kDataScheme = "data:";
 
-/// The URI as messages show it; data may be long.
+/// Returns the beginning of a URI for messages, as data URIs may be long.
 std::string shortened(const std::string& uri) {
   return uri.substr(0, 60);
 }
@@ -45,7 +45,7 @@ std::string percent_decode(const std::string& uri, const std::string& place) {
   return decoded;
 }
 
-/// Six bits, of the usual alphabet or the one for URLs; none for any other character.
+/// Returns the six bits of a base64 or base64url character; nothing for any other character.
 std::optional<unsigned> base64_digit(char c) {
   const auto after = [c](char first) { return static_cast<unsigned>(c - first); };
   if (c >= 'A' && c <= 'Z') {
@@ -71,7 +71,7 @@ Bytes decode_base64(std::string_view text, const std::string& place) {
   Bytes bytes;
   bytes.reserve(text.size() / 4 * 3 + 2);
   unsigned bits = 0;
-  unsigned count = 0;  // of bits that are not in a byte yet
+  unsigned count = 0;  // bits that are not in a byte yet
   for (const char c : text) {
     const std::optional<unsigned> digit = base64_digit(c);
     require(digit.has_value(), place, ": its data URI has '", c, "', expected base64");
@@ -85,7 +85,7 @@ Bytes decode_base64(std::string_view text, const std::string& place) {
   return bytes;
 }
 
-/// Whether it begins like "http:" or "C:".
+/// Returns whether a name begins with a scheme or drive, like "http:" or "C:".
 bool has_scheme(const std::string& name) {
   const std::size_t end = name.find_first_of(":/");
   return end != std::string::npos && name[end] == ':';

@@ -7,7 +7,7 @@
 
 namespace synth {
 
-/// Whether the URI holds its data itself.
+/// Returns whether the URI is a data URI, which holds its data itself.
 bool is_data_uri(const std::string& uri);
 
 struct UriData {
@@ -15,12 +15,12 @@ struct UriData {
   Bytes bytes;
 };
 
-/// What a data URI holds, in base64 or percent-encoded (RFC 2397). Throws vo::Error beginning with
-/// `place`.
+/// Decodes a data URI, base64 or percent-encoded (RFC 2397). Throws vo::Error beginning with
+/// `place` if it is malformed.
 UriData decode_data_uri(const std::string& uri, const std::string& place);
 
-/// The file that a URI stands for, percent-decoded and below `folder`. Opens nothing. Throws
-/// vo::Error beginning with `place` when the URI leads out of the folder or has a scheme.
+/// Returns the path below `folder` that a percent-encoded URI names. Opens nothing. Throws
+/// vo::Error beginning with `place` if the URI leads out of the folder or has a scheme.
 std::filesystem::path resolve_uri(const std::filesystem::path& folder, const std::string& uri,
                                   const std::string& place);
 

@@ -125,7 +125,7 @@ bool has_sparse_bytes(const tinygltf::Model& model, const tinygltf::Accessor& ac
          has_bytes(model, accessor.sparse.values.bufferView);
 }
 
-/// Of float elements.
+/// Throws vo::Error beginning with `place` if a float element is not finite.
 void require_finite(const ElementArray& elements, const std::string& place) {
   for (std::size_t i = 0; i < elements.count; ++i) {
     for (std::size_t c = 0; c < elements.components; ++c) {
@@ -141,7 +141,7 @@ std::size_t components_of(const tinygltf::Accessor& accessor) {
   return static_cast<std::size_t>(tinygltf::GetNumComponentsInType(type));
 }
 
-/// Fills `out`, which begins as zeros, with all components of the accessor.
+/// Reads all components of the accessor, sparse ones included, into `out`, which holds zeros.
 template <typename Out>
 void read_accessor(const tinygltf::Model& model, const tinygltf::Accessor& accessor,
                    const std::string& place, Out* out) {

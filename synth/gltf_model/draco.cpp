@@ -23,7 +23,7 @@ namespace {
 
 using vo::require;
 
-/// What decoding needs for each triangle: its tables of corners, vertices and attributes.
+/// Bytes that decoding needs per triangle for its tables of corners, vertices and attributes.
 constexpr std::size_t kBytesPerFace = 128;
 
 struct Encoded {
@@ -31,7 +31,7 @@ struct Encoded {
   std::size_t size = 0;
 };
 
-/// How many triangles the stream says that it has, before anything is allocated for them.
+/// Returns the triangle count that the stream's header states, before anything is allocated for it.
 std::uint32_t face_count(const Encoded& encoded, const std::string& place) {
   draco::DecoderBuffer buffer;
   buffer.Init(encoded.data, encoded.size);
@@ -204,7 +204,7 @@ class DracoReader {
   GltfModel& model_;
   std::vector<JsonObject> views_;
   MemoryBudget budget_;
-  std::map<std::size_t, std::unique_ptr<draco::Mesh>> meshes_;  ///< by buffer view
+  std::map<std::size_t, std::unique_ptr<draco::Mesh>> meshes_;  ///< decoded meshes by buffer view
 };
 
 }  // namespace

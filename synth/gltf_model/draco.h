@@ -5,9 +5,9 @@
 
 namespace synth {
 
-/// Gives each primitive of a checked document that KHR_draco_mesh_compression compresses accessors
-/// of what it decodes to. Throws vo::Error for damaged data and for counts other than the
-/// primitive's own accessors state.
+/// Decodes each primitive of a checked document that KHR_draco_mesh_compression compresses, and
+/// replaces its accessors by decoded ones. Throws vo::Error for damaged data and for counts that
+/// differ from those of the original accessors.
 void decode_draco(const JsonObject& root, GltfModel& model);
 
 }  // namespace synth

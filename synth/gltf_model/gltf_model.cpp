@@ -31,7 +31,7 @@ Bytes read_embedded(const std::string& uri, std::size_t length, const std::strin
   return std::move(data.bytes);
 }
 
-/// Empty for a buffer whose bytes are not in the file, which only extensions can fill.
+/// Returns a buffer's bytes; none for a buffer without data, which only extensions can fill.
 Bytes read_buffer(const GltfFile& file, const JsonObject& buffer, bool is_first) {
   const std::size_t length = buffer.required_whole_number("byteLength");
   const std::optional<std::string> uri = buffer.text("uri");
@@ -62,7 +62,7 @@ std::vector<tinygltf::Buffer> read_buffers(const GltfFile& file, const JsonObjec
   return buffers;
 }
 
-/// References to the images. Each must lead to data, whether the scene uses it or not.
+/// Returns references to all images. Throws vo::Error for a uri that cannot be read, used or not.
 std::vector<tinygltf::Image> list_images(const GltfFile& file, const JsonObject& root,
                                          std::size_t buffer_views) {
   std::vector<tinygltf::Image> images;
@@ -80,7 +80,7 @@ std::vector<tinygltf::Image> list_images(const GltfFile& file, const JsonObject&
   return images;
 }
 
-/// tinygltf refuses types of accessors that it does not know. Nothing reads these.
+/// Replaces accessors of types that tinygltf refuses by float scalars; nothing reads them.
 void replace_unknown_accessors(nlohmann::json& document) {
   for (nlohmann::json& accessor : document["accessors"]) {
     if (!packed_stride(JsonObject(accessor, {}))) {
@@ -89,7 +89,7 @@ void replace_unknown_accessors(nlohmann::json& document) {
   }
 }
 
-/// Lets tinygltf read what needs no other file; it gets no way to open one.
+/// Parses with tinygltf what needs no other file; it gets no functions to open one.
 tinygltf::Model parse_structure(nlohmann::json document, const std::string& place) {
   for (const char* key : {"buffers", "images", "extras"}) {
     document.erase(key);

@@ -15,15 +15,15 @@ struct GltfModel {
   std::filesystem::path path;
   tinygltf::Model content;
 
-  /// "room.gltf: images[3]"
+  /// Returns an element's name for messages, like "room.gltf: images[3]".
   std::string place(const std::string& array, int index) const;
   std::filesystem::path folder() const { return path.parent_path(); }
 };
 
-/// Checks the document and reads its buffers. Throws vo::Error.
+/// Checks the document, reads its buffers and decodes compressed ones. Throws vo::Error.
 GltfModel read_gltf_model(const GltfFile& file);
 
-/// The encoded bytes of an image.
+/// Returns an image's bytes as they are encoded. Throws vo::Error if they cannot be read.
 Bytes read_encoded_image(const GltfModel& model, int image);
 
 }  // namespace synth

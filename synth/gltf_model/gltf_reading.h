@@ -9,10 +9,10 @@
 
 namespace synth {
 
-/// What may still be allocated for what a file holds: a few bytes can promise much.
+/// The memory that may still be allocated for a file's content, as few bytes can expand to many.
 class MemoryBudget {
  public:
-  /// Throws vo::Error beginning with `place` when more is asked for than is left.
+  /// Takes `bytes` from the budget. Throws vo::Error beginning with `place` if fewer are left.
   void take(std::size_t bytes, const std::string& place) {
     vo::require(bytes <= left_, place, ": needs ", bytes, " bytes of memory, expected at most ",
                 left_, " of the ", kMostGltfBytes, " that a scene may have");
@@ -23,7 +23,7 @@ class MemoryBudget {
   std::size_t left_ = kMostGltfBytes;
 };
 
-/// What every reader of a part of a file works with.
+/// The model, notes and memory budget that the readers of a glTF file's parts share.
 struct GltfReading {
   const GltfModel& model;
   Notes& notes;

@@ -41,12 +41,12 @@ bool is_jpeg(const Bytes& bytes) {
   return bytes.size() >= 4 && bytes[0] == 0xFF && bytes[1] == 0xD8 && bytes[2] == 0xFF;
 }
 
-/// Start of frame: 0xC0 to 0xCF but for three markers that share the range.
+/// Returns whether a JPEG marker starts a frame: 0xC0 to 0xCF except three markers in this range.
 bool is_start_of_frame(std::uint8_t marker) {
   return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
 }
 
-/// Follows the segments to the frame header; a size of zero if there is none.
+/// Returns the size in a JPEG's frame header; zero if its segments lead to none.
 ImageSize jpeg_size(const Bytes& bytes) {
   std::size_t position = 2;
   while (position + 9 <= bytes.size() && bytes[position] == 0xFF) {
@@ -63,7 +63,7 @@ ImageSize jpeg_size(const Bytes& bytes) {
   return {};
 }
 
-/// As the header states it, so that nothing is allocated for an absurd one.
+/// Returns the size that an image's header states, so that nothing is allocated for an absurd one.
 ImageSize encoded_size(const Bytes& bytes, const std::string& place) {
   if (is_png(bytes)) {
     return {read_big_endian(bytes, 16, 4), read_big_endian(bytes, 20, 4)};
@@ -80,7 +80,7 @@ ImageSize checked_size(const Bytes& encoded, const std::string& place) {
   return size;
 }
 
-/// The four channels of each texel, 16-bit ones rounded to 8.
+/// Copies the four channels of each texel, 16-bit ones rounded to 8 bits.
 cv::Mat_<cv::Vec4b> to_rgba8(const tinygltf::Image& image) {
   cv::Mat_<cv::Vec4b> rgba(image.height, image.width);
   if (image.bits == 8) {
@@ -107,7 +107,7 @@ cv::Mat_<cv::Vec4b> decode_png(const Bytes& encoded, ImageSize size, const std::
   return to_rgba8(image);
 }
 
-/// By libjpeg-turbo: tinygltf's decoder writes beyond its tables where a file is damaged.
+/// Decodes a JPEG by libjpeg-turbo, as tinygltf's decoder writes out of bounds on damaged files.
 cv::Mat_<cv::Vec4b> decode_opaque(const Bytes& encoded, ImageSize size, const std::string& place) {
   vo::ColorImage bgr;
   try {

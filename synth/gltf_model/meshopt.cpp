@@ -15,7 +15,7 @@ namespace {
 
 using vo::require;
 
-/// 0 if it could be decoded.
+/// Decodes a compressed buffer view; returns 0 on success.
 int decode(const MeshoptView& view, const std::uint8_t* data, Bytes& decoded) {
   if (view.mode == "ATTRIBUTES") {
     return meshopt_decodeVertexBuffer(decoded.data(), view.count, view.stride, data, view.length);

@@ -5,8 +5,8 @@
 
 namespace synth {
 
-/// Points each buffer view of a checked document that EXT_meshopt_compression compresses to a new
-/// buffer with what it decodes to. Throws vo::Error for damaged data.
+/// Decodes each buffer view of a checked document that EXT_meshopt_compression compresses into a
+/// new buffer, to which the view then refers. Throws vo::Error for damaged data.
 void decode_meshopt(const JsonObject& root, GltfModel& model);
 
 }  // namespace synth

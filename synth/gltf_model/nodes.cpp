@@ -8,7 +8,7 @@
 namespace synth {
 namespace {
 
-/// As it is written if it is nearly unit, so that bounds are those that other readers find.
+/// Reads a rotation, unchanged if it is nearly unit, so that bounds equal those of other readers.
 Eigen::Quaterniond read_rotation(const std::vector<double>& xyzw) {
   constexpr double kNearlyUnit = 1e-3;
   const Eigen::Quaterniond rotation(Eigen::Map<const Eigen::Vector4d>(xyzw.data()));

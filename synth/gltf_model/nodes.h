@@ -7,19 +7,19 @@
 
 namespace synth {
 
-/// All nodes of a file, parents first.
+/// All nodes of a glTF file, parents before their children.
 struct NodeForest {
   std::vector<MotionNode> nodes;
-  std::vector<int> of_gltf;  ///< index into `nodes` by glTF's
+  std::vector<int> of_gltf;  ///< index into `nodes` by glTF node index
 };
 
-/// The nodes must form trees, as check_document makes sure.
+/// Reads all nodes of a model, which must form trees, as check_document ensures.
 NodeForest read_nodes(const tinygltf::Model& model);
 
-/// The nodes below these, and they, level by level in the document's order: glTF's indices.
+/// Returns the glTF indices of `roots` and all their descendants, level by level in file order.
 std::vector<int> nodes_below(const tinygltf::Model& model, const std::vector<int>& roots);
 
-/// The nodes that no other has as a child.
+/// Returns the glTF indices of the nodes that have no parent.
 std::vector<int> root_nodes(const tinygltf::Model& model);
 
 }  // namespace synth

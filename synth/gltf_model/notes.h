@@ -7,7 +7,7 @@
 
 namespace synth {
 
-/// What a glTF file holds that the Scene leaves out, one sentence each.
+/// Notes on what a Scene leaves out of its glTF file, one sentence each.
 using Notes = std::vector<std::string>;
 
 /// Adds a note unless it is there already.

@@ -5,12 +5,13 @@
 
 namespace synth {
 
-/// The element that `wanted` names: its name, or its number from 0. Throws vo::Error that begins
-/// with `place` and lists the names if there is none. `what` says what the elements are.
+/// Returns the index of the element that `wanted` gives, a name or a number from 0. Throws
+/// vo::Error beginning with `place` and listing the names if there is none. `what` is the kind of
+/// element.
 int select_one(const std::string& wanted, const std::vector<std::string>& names,
                const std::string& what, const std::string& place);
 
-/// All for "", none for "none", one otherwise.
+/// Returns the wanted animations' indices: all for "", none for "none", else what select_one does.
 std::vector<int> select_animations(const std::string& wanted, const std::vector<std::string>& names,
                                    const std::string& place);
 

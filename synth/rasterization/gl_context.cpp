@@ -78,7 +78,7 @@ void GlContext::open_osmesa() {
     destroy(static_cast<OSMesaContext>(made));
   });
   find_function_ = [address](const char* name) { return reinterpret_cast<void*>(address(name)); };
-  const auto pixel = std::make_shared<std::uint32_t>(0);  // of its own frame buffer, not drawn to
+  const auto pixel = std::make_shared<std::uint32_t>(0);  // OSMesa's own framebuffer, not drawn to
   set_current_ = [context, make_current, pixel](bool on) {
     const GLboolean done = on ? make_current(context, pixel.get(), GL_UNSIGNED_BYTE, 1, 1)
                               : make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);

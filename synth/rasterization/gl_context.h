@@ -14,20 +14,21 @@ constexpr auto enum_names(GlBackEnd) {
   return std::array{std::pair{GlBackEnd::osmesa, "osmesa"}, std::pair{GlBackEnd::egl, "egl"}};
 }
 
-/// An OpenGL 4.5 core context without a window, drawn by the processor (Mesa's llvmpipe) or
-/// whatever EGL's surfaceless platform finds. Mesa is looked for when a context is made: the
-/// program starts without it.
+/// An OpenGL 4.5 core context without a window, rendered on the CPU (Mesa's llvmpipe) or by what
+/// EGL's surfaceless platform provides. Mesa is loaded when a context is made, so that the program
+/// starts without it.
 class GlContext {
  public:
-  /// Throws vo::Error that says which package is missing.
+  /// Creates a context. Throws vo::Error if that fails, naming the package if a library is missing.
   explicit GlContext(GlBackEnd back_end);
 
-  /// OSMesa or, where that is absent (Mesa 25.1 dropped it), EGL.
+  /// Creates a context by OSMesa or, if that is absent (Mesa 25.1 dropped it), by EGL. Throws
+  /// vo::Error if both fail.
   static std::unique_ptr<GlContext> make();
 
   void* find_function(const char* name) const { return find_function_(name); }
 
-  /// Current in one thread as long as it lives; no other thread may make it current meanwhile.
+  /// Makes a context current in this thread for its lifetime; no other thread may do so meanwhile.
   class Current {
    public:
     explicit Current(const GlContext& context) : context_(context) { context.set_current_(true); }
@@ -45,7 +46,7 @@ class GlContext {
   void open_osmesa();
   void open_egl();
 
-  std::shared_ptr<void> library_;  ///< outlives the context
+  std::shared_ptr<void> library_;  ///< OSMesa or EGL; outlives the context
   std::shared_ptr<void> context_;
   std::function<void*(const char*)> find_function_;
   std::function<void(bool)> set_current_;

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-// The prototypes give the functions' types; none is linked.
+// The prototypes only give the OpenGL functions' types; none is linked.
 #ifndef GL_GLEXT_PROTOTYPES
 #define GL_GLEXT_PROTOTYPES 1
 #endif
@@ -10,8 +10,8 @@
 
 namespace synth {
 
-/// The part of OpenGL 4.5 (core) that is used: looked up in the context, as libraries that export
-/// it do not agree on whose context they mean.
+/// Lists the OpenGL 4.5 core functions in use. They are looked up in the context, as the functions
+/// that libraries export may belong to another one.
 // clang-format off
 #define EDVO_GL_FUNCTIONS(X) \
   X(ActiveTexture) \
@@ -69,9 +69,9 @@ namespace synth {
   X(Viewport)
 // clang-format on
 
-/// They work on the context that is current in the thread.
+/// OpenGL's functions, which work on the context that is current in the thread.
 struct GlFunctions {
-  /// `find` gives a function's address by its name. Throws vo::Error where one is missing.
+  /// Looks all functions up; `find` returns an address by name. Throws vo::Error if one is missing.
   explicit GlFunctions(const std::function<void*(const char*)>& find);
 
 #define EDVO_GL_MEMBER(name) decltype(&::gl##name) name;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr GLsizei kLongestLog = 2048;
 
-/// Throws with the log that `get_log` gives of an object unless its status is good.
+/// Throws vo::Error with the log that `get_log` gives of an object unless its status is good.
 template <typename GetStatus, typename GetLog>
 void require_good(GLuint object, GLenum status, GetStatus get_status, GetLog get_log,
                   const char* complaint) {

@@ -9,15 +9,15 @@
 
 namespace synth {
 
-/// Two shaders, in the context that was current when they were made.
+/// A vertex and a fragment shader in the context that was current at construction.
 class GlProgram {
  public:
-  /// Throws vo::Error with the compiler's words.
+  /// Compiles and links the shaders. Throws vo::Error with the compiler's or linker's log.
   GlProgram(const GlFunctions& gl, const char* vertex_shader, const std::string& fragment_shader);
 
-  void use() const { gl_.UseProgram(program_); }  ///< for what is set and drawn next
+  void use() const { gl_.UseProgram(program_); }  ///< makes it current for later calls
 
-  /// Uniforms by name; one that the shaders do without is left alone.
+  /// Sets a uniform by name; does nothing if the shaders do not use it.
   void set(const std::string& name, int value) const;
   void set(const std::string& name, float value) const;
   void set(const std::string& name, const Eigen::Vector3f& value) const;

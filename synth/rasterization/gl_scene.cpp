@@ -5,10 +5,10 @@
 namespace synth {
 namespace {
 
-constexpr GLuint kTexcoords = 2;  // the first of two
+constexpr GLuint kTexcoords = 2;  // location of the first of two sets
 constexpr GLuint kTangent = 5;
 
-/// Attribute `location` of the current vertex array; nothing where the mesh has no values.
+/// Uploads an attribute of the current vertex array; does nothing if the mesh has no values.
 template <typename Value>
 void add_attribute(const GlFunctions& gl, GLuint location, const std::vector<Value>& values) {
   if (values.empty()) {
@@ -23,7 +23,7 @@ void add_attribute(const GlFunctions& gl, GLuint location, const std::vector<Val
   gl.EnableVertexAttribArray(location);
 }
 
-/// The vertex array object of a mesh whose positions and normals are these.
+/// Returns a new vertex array object of a mesh, with the given positions and normals.
 GLuint upload(const GlFunctions& gl, const Mesh& mesh,
               const std::vector<Eigen::Vector3f>& positions,
               const std::vector<Eigen::Vector3f>& normals) {
@@ -73,7 +73,7 @@ GLint minification_of(const Texture& texture) {
   return is_linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_LINEAR;
 }
 
-/// With our own mip levels, so that both renderers blur alike.
+/// Uploads a texture with the mip levels of `image`, so that both renderers filter alike.
 GLuint upload(const GlFunctions& gl, const Texture& texture, const TextureImage& image) {
   GLuint name = 0;
   gl.GenTextures(1, &name);

@@ -10,9 +10,9 @@
 
 namespace synth {
 
-inline constexpr GLuint kColorAttribute = 4;  ///< of a vertex, as the shader numbers them
+inline constexpr GLuint kColorAttribute = 4;  ///< location of vertex colours in kVertexShader
 
-/// A mesh as OpenGL draws it.
+/// The OpenGL objects of a mesh.
 struct GlMesh {
   GLuint vertices = 0;  ///< vertex array object
   GLsizei indices = 0;
@@ -20,13 +20,13 @@ struct GlMesh {
   Eigen::AlignedBox3f bounds;  ///< m, in the world-space geometry's coordinates
 };
 
-/// A world-space geometry in the context that is current; gone when the context is.
+/// The OpenGL objects of a world-space geometry, valid as long as their context.
 struct GlScene {
   std::vector<GlMesh> meshes;
-  std::vector<GLuint> textures;  ///< one per Scene::textures, 0 without an image
+  std::vector<GLuint> textures;  ///< one for each of Scene::textures, 0 without an image
 };
 
-/// Vertex attributes as kVertexShader numbers them.
+/// Uploads a world-space geometry to the current context, with kVertexShader's attribute locations.
 GlScene upload(const GlFunctions& gl, const WorldGeometry& world);
 
 }  // namespace synth

@@ -9,19 +9,20 @@
 
 namespace synth {
 
-/// Two float images, one of numbers and a reversed float depth buffer to draw to.
+/// A framebuffer with two float images, an integer image and a reversed float depth buffer.
 class GlTarget {
  public:
   explicit GlTarget(const GlFunctions& gl);
 
-  void bind(const cv::Size& size);  ///< px
-  void clear() const;               ///< to zero: nothing, infinitely far
+  void bind(const cv::Size& size);  ///< resizes the images to `size`, px
+  void clear() const;               ///< sets all to zero: no mesh, infinitely far
 
-  /// The shaders' output 0 or 1; good until the next is read.
+  /// Returns the fragment shader's output 0, valid until output 0 or 1 is read again.
   const cv::Mat_<cv::Vec4f>& read_color() { return read(GL_COLOR_ATTACHMENT0); }
+  /// Returns the fragment shader's output 1, valid until output 0 or 1 is read again.
   const cv::Mat_<cv::Vec4f>& read_surface() { return read(GL_COLOR_ATTACHMENT1); }
 
-  /// The shaders' output 2: 0 where nothing was drawn.
+  /// Returns the fragment shader's output 2, the mesh numbers; 0 where nothing was drawn.
   const cv::Mat_<std::int32_t>& read_meshes();
 
  private:
@@ -29,10 +30,10 @@ class GlTarget {
 
   const GlFunctions& gl_;
   cv::Size size_;
-  cv::Mat_<cv::Vec4f> image_;  ///< read last
+  cv::Mat_<cv::Vec4f> image_;  ///< output 0 or 1, as read last
   cv::Mat_<std::int32_t> meshes_;
   GLuint frame_buffer_ = 0;
-  std::array<GLuint, 4> buffers_{};  ///< colour, surface, meshes, depth
+  std::array<GLuint, 4> buffers_{};  ///< renderbuffers: colour, surface, meshes, depth
 };
 
 }  // namespace synth

@@ -27,16 +27,16 @@ namespace synth {
 namespace {
 
 constexpr float kNear = 0.01F;            // m along the optical axis
-constexpr std::size_t kMaxLights = 64;    // the shader's
-constexpr std::size_t kTextureSlots = 5;  // the shader's
+constexpr std::size_t kMaxLights = 64;    // as in kFragmentShader
+constexpr std::size_t kTextureSlots = 5;  // as in kFragmentShader
 
-/// One drawing of the scene.
+/// One pass that draws the scene.
 struct Pass {
-  Eigen::Vector2d offset;      ///< px, of the samples from the pixels' centres
-  std::optional<double> turn;  ///< 0 to 1, among the drawings that colour is the mean of
+  Eigen::Vector2d offset;      ///< px, from the pixels' centres to the samples
+  std::optional<double> turn;  ///< 0 to 1, place among the passes that colour averages
 
-  /// Alpha from which a blended surface is drawn: over the turns, in as many as its alpha says.
-  /// Meshes take turns of their own, so that one does not always hide behind another.
+  /// Returns the alpha from which a blended surface is drawn in this pass: in all, it is drawn in
+  /// the fraction of passes that its alpha gives. Meshes differ, so that none always hides another.
   double threshold(std::size_t mesh) const {
     constexpr double kGolden = 0.6180339887498949;
     const double shifted = turn.value_or(0) + kGolden * static_cast<double>(mesh);
@@ -44,14 +44,14 @@ struct Pass {
   }
 };
 
-/// Where a capture is taken from, in the world-space geometry's coordinates.
+/// The camera of a capture, in the world-space geometry's coordinates.
 struct Camera {
   const vo::PinholeCamera& pinhole;
   Eigen::Matrix3f R_camera_world;
   Eigen::Vector3f position;  ///< m
 };
 
-/// Rows from the top; depth near / z.
+/// Returns the projection to clip space, with rows from the top and depth near / z.
 Eigen::Matrix4f projection(const vo::PinholeCamera& camera, const Eigen::Vector2d& offset) {
   Eigen::Matrix4d P = Eigen::Matrix4d::Zero();
   P(0, 0) = 2 * camera.fx / camera.width;
@@ -63,7 +63,7 @@ Eigen::Matrix4f projection(const vo::PinholeCamera& camera, const Eigen::Vector2
   return P.cast<float>();
 }
 
-/// As the shader numbers them.
+/// Returns a material's texture slots in the order of kFragmentShader.
 std::array<const TextureSlot*, kTextureSlots> texture_slots(const Material& material) {
   return {&material.base_color_texture, &material.metallic_roughness_texture,
           &material.normal_texture, &material.occlusion_texture, &material.emissive_texture};
@@ -109,10 +109,11 @@ class Rasterizer final : public Renderer {
   std::unique_ptr<GlContext> context_;
   GlFunctions gl_;
   GlScene drawn_;
-  std::map<std::string, std::unique_ptr<GlProgram>> programs_;  ///< by fragment shader
+  std::map<std::string, std::unique_ptr<GlProgram>>
+      programs_;  ///< programs by fragment shader source
   std::vector<const GlProgram*> program_of_mesh_;
   std::unique_ptr<GlTarget> target_;
-  mutable std::mutex mutex_;  ///< of the context
+  mutable std::mutex mutex_;  ///< guards the context
 };
 
 Rasterizer::Rasterizer(const Scene& scene, const RenderOptions& options)
@@ -188,7 +189,7 @@ void Rasterizer::set_lights(const GlProgram& program, const Camera& camera) cons
   program.set("ambient_axis", Eigen::Vector3f(camera.R_camera_world * ambient_.sky_axis));
 }
 
-/// With what the mesh needs and no more.
+/// Returns the source of a fragment shader with only what the mesh needs.
 std::string Rasterizer::fragment_shader(const GlMesh& mesh) const {
   const Material& material = *mesh.world->material;
   const bool is_solid = material.alpha_mode == AlphaMode::opaque;
@@ -264,7 +265,7 @@ void Rasterizer::set_mesh(const GlProgram& program, const GlMesh& mesh,
   }
 }
 
-/// Meshes by their distance from the camera: what they hide need not be shaded.
+/// Returns mesh indices by distance from the camera, as hidden fragments need not be shaded.
 std::vector<std::size_t> Rasterizer::nearest_first(const Camera& camera) const {
   std::vector<float> distances2;
   for (const GlMesh& mesh : drawn_.meshes) {
@@ -297,7 +298,7 @@ void Rasterizer::draw(const Camera& camera, const Pass& pass) const {
   }
 }
 
-/// The mean of as many drawings as a pixel has cells.
+/// Draws colour as the mean of one pass for each cell of a pixel.
 void Rasterizer::draw_color(const Camera& camera, RenderedFrame& frame) const {
   const auto count = static_cast<double>(cells_.size());
   for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -313,7 +314,7 @@ void Rasterizer::draw_color(const Camera& camera, RenderedFrame& frame) const {
   frame.radiance *= 1 / count;
 }
 
-/// Of what was drawn last, through the pixels' centres.
+/// Reads depth and normals of the last pass, which was drawn through the pixels' centres.
 void Rasterizer::read_surface(RenderedFrame& frame) const {
   const cv::Mat_<cv::Vec4f>& drawn = target_->read_surface();
   if (!frame.depth.empty()) {
@@ -326,7 +327,7 @@ void Rasterizer::read_surface(RenderedFrame& frame) const {
   }
 }
 
-/// The same.
+/// Reads instance and material ids of the last pass, drawn through the pixels' centres.
 void Rasterizer::read_ids(RenderedFrame& frame) const {
   const SurfaceIds ids = surface_ids(world_);
   const cv::Mat_<std::int32_t>& drawn = target_->read_meshes();

@@ -2,8 +2,8 @@
 
 namespace synth {
 
-/// Camera axes, metres from the eye. Clip space: rows from the top, so that reading back needs no
-/// flip; depth = near / z, reversed, which keeps a float's precision at any distance.
+/// Transforms vertices to camera axes, m from the eye, and clip space: rows from the top, so that
+/// reading back needs no flip; depth = near / z, reversed, for a float's precision at any distance.
 inline constexpr const char* kVertexShader = R"(#version 450 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -38,17 +38,17 @@ void main() {
 }
 )";
 
-/// The fragment shader starts with a version and what a material needs of it, as llvmpipe works out
-/// both sides of a branch: kHoles or kSolid (what has no holes need not be shaded where it is
-/// hidden), IS_LIT, and HAS_TEXTURE_N for each of its slots.
+/// Begins a fragment shader. Only what a material needs follows, as llvmpipe evaluates both sides
+/// of a branch: kHoles or kSolid (surfaces without holes need not be shaded where they are hidden),
+/// kLit, and kTexture for each texture slot in use.
 inline constexpr const char* kVersion = "#version 450 core\n";
 inline constexpr const char* kSolid = "layout(early_fragment_tests) in;\n";
 inline constexpr const char* kHoles = "#define HAS_HOLES\n";
 inline constexpr const char* kLit = "#define IS_LIT\n";
-inline constexpr const char* kTexture = "#define HAS_TEXTURE_";  // and the slot
+inline constexpr const char* kTexture = "#define HAS_TEXTURE_";  // followed by the slot's number
 
-/// surface.cpp and shading.cpp again, of the triangle's own plane by its derivatives. Texture
-/// slots: 0 base colour, 1 metallic-roughness, 2 normal, 3 occlusion, 4 emission.
+/// Shades as surface.cpp and shading.cpp do, with face normals from screen-space derivatives. The
+/// texture slots: 0 base colour, 1 metallic-roughness, 2 normal, 3 occlusion, 4 emission.
 inline constexpr const char* kFragmentShader = R"(
 in vec3 p_camera;
 in vec3 vertex_normal;

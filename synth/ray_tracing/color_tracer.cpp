@@ -13,12 +13,12 @@ namespace synth {
 namespace {
 
 constexpr float kUnlimited = std::numeric_limits<float>::infinity();
-constexpr int kMaxLayers = 32;  // blended surfaces behind each other; what lies behind is black
+constexpr int kMaxLayers = 32;  // blended surfaces along a path; what lies behind them is black
 
-/// What a ray draws random numbers for, at each surface it meets; the lights come last.
+/// The uses of a path's random numbers at each surface that it meets; the lights come last.
 enum Use : std::size_t { of_direction, of_lobe, of_coverage, of_lights };
 
-constexpr std::uint64_t kPaths = 0x9a74;  // the purpose of their random numbers
+constexpr std::uint64_t kPaths = 0x9a74;  // purpose of the paths' random numbers
 
 }  // namespace
 
@@ -28,7 +28,7 @@ struct ColorTracer::LitPoints {
   std::array<Eigen::Vector3f, kPacketSize> weights;
 };
 
-/// All legs of a packet advance by one surface.
+/// The state of a step in which all legs of a packet advance by one surface.
 struct ColorTracer::Step {
   Step(const ColorPacket& traced, ColorMemory& remembered, PacketColors& sums)
       : packet(traced), memory(remembered), colors(sums) {}
@@ -41,7 +41,7 @@ struct ColorTracer::Step {
   const ColorPacket& packet;
   ColorMemory& memory;
   PacketColors& colors;
-  int index = 0;  ///< of the step
+  int index = 0;  ///< number of steps before this one
   LitPoints lit;
   PathLegs next;
 };
@@ -92,7 +92,7 @@ void ColorTracer::advance(PathLegs& bundle, Step& step) const {
   }
 }
 
-/// Behind everything it is dark for the camera; what was reflected towards there is lit from there.
+/// Ends a leg that hits nothing: a camera ray sees black, a reflected ray the ambient radiance.
 void ColorTracer::end_leg(const PathLegs& bundle, int lane, PacketColors& colors) const {
   const PathLeg& leg = bundle.legs[static_cast<std::size_t>(lane)];
   if (leg.bounces > 0) {
@@ -156,7 +156,7 @@ void ColorTracer::meet_lit_surface(const PathLegs& bundle, int lane,
   }
 }
 
-/// How much of what is behind the surface it hides. A path goes one way or the other by chance.
+/// Returns the fraction that a surface hides of what is behind it; in mode `path` 0 or 1 at random.
 float ColorTracer::coverage(const Material& material, float alpha, const PathLeg& leg,
                             const Step& step) const {
   if (material.alpha_mode != AlphaMode::blend) {
@@ -168,7 +168,7 @@ float ColorTracer::coverage(const Material& material, float alpha, const PathLeg
   return std::clamp(alpha, 0.0F, 1.0F);
 }
 
-/// Straight on through what is not hidden.
+/// Continues a leg straight through a surface that hides a fraction `hidden` of what is behind.
 void ColorTracer::pass(const PathLegs& bundle, int lane, float hidden, Step& step) {
   if (hidden >= 1) {
     return;
@@ -215,7 +215,7 @@ void ColorTracer::add_lights(Step& step) const {
   }
 }
 
-/// Leaves those rays active that meet nothing. Returns whether there are any.
+/// Traces shadow rays and deactivates those that hit something. Returns whether any are left.
 bool ColorTracer::cast_shadows(ShadowPacket& shadows, float reach, Occluder& occluder) const {
   if (!shadows.has_rays() || !occluder.stop(shadows, reach, instruction_set_)) {
     return false;
@@ -228,7 +228,7 @@ bool ColorTracer::cast_shadows(ShadowPacket& shadows, float reach, Occluder& occ
   return shadows.has_rays();
 }
 
-/// Where each point sees the light, m: a point of the disc that it shows to the surface.
+/// Returns where each point sees the light, m: at a random point of the disc that faces the point.
 Lanes3 ColorTracer::places_on_light(std::size_t light_index, const Step& step) const {
   const PlacedLight& light = lights_[light_index];
   Lanes3 places = same_place(light);
@@ -249,7 +249,7 @@ Lanes3 ColorTracer::places_on_light(std::size_t light_index, const Step& step) c
   return places;
 }
 
-/// No two draws of a path are the same.
+/// Returns two random numbers in [0, 1), other ones for each step and use of a path.
 Eigen::Vector2f ColorTracer::draw(const Step& step, const PathLeg& leg, std::size_t use) const {
   const std::size_t uses = of_lights + lights_.size();
   const auto purpose = static_cast<int>(static_cast<std::size_t>(step.index) * uses + use);

@@ -18,49 +18,49 @@
 
 namespace synth {
 
-/// Which random numbers a ray draws.
+/// A colour sample of a pixel, which determines the random numbers of its path.
 struct SampleId {
   cv::Point pixel;
-  int sample = 0;  ///< of the pixel's
+  int sample = 0;  ///< index among the pixel's samples
 };
 
-/// A straight piece of a path from the camera.
+/// A straight segment of a light path, followed from the camera.
 struct PathLeg {
-  std::size_t sample;      ///< of the packet
-  Eigen::Vector3f weight;  ///< of what comes back along it
-  int bounces;             ///< before it
-  float travelled;         ///< m, before its start
+  std::size_t sample;      ///< index of the path's sample in its packet
+  Eigen::Vector3f weight;  ///< linear RGB throughput of the path up to here
+  int bounces;             ///< number of bounces before this segment
+  float travelled;         ///< m, path length before the ray's origin
 };
 
-/// Legs that are traced together.
+/// Path segments that are traced together.
 struct PathLegs {
   HitPacket rays;
   std::array<PathLeg, kPacketSize> legs;
 };
 
-/// Camera rays, each a sample of a pixel.
+/// A packet of camera rays, each for one sample of a pixel.
 struct ColorPacket {
-  PathLegs start;  ///< the rays are given; ColorTracer does the rest
+  PathLegs start;  ///< the caller adds the rays, ColorTracer sets the legs
   std::array<SampleId, kPacketSize> ids;
-  std::uint64_t seed = 0;  ///< of their random numbers
-  float sample_width = 0;  ///< m at 1 m, of a sample's cone
+  std::uint64_t seed = 0;  ///< seed of the paths' random numbers
+  float sample_width = 0;  ///< m, width of a sample's cone at 1 m
 };
 
-/// What was met last, and is likely to be met again.
+/// The triangle and the occluders met last, which the next rays are likely to meet again.
 struct ColorMemory {
   HitCache<SurfaceTriangle> seen;
-  std::vector<Occluder> blockers;  ///< one per light
+  std::vector<Occluder> blockers;  ///< last occluder of each light
 };
 
 using PacketColors = std::array<Eigen::Vector3f, kPacketSize>;
 
-/// Finds the light that comes back along rays. The world-space geometry and Embree's must outlive
-/// it.
+/// Computes the radiance that comes back along camera rays. The world-space geometry and Embree's
+/// scene must outlive it.
 class ColorTracer {
  public:
   ColorTracer(const WorldGeometry& world, const EmbreeScene& embree, const RenderOptions& options);
 
-  /// Linear RGB of each ray, whatever is remembered.
+  /// Returns the linear RGB radiance of each ray. `memory` saves time but does not change it.
   PacketColors trace(ColorPacket& packet, ColorMemory& memory) const;
 
   ColorMemory new_memory() const;

@@ -14,7 +14,7 @@
 namespace synth {
 namespace {
 
-constexpr std::uint64_t kInstants = 0x1257;  // the purpose of their random numbers
+constexpr std::uint64_t kInstants = 0x1257;  // purpose of the instants' random numbers
 constexpr float kNear = 0.01F;               // m along the optical axis
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
@@ -76,15 +76,15 @@ struct alignas(64) FirstLanes {
   LaneMask mask;
 };
 
-/// What to say of shadow rays: Embree 3.13 gets stuck with those through instances that are said to
-/// be coherent.
+/// Returns the coherence flag of shadow rays: Embree 3.13 can hang in those through instances if
+/// they are flagged as coherent.
 RTCIntersectContextFlags shadow_coherence(const WorldGeometry& world) {
   return world.shared_meshes.empty() ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
                                      : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
 }
 
-/// At a right angle to the triangle that was hit, on either side. What Embree says of a shared mesh
-/// is in that mesh's frame.
+/// Returns a normal of the triangle that was hit, world axes, of any length and side. It is
+/// computed for a shared mesh, whose normals Embree gives in the mesh's frame.
 Eigen::Vector3f across_triangle(const WorldGeometry& world, const HitPacket& packet, int lane) {
   const FlatMesh& mesh = world.meshes[static_cast<std::size_t>(packet.mesh(lane))];
   if (mesh.shared == kNone) {
@@ -252,7 +252,7 @@ View::View(const WorldGeometry& world, const Capture& capture)
   }
 }
 
-/// World axes; 1 along the optical axis, so that multiples of it are depths.
+/// Returns a pixel's ray direction, world axes, 1 along the optical axis: multiples are depths.
 Eigen::Vector3d View::direction(const CameraPose& camera_pose, const Eigen::Vector2d& pixel) const {
   return camera_pose.R_world_camera * capture_.camera.unproject(pixel, 1);
 }
@@ -261,7 +261,7 @@ CameraRay View::ray_from(const CameraPose& camera_pose, const Eigen::Vector2d& p
                          float share) const {
   const Eigen::Vector3d along = direction(camera_pose, pixel);
   const Eigen::Vector3f from = (camera_pose.position - world_.origin).cast<float>();
-  if (!along.allFinite()) {  // the lens sees nothing there, and a ray without reach hits nothing
+  if (!along.allFinite()) {  // outside the lens's view; a ray without reach hits nothing
     return {from, Eigen::Vector3f::UnitZ(), kNear, 0, share};
   }
   return {from, along.cast<float>(), kNear, kInfinity, share};

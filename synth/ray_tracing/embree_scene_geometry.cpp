@@ -11,7 +11,7 @@ EmbreeQuery& query_of(const RTCFilterFunctionNArguments* arguments) {
   return *reinterpret_cast<EmbreeQuery*>(arguments->context);
 }
 
-/// A lane of the rays that were found to hit something.
+/// Returns the hit of one lane of the rays that a filter function receives.
 SurfaceHit hit_of(const RTCFilterFunctionNArguments* arguments, unsigned lane) {
   RTCHitN* const hits = arguments->hit;
   const unsigned count = arguments->N;
@@ -22,7 +22,7 @@ SurfaceHit hit_of(const RTCFilterFunctionNArguments* arguments, unsigned lane) {
           .weights = {1 - u - v, u, v}};
 }
 
-/// Notes the last of the triangles that rays were found to hit.
+/// Filter function that records the last triangle that a ray hit as the query's occluder.
 void note_blocker(const RTCFilterFunctionNArguments* arguments) {
   ShadowHit* const occluder = query_of(arguments).occluder;
   const unsigned count = arguments->N;
@@ -34,7 +34,7 @@ void note_blocker(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
-/// Lets rays pass where the alpha says that nothing is.
+/// Filter function that lets rays pass where alpha is below what stops them.
 void drop_invisible(const RTCFilterFunctionNArguments* arguments) {
   const auto& world = *static_cast<const WorldGeometry*>(arguments->geometryUserPtr);
   const bool sees_layers = query_of(arguments).sight == Sight::layers;
@@ -52,14 +52,14 @@ void drop_invisible(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
-/// The last of the positions is but room for what Embree reads.
+/// Sets the vertices of a time step; the last position is only padding for Embree's reads.
 void set_vertices(RTCGeometry geometry, const std::vector<Eigen::Vector3f>& positions,
                   unsigned time_step) {
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, time_step, RTC_FORMAT_FLOAT3,
                              positions.data(), 0, sizeof(Eigen::Vector3f), positions.size() - 1);
 }
 
-/// At each moment; Embree takes them to be spread evenly over the rays' time from 0 to 1.
+/// Sets the vertices at each moment; Embree spreads moments evenly over the rays' time, 0 to 1.
 void set_vertices(RTCGeometry geometry, const FlatMesh& world) {
   if (world.moments.empty()) {
     set_vertices(geometry, world.positions, 0);
@@ -80,7 +80,8 @@ void set_triangles(RTCGeometry geometry, const Mesh& mesh) {
 
 void set_filters(RTCGeometry geometry, const WorldGeometry& scene, const Mesh& mesh) {
   if (material_of(*scene.scene, mesh).alpha_mode != AlphaMode::opaque) {
-    rtcSetGeometryUserData(geometry, const_cast<WorldGeometry*>(&scene));  // only read
+    rtcSetGeometryUserData(geometry,
+                           const_cast<WorldGeometry*>(&scene));  // Embree's callbacks only read it
     rtcSetGeometryIntersectFilterFunction(geometry, drop_invisible);
     rtcSetGeometryOccludedFilterFunction(geometry, drop_invisible);
   } else {

@@ -9,11 +9,11 @@
 
 namespace synth {
 
-/// What a query is about: Embree hands it on to the filters. Its own part comes first.
+/// An intersection query, which Embree passes to the filter functions. Embree's part is first.
 struct EmbreeQuery {
   RTCIntersectContext context;
   Sight sight = Sight::solid;
-  ShadowHit* occluder = nullptr;  ///< where to note what cast a shadow
+  ShadowHit* occluder = nullptr;  ///< receives the triangle that cast a shadow, if not null
 };
 
 struct ReleaseGeometry {
@@ -21,13 +21,13 @@ struct ReleaseGeometry {
 };
 using EmbreeGeometry = std::unique_ptr<RTCGeometryTy, ReleaseGeometry>;
 
-/// The triangles of a mesh, whose vertices they refer to. Rays pass where the alpha says that
-/// nothing is; queries are of type EmbreeQuery.
+/// Returns the triangles of a mesh as an Embree geometry that refers to the mesh's vertices. Rays
+/// pass where alpha is below what stops them; queries must be of type EmbreeQuery.
 EmbreeGeometry triangles_of(RTCDevice device, const WorldGeometry& scene, const SharedMesh& shared);
 EmbreeGeometry triangles_of(RTCDevice device, const WorldGeometry& scene, const FlatMesh& mesh);
 
-/// A shared mesh where an instance stands. Between moments Embree blends the matrices: vertices go
-/// straight.
+/// Returns an instance of a shared mesh as an Embree geometry. Between moments Embree interpolates
+/// the transforms linearly, so that vertices move straight.
 EmbreeGeometry instance_of(RTCDevice device, RTCScene shared, const WorldGeometry& scene,
                            const FlatMesh& mesh);
 

@@ -15,8 +15,8 @@ struct DistanceQuery {
   Vector3f point;
 };
 
-/// Ericson, Real-Time Collision Detection (2005), 5.1.5: by the region of the triangle's plane that
-/// the point lies over.
+/// Returns the triangle's point closest to p, by the Voronoi region in which p lies (Ericson,
+/// Real-Time Collision Detection, 2005, 5.1.5).
 Vector3f closest_point(const Vector3f& p, const std::array<Vector3f, 3>& corners) {
   const auto& [a, b, c] = corners;
   const Vector3f ab = b - a;
@@ -52,7 +52,7 @@ Vector3f closest_point(const Vector3f& p, const std::array<Vector3f, 3>& corners
   return a + over_b / sum * ab + over_c / sum * ac;
 }
 
-/// Shrinks the query to the triangle.
+/// Shrinks a query's radius to a triangle's distance if that is smaller; returns whether it is.
 bool come_nearer(RTCPointQueryFunctionArguments* arguments) {
   const auto& query = *static_cast<const DistanceQuery*>(arguments->userPtr);
   const RTCPointQueryContext& context = *arguments->context;
@@ -82,7 +82,7 @@ RTCRayHit ray_along(const Vector3f& from, const Vector3f& direction, float reach
   return ray;
 }
 
-/// Of the triangle's own winding, which a mirroring instance turns round.
+/// Returns whether a ray hit the front by the mesh's own winding, which mirroring reverses.
 bool shows_its_front(const WorldGeometry& world, const RTCRayHit& ray) {
   const SurfaceHit hit = surface_hit(ray.hit);
   const FlatMesh& mesh = world.meshes[hit.mesh];

@@ -4,12 +4,12 @@
 
 namespace synth {
 
-/// Remembers what was made of the triangle that was hit last, as neighbouring rays tend to hit the
-/// same one.
+/// Caches a value that is computed from the triangle hit last, as neighbouring rays tend to hit one
+/// triangle.
 template <typename Made>
 class HitCache {
  public:
-  /// What `make(mesh, triangle)` gives.
+  /// Returns `make(mesh, triangle)`, called only if the triangle differs from the last one.
   template <typename Make>
   const Made& get(int mesh, int triangle, const Make& make) {
     if (mesh != mesh_ || triangle != triangle_) {

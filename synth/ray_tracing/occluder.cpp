@@ -11,9 +11,9 @@
 namespace synth {
 namespace {
 
-constexpr float kMargin = 0.01F;     // of the barycentric weights
-constexpr float kLeastSine = 0.02F;  // of the angle between ray and triangle
-constexpr float kLeastWidth = 1000;  // of the triangle, in roundings of its coordinates
+constexpr float kMargin = 0.01F;     // least barycentric weight of a certain hit
+constexpr float kLeastSine = 0.02F;  // least sine of the angle between ray and triangle
+constexpr float kLeastWidth = 1000;  // least width of the triangle, in roundings of its coordinates
 
 struct Vector {
   float x;
@@ -25,7 +25,7 @@ EDVO_INLINE float dot(const Eigen::Vector3f& a, const Vector& b) {
   return a.x() * b.x + a.y() * b.y + a.z() * b.z;
 }
 
-/// PointTracer's intersection. What is unsure is left active.
+/// Deactivates rays that certainly hit the triangle, by Cramer's rule as in point_tracer.cpp.
 EDVO_INLINE void stop_rays(const Wall& wall, const RTCRay16& rays, float reach, LaneMask& active) {
   const float least_sine2 = kLeastSine * kLeastSine * wall.normal.squaredNorm();
   const float clearance2 = wall.clearance * wall.clearance;

@@ -8,17 +8,16 @@
 
 namespace synth {
 
-/// A triangle that rays are tested against.
+/// A triangle that shadow rays are tested against, in the world-space geometry's coordinates.
 struct Wall {
-  Eigen::Vector3f a = Eigen::Vector3f::Zero();  ///< a corner, m
+  Eigen::Vector3f a = Eigen::Vector3f::Zero();  ///< one corner, m
   Eigen::Vector3f ab = Eigen::Vector3f::Zero();
   Eigen::Vector3f ac = Eigen::Vector3f::Zero();
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();  ///< ab x ac
-  float clearance = 0;  ///< m, that a doubtless hit keeps from both ends of a ray
+  float clearance = 0;  ///< m, least distance of a certain hit from both ends of a ray
 };
 
-/// A triangle that stood between surfaces and a light, and is likely to be in the way of the next
-/// rays too.
+/// A triangle that stopped shadow rays towards a light, and is likely to stop the next ones too.
 class Occluder {
  public:
   Occluder() = default;
@@ -26,14 +25,14 @@ class Occluder {
 
   bool is(const ShadowHit& hit) const;
 
-  /// Takes the rays that it stops beyond doubt out of the packet: those that Embree would find
-  /// stopped. `reach` is in lengths of their directions. Returns whether rays are left.
+  /// Deactivates the rays that certainly hit the triangle, which Embree would find occluded, too.
+  /// `reach` is in lengths of the rays' directions. Returns whether active rays are left.
   bool stop(ShadowPacket& packet, float reach, vo::InstructionSet set) const;
 
  private:
   ShadowHit hit_;
   Wall wall_;
-  bool is_usable_ = false;  ///< at rest, and wide enough for doubtless hits
+  bool is_usable_ = false;  ///< does not move and is wide enough for certain hits
 };
 
 }  // namespace synth

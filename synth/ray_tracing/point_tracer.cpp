@@ -8,7 +8,7 @@
 namespace synth {
 namespace {
 
-using Corners = std::array<Eigen::Vector3d, 3>;  ///< m, world
+using Corners = std::array<Eigen::Vector3d, 3>;  ///< triangle corners, m, world
 
 Corners world_corners(const FlatMesh& mesh, int triangle) {
   Corners corners;
@@ -19,15 +19,15 @@ Corners world_corners(const FlatMesh& mesh, int triangle) {
   return corners;
 }
 
-/// In the world, 1 along the optical axis.
+/// A ray in world coordinates, whose direction is 1 along the optical axis.
 struct Ray {
   Eigen::Vector3d camera_position;
   Eigen::Vector3d direction;
 };
 
-/// Where the ray meets the triangle's plane, by Cramer's rule from
+/// Sets the point to where the ray meets the triangle's plane, by Cramer's rule from
 ///     camera_position + depth direction = a + w1 (b - a) + w2 (c - a).
-/// Leaves the point where that is beyond the corners' depths: they are nearly parallel.
+/// Keeps the point if that is beyond the corners' depths, as ray and plane are nearly parallel.
 void refine(const Corners& corners, const Ray& ray, const Eigen::Vector3d& optical_axis,
             TrianglePoint& point) {
   constexpr double kTolerance = 1e-6;  // relative; the hit was found in single precision
@@ -81,7 +81,7 @@ std::vector<TrianglePoint> PointTracer::trace(const std::vector<Eigen::Vector3d>
   for (std::size_t i = 0; i < hits.size(); ++i) {
     const Eigen::Vector3d direction = R_world_camera * directions[i];
     aim_along(hits[i], start, direction.cast<float>());
-    if (!direction.allFinite()) {  // the lens sees nothing there
+    if (!direction.allFinite()) {  // outside the lens's view
       hits[i].ray.tfar = 0;
     }
   }

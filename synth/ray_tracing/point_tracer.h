@@ -15,17 +15,17 @@ namespace synth {
 
 class EmbreeScene;
 
-/// A point of a triangle, which moves with it.
+/// A point of a triangle in barycentric coordinates, so that it moves with the triangle.
 struct TrianglePoint {
-  int mesh = kNone;      ///< of WorldGeometry::meshes; kNone = nothing hit
-  int triangle = kNone;  ///< of that mesh
-  Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< of the triangle's vertices, sum 1
+  int mesh = kNone;      ///< index into WorldGeometry::meshes; kNone = no hit
+  int triangle = kNone;  ///< index into Mesh::triangles
+  Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< barycentric, sum 1
   double depth = 0;                                   ///< m along the optical axis
 
   bool exists() const { return mesh != kNone; }
 };
 
-/// What the centre of each pixel sees, row by row.
+/// The surface points seen at the pixels' centres, row by row.
 struct PointImage {
   cv::Size size;
   std::vector<TrianglePoint> points;
@@ -36,8 +36,8 @@ struct PointImage {
   }
 };
 
-/// Finds what a camera at rest sees of a scene at rest. The ray tracer finds the triangle, the rest
-/// is double precision. The scene must outlive it.
+/// Finds the surface points that a static camera sees of a static scene. Embree finds the triangle
+/// in single precision, the rest is double precision. The scene must outlive the tracer.
 class PointTracer {
  public:
   explicit PointTracer(const Scene& scene);
@@ -49,15 +49,16 @@ class PointTracer {
 
   PointImage trace(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera) const;
 
-  /// What rays from a camera hit first. The directions are the camera's axes, 1 along its optical
-  /// axis.
+  /// Returns the first hits of rays from a camera. The directions are in camera axes, with
+  /// component 1 along the optical axis.
   std::vector<TrianglePoint> trace(const std::vector<Eigen::Vector3d>& directions,
                                    const vo::SE3& T_world_camera) const;
 
-  /// m, world; of this scene or of the same at another time.
+  /// Returns a point's world position, m, in this scene, even if it was traced at another time.
   Eigen::Vector3d position(const TrianglePoint& point) const;
 
-  /// Of the triangle, world, towards the viewer; zero where it has no area.
+  /// Returns the unit normal of the point's triangle, world, towards the camera; zero if the
+  /// triangle has no area.
   Eigen::Vector3d face_normal(const TrianglePoint& point,
                               const Eigen::Vector3d& camera_position) const;
 

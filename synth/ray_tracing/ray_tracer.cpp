@@ -18,9 +18,9 @@
 namespace synth {
 namespace {
 
-constexpr int kTile = 8;  // px; a multiple of the blocks that share a packet of rays
+constexpr int kTile = 8;  // px, a multiple of the edge of a packet's 4 x 4 block
 
-/// The pixels of one tile, in an order that keeps those beside each other close.
+/// The pixels of one square tile, in an order that keeps neighbours close.
 struct Tile {
   Tile(const cv::Point& corner, const cv::Size& image);
 
@@ -28,7 +28,7 @@ struct Tile {
   std::size_t count = 0;
 };
 
-/// Morton's order: of an index's bits, every other one is the column's, the others are the row's.
+/// Lists a tile's pixels in Morton order: an index's even bits are the column, its odd the row.
 Tile::Tile(const cv::Point& corner, const cv::Size& image) {
   for (int i = 0; i < kTile * kTile; ++i) {
     const int column = (i & 1) | (i >> 1 & 2) | (i >> 2 & 4);
@@ -56,7 +56,7 @@ class RayTracer final : public Renderer {
   WorldGeometry world_;
   EmbreeScene embree_;
   bool has_color_;
-  std::vector<PixelCell> cells_;  ///< one colour sample each
+  std::vector<PixelCell> cells_;  ///< cells of a pixel, one colour sample each
   float width_of_cell_;           ///< px
   ColorTracer color_tracer_;
 };
@@ -91,7 +91,7 @@ RenderedFrame RayTracer::render(const Capture& capture) const {
   return frame;
 }
 
-/// Depth, normals and ids.
+/// Renders a tile's depth, normals and ids.
 void RayTracer::render_surface(const View& view, const Tile& tile, const SurfaceIds& ids,
                                RenderedFrame& frame) const {
   HitCache<DepthPlane> last;
@@ -130,7 +130,7 @@ void RayTracer::render_surface(const View& view, const Tile& tile, const Surface
   }
 }
 
-/// The mean over each pixel's cells, which are traced in their order, pixel by pixel.
+/// Renders a tile's colour: the mean over each pixel's cells, traced in order, pixel by pixel.
 void RayTracer::render_color(const View& view, const Tile& tile, ColorMemory& memory,
                              RenderedFrame& frame) const {
   ColorPacket packet;
@@ -138,7 +138,7 @@ void RayTracer::render_color(const View& view, const Tile& tile, ColorMemory& me
   packet.sample_width = view.pixel_width() * width_of_cell_;
   std::array<Eigen::Vector3f, kTile * kTile> sums;
   sums.fill(Eigen::Vector3f::Zero());
-  std::array<std::size_t, kPacketSize> places;  // of the packet's rays in the tile
+  std::array<std::size_t, kPacketSize> places;  // index in the tile of each ray's pixel
   const auto trace = [&] {
     const PacketColors colors = color_tracer_.trace(packet, memory);
     for (std::size_t i = 0; i < static_cast<std::size_t>(packet.start.rays.size); ++i) {

@@ -21,7 +21,7 @@ SurfaceView empty_view(const cv::Size& size) {
           .light_share = cv::Mat_<float>(size, 0.0F)};
 }
 
-/// All but the light.
+/// Stores the surface at a pixel, with a light share of 1.
 void record(const View& view, const cv::Point& pixel, const RTCRayHit& ray,
             const SurfacePoint& point, SurfaceView& surfaces) {
   const Eigen::Matrix3f R_camera_world = view.R_world_camera(pixel.y).transpose().cast<float>();

@@ -18,20 +18,20 @@ namespace synth {
 class EmbreeScene;
 class View;
 
-/// What lies at the centre of each pixel, whatever a sensor makes of it. All but the depth are 0
-/// where nothing is.
+/// The surface at the centre of each pixel, without a sensor's effects. All values are 0 where no
+/// surface was hit.
 struct SurfaceView {
-  vo::DepthImage depth;             ///< m along the optical axis; 0 = nothing hit
+  vo::DepthImage depth;             ///< m along the optical axis; 0 = no hit
   cv::Mat_<cv::Vec3f> face_normal;  ///< unit, camera's axes, of the triangle, towards the camera
-  cv::Mat_<cv::Vec3f> normal;       ///< unit, camera's axes, interpolated between vertices
+  cv::Mat_<cv::Vec3f> normal;       ///< unit, camera's axes, interpolated, with the normal map
   cv::Mat_<cv::Vec3f> base_color;   ///< linear RGB
-  cv::Mat_<float> light_share;      ///< of the light that would arrive if nothing cast shadows
+  cv::Mat_<float> light_share;      ///< fraction of the unshadowed light that arrives
 };
 
-/// Traces one ray per pixel, and one from there to each light.
+/// Traces one camera ray per pixel, and a shadow ray from its hit to each light.
 class SurfaceTracer {
  public:
-  /// `ambient` is RenderOptions::ambient. The scene must outlive the tracer.
+  /// The scene must outlive the tracer. `ambient` is the value of RenderOptions::ambient.
   SurfaceTracer(const Scene& scene, double ambient);
   ~SurfaceTracer();
   SurfaceTracer(const SurfaceTracer&) = delete;

@@ -10,7 +10,7 @@ namespace {
 
 enum class Part { in_tangent, value, out_tangent };
 
-/// The numbers of a key.
+/// Returns the numbers of a key's value or, in a cubic spline, of one of its tangents.
 Eigen::Map<const Eigen::VectorXf> key_part(const AnimationCurve& curve, std::size_t key,
                                            Part part) {
   const bool has_tangents = curve.interpolation == Interpolation::cubic_spline;
@@ -29,7 +29,7 @@ Eigen::VectorXd slerp(const Eigen::VectorXd& from, const Eigen::VectorXd& to, do
   return quaternion(from).slerp(share, quaternion(to)).coeffs();
 }
 
-/// Hermite's spline as glTF 2.0, appendix C.5, writes it.
+/// Evaluates the cubic Hermite spline of glTF 2.0, appendix C.5; `step` is the interval, s.
 Eigen::VectorXd spline(const AnimationCurve& curve, std::size_t key, double share, double step) {
   const double t = share;
   const double t2 = t * t;

@@ -7,33 +7,33 @@ namespace synth {
 
 enum class Interpolation { step, linear, cubic_spline };
 
-/// Numbers over time. Before the first key and after the last it keeps their values.
+/// A keyframed curve of values over time; constant before its first and after its last key.
 struct AnimationCurve {
   Interpolation interpolation = Interpolation::linear;
   int width = 1;                   ///< numbers per value
-  std::vector<float> times;        ///< s, of the keys, increasing, at least one
-  std::vector<float> values;       ///< key by key; `cubic_spline`: in-tangent, value, out-tangent
-  bool holds_quaternions = false;  ///< x, y, z, w: `linear` takes the shorter arc
+  std::vector<float> times;        ///< s, key times, increasing, at least one
+  std::vector<float> values;       ///< by key; `cubic_spline`: in-tangent, value, out-tangent
+  bool holds_quaternions = false;  ///< as x, y, z, w; `linear` slerps along the shorter arc
 };
 
 enum class AnimatedProperty { translation, rotation, scale, weights };
 
 struct AnimationChannel {
-  int node = 0;  ///< of SceneMotion::nodes
+  int node = 0;  ///< index into SceneMotion::nodes
   AnimatedProperty property = AnimatedProperty::translation;
   AnimationCurve curve;
 };
 
 struct Animation {
   std::string name;
-  double duration = 0;  ///< s, the time of its last key
+  double duration = 0;  ///< s, time of the animation's last key
   std::vector<AnimationChannel> channels;
 };
 
-/// The curve's value at a time, s; quaternions are unit.
+/// Returns the curve's value at a time in s, `width` numbers; quaternions have length 1.
 std::vector<double> value_at(const AnimationCurve& curve, double time);
 
-/// Whether it has the same value at all times.
+/// Returns whether a curve has one value at all times.
 bool is_constant(const AnimationCurve& curve);
 
 }  // namespace synth

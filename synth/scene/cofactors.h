@@ -5,7 +5,8 @@
 
 namespace synth {
 
-/// The matrix that turns normals with a surface that A deforms: det(A) A^-T, singular or not.
+/// Returns the cofactor matrix det(A) A^-T, also of a singular A. It maps the normals of a surface
+/// to those of the surface transformed by A, up to length.
 inline Eigen::Matrix3d cofactors(const Eigen::Matrix3d& A) {
   Eigen::Matrix3d result;
   result << A.col(1).cross(A.col(2)), A.col(2).cross(A.col(0)), A.col(0).cross(A.col(1));

@@ -19,7 +19,7 @@ void add_displacements(const std::vector<Eigen::Vector3f>& displacements, float 
   }
 }
 
-/// Unit again; a direction that has vanished is `before`'s.
+/// Scales a direction's xyz to unit length; a zero direction becomes `before`.
 template <typename Vector>
 void normalize(const Vector& before, Vector& direction) {
   const float length = direction.template head<3>().stableNorm();

@@ -9,12 +9,12 @@
 
 namespace synth {
 
-/// Gives the mesh the shape's vertices with its morph targets added, each times its weight; missing
-/// weights are 0.
+/// Sets the mesh's positions, normals and tangents to the shape's plus its morph targets, each
+/// times its weight; missing weights count as 0.
 void morph(const MeshShape& shape, const std::vector<float>& weights, Mesh& mesh);
 
-/// Moves each vertex by the weighted sum of its joints' transforms, which take the mesh's
-/// coordinates to the frame the mesh shall stand in (linear blend skinning).
+/// Applies linear blend skinning: transforms each vertex by the weighted sum of its joints'
+/// transforms `T_frame_mesh`, from mesh coordinates to the frame of the skinned mesh.
 void deform(const VertexJoints& followed, const std::vector<Eigen::Affine3d>& T_frame_mesh,
             Mesh& mesh);
 

@@ -6,11 +6,12 @@
 
 namespace synth {
 
-/// T_world_camera, x right, y down, z forward, of a glTF camera on a node: it looks along -z and
-/// has y up, and scale does not change it.
+/// Returns the pose T_world_camera (x right, y down, z forward) of a glTF camera, which looks along
+/// its node's -z axis with +y up. A positive scale of the node does not change it.
 vo::SE3 T_world_camera_of(const Eigen::Affine3d& T_world_node);
 
-/// Where a light on a node shines to: -z, unit; zero where the node's z is.
+/// Returns the unit direction, world, in which a light shines, its node's -z axis; zero if the
+/// node's z axis is zero.
 Eigen::Vector3d light_direction_of(const Eigen::Affine3d& T_world_node);
 
 }  // namespace synth

@@ -6,7 +6,7 @@
 
 namespace synth {
 
-/// Equal for equal scenes, whatever files they came from.
+/// Returns a hash of the scene's content, equal for equal scenes whatever files they came from.
 std::uint64_t content_hash(const Scene& scene);
 
 }  // namespace synth

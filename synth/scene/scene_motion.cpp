@@ -14,7 +14,7 @@ namespace {
 
 using Frames = std::vector<Eigen::Affine3d>;  // T_world_node of each node
 
-/// What animations make of the nodes that they change.
+/// The nodes that animations change, by index, as they are at one time.
 struct Poses {
   std::map<int, MotionNode> nodes;
 };
@@ -74,7 +74,7 @@ Frames place_nodes(const SceneMotion& motion, const Poses& poses) {
   return frames;
 }
 
-/// A skinned mesh stands where its first joint is, so that its coordinates stay small.
+/// Skins a mesh and places its instance at the first joint, so that its coordinates stay small.
 void follow_joints(const SceneMotion& motion, const DeformableMesh& deforming, const Frames& frames,
                    Scene& scene) {
   const Skin& skin = motion.skins[at(deforming.skin)];
@@ -206,7 +206,7 @@ std::vector<bool> moving_instances(const Scene& scene) {
   }
   for (const DeformableMesh& deforming : motion.deforming) {
     bool deforms = nodes.weights[at(deforming.node)];
-    if (deforming.skin != kNone) {  // the mesh's own node does not carry it
+    if (deforming.skin != kNone) {  // a skinned mesh ignores its own node's transform
       const std::vector<int>& joints = motion.skins[at(deforming.skin)].joints;
       deforms = deforms || std::any_of(joints.begin(), joints.end(),
                                        [&](int joint) { return nodes.frames[at(joint)]; });

@@ -7,39 +7,40 @@
 
 namespace synth {
 
-/// The time of a scene's animations, s, at a timestamp of a sequence: they start with its first
-/// pose.
+/// Returns the time of a scene's animations, s, at a timestamp of a sequence: the animations start
+/// at the first pose of the true trajectory.
 double scene_time(const vo::Trajectory& truth, double timestamp);
 
-/// What a scene is at a time, s, as a scene without motion: nodes, skins, morph targets, lights and
-/// cameras where its animations put them. Meshes, instances and triangles are the same, in the same
-/// order, at all times: (instance, triangle, barycentric coordinates) is a point of the surface
-/// that can be found again. Before an animation's first key and after its last, things keep those
-/// keys' values, as glTF says; with SceneMotion::loop each animation starts again when its last key
-/// is reached. Throws vo::Error where a transform overflows.
+/// Returns the static scene at a time in s, with nodes, skins, morph targets, lights and cameras as
+/// its animations place them. Meshes, instances and triangles keep their order at all times, so
+/// that (instance, triangle, barycentric coordinates) identifies a surface point. Before an
+/// animation's first key and after its last, values stay those of that key, as in glTF; with
+/// SceneMotion::loop each animation restarts at its last key. Throws vo::Error if a transform or
+/// vertex overflows.
 Scene scene_at(const Scene& scene, double time);
 
-/// A scene around an instant of its animations.
+/// The states of a scene around one instant of its animations.
 struct SceneDuring {
-  Scene now;                   ///< at the instant
-  std::vector<Scene> moments;  ///< evenly spread from `begin` to `end`; empty: it rests
-  double begin = 0;            ///< s
-  double end = 0;              ///< s
+  Scene now;                   ///< the scene at the instant
+  std::vector<Scene> moments;  ///< evenly spaced from `begin` to `end`; empty if they are equal
+  double begin = 0;            ///< s, animation time
+  double end = 0;              ///< s, animation time
 };
 
-/// Nine moments; one scene alone where begin and end are the same.
+/// Returns the scene at `now` and at nine moments from `begin` to `end`, animation times in s;
+/// without moments if `end` is not after `begin`.
 SceneDuring scene_during(const Scene& scene, double now, double begin, double end);
 
-/// The same as its file puts it while no animation plays.
+/// Returns the static scene as its file places it while no animation plays.
 Scene scene_at_rest(const Scene& scene);
 
-/// Whether an animation plays that anything visible follows: an instance or a light.
+/// Returns whether an animation moves or deforms anything visible: an instance or a light.
 bool moves(const Scene& scene);
 
-/// Whether an animation moves one of its cameras.
+/// Returns whether an animation moves one of the scene's cameras.
 bool moves_cameras(const Scene& scene);
 
-/// For each instance, whether an animation moves or deforms it.
+/// Returns for each instance whether an animation moves or deforms it.
 std::vector<bool> moving_instances(const Scene& scene);
 
 }  // namespace synth

@@ -8,17 +8,17 @@
 namespace synth {
 namespace {
 
-// Copies take 0.17 kB a triangle. Rays through instances take up to a quarter longer, and those of
-// a few triangles take as much memory as their copies.
-constexpr std::size_t kLeastTriangles = 64;            // of a mesh
-constexpr std::size_t kLeastTrianglesSaved = 100'000;  // of its instances but one
+// A copied triangle takes 0.17 kB. Rays through Embree's instances take up to a quarter longer, and
+// an instance of a few triangles takes as much memory as a copy of them.
+constexpr std::size_t kLeastTriangles = 64;            // in a shared mesh
+constexpr std::size_t kLeastTrianglesSaved = 100'000;  // in all its instances but one
 
-/// Whether a matrix can be inverted well, and mirrors if another one does: whether it leaves a
-/// cube's edges nearly as far apart as right angles do.
+/// Returns whether a matrix can be inverted accurately and mirrors if and only if `side` does: its
+/// columns must have a moderate length and span enough of the volume that orthogonal ones would.
 bool is_upright(const Eigen::Matrix3d& A, const Eigen::Matrix3d& side) {
   constexpr double kLeastScale = 1e-6;
   constexpr double kMostScale = 1e6;
-  constexpr double kLeastShare = 0.1;  // of the volume between edges that are at right angles
+  constexpr double kLeastShare = 0.1;  // fraction of the volume that orthogonal columns span
   const Eigen::RowVector3d scale = A.colwise().norm();
   const double volume = side.determinant() < 0 ? -A.determinant() : A.determinant();
   return scale.minCoeff() >= kLeastScale && scale.maxCoeff() <= kMostScale &&
@@ -29,7 +29,7 @@ Eigen::Matrix3d axes_of(const Scene& scene, std::size_t instance) {
   return scene.instances[instance].T_world_mesh.linear();
 }
 
-/// In between moments too, as vertices go straight from one to the next.
+/// Returns whether an instance is upright at all moments and, as vertices move linearly, halfway.
 bool stays_upright(const std::vector<Scene>& moments, std::size_t instance) {
   const Eigen::Matrix3d first = axes_of(moments.front(), instance);
   bool is_sound = is_upright(first, first);
@@ -41,7 +41,7 @@ bool stays_upright(const std::vector<Scene>& moments, std::size_t instance) {
   return is_sound;
 }
 
-/// For each mesh, whether copies of it would take more than it costs to do without.
+/// Returns for each mesh whether copying it for each instance would cost more than sharing it.
 std::vector<bool> worth_sharing(const Scene& scene) {
   std::vector<std::size_t> uses(scene.meshes.size(), 0);
   for (const Instance& instance : scene.instances) {

@@ -25,7 +25,7 @@ std::array<float, 256> make_even_codes() {
 
 const std::array<float, 256> kEvenCodes = make_even_codes();
 
-/// The value of each code.
+/// Returns the linear value of each 8-bit code of a colour channel.
 inline const std::array<float, 256>& decoding_table(TexelEncoding encoding) {
   return encoding == TexelEncoding::srgb ? kLinearFromSrgb8bit : kEvenCodes;
 }
@@ -65,8 +65,8 @@ cv::Mat_<cv::Vec4f> halve(const cv::Mat_<cv::Vec4f>& linear) {
   return smaller;
 }
 
-/// The first level's linear values are four times its size: where rows come in pairs only a strip
-/// of them is there at a time.
+/// Decodes and halves an image, strip by strip if its number of rows is even, as its linear values
+/// take four times its memory.
 cv::Mat_<cv::Vec4f> decode_halved(const cv::Mat_<cv::Vec4b>& image, TexelEncoding encoding) {
   constexpr int kStrip = 64;  // rows
   if (image.rows % 2 != 0) {
@@ -81,7 +81,7 @@ cv::Mat_<cv::Vec4f> decode_halved(const cv::Mat_<cv::Vec4b>& image, TexelEncodin
   return halved;
 }
 
-/// Brings a coordinate into [0, 1]. What is not a number becomes 0.
+/// Brings a texture coordinate into [0, 1] by the wrap mode. NaN becomes 0.
 inline float fold(float coordinate, Wrap wrap) {
   if (coordinate >= 0 && coordinate <= 1) {
     return coordinate;
@@ -99,8 +99,8 @@ inline float fold(float coordinate, Wrap wrap) {
   return std::min(std::max(0.0F, coordinate), 1.0F);
 }
 
-/// The texel one step outside an edge, -1 or `size`, wrapped. Both clamping and mirroring repeat
-/// the edge's texel there, as the coordinate itself is folded already.
+/// Wraps a texel index that is at most one step outside an edge, from -1 to `size`. Clamping and
+/// mirroring both repeat the edge's texel there, as the coordinate itself is folded already.
 inline int wrap_texel(int index, int size, Wrap wrap) {
   if (index < 0) {
     return wrap == Wrap::repeat ? size - 1 : 0;
@@ -113,7 +113,7 @@ inline int wrap_texel(int index, int size, Wrap wrap) {
 
 struct Level {
   const cv::Mat_<cv::Vec4b>& texels;
-  const std::array<float, 256>& values;  ///< of the colour channels' codes
+  const std::array<float, 256>& values;  ///< linear value of each colour code
 };
 
 inline Eigen::Vector4f decode(const cv::Vec4b& texel, const std::array<float, 256>& values) {
@@ -127,7 +127,7 @@ Eigen::Vector4f sample_nearest(const Level& level, float u, float v) {
   return decode(level.texels(row, column), level.values);
 }
 
-/// The two texels on either side of a folded coordinate and the share of the second.
+/// The two texels on either side of a folded coordinate, and the second one's weight in `share`.
 struct Neighbours {
   int first = 0;
   int second = 0;

@@ -7,14 +7,14 @@
 
 namespace synth {
 
-/// The image with all its mip levels. Each level is the area average of the one before, of what the
-/// encoding says is linear; odd sizes are halved downwards, as GL does.
+/// Returns the image with all its mip levels. Each level is the area average of the next finer one
+/// in linear values, whatever the encoding; odd sizes are halved rounding down, as in OpenGL.
 TextureImage build_mip_levels(const cv::Mat_<cv::Vec4b>& image,
                               TexelEncoding encoding = TexelEncoding::srgb);
 
-/// The linear RGBA value at glTF texture coordinates: texel (i, j) has its centre at
-/// ((i + 0.5) / width, (j + 0.5) / height). `lod` is the binary logarithm of the texels of level 0
-/// that one sample covers along an edge; at or below 0 the texture is magnified.
+/// Returns the filtered linear RGBA value at glTF texture coordinates: texel (i, j) has its centre
+/// at ((i + 0.5) / width, (j + 0.5) / height). `lod` is the binary logarithm of the number of
+/// texels of level 0 along an edge of one sample; at or below 0 the texture is magnified.
 Eigen::Vector4f sample(const TextureImage& image, const Texture& texture, const Eigen::Vector2f& uv,
                        float lod);
 

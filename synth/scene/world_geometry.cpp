@@ -11,7 +11,7 @@
 namespace synth {
 namespace {
 
-const Material kDefaultMaterial;  // glTF's, of a mesh without one
+const Material kDefaultMaterial;  // for meshes that name none
 
 Eigen::Vector3f place_position(const FlatMesh& world, const Eigen::Vector3f& position) {
   const Eigen::Vector3d p_world = world.T_world_mesh * position.cast<double>();
@@ -22,7 +22,7 @@ Eigen::Vector3f place_normal(const Eigen::Matrix3d& N, const Eigen::Vector3f& no
   return (N * normal.cast<double>()).normalized().cast<float>();
 }
 
-/// Without vertices.
+/// Returns an instance's flat mesh without vertices.
 FlatMesh unplaced(const Scene& scene, std::size_t index) {
   const Instance& instance = scene.instances[index];
   FlatMesh world;
@@ -42,7 +42,7 @@ Eigen::AlignedBox3d bounds(const FlatMesh& world) {
   return box;
 }
 
-/// Nothing where they are shared.
+/// Sets the mesh's positions and normals unless its vertices are shared.
 void place_vertices(FlatMesh& world) {
   if (world.shared != kNone) {
     return;
@@ -57,7 +57,7 @@ void place_vertices(FlatMesh& world) {
                  [&](const Eigen::Vector3f& normal) { return place_normal(N, normal); });
 }
 
-/// A shared mesh does not deform.
+/// Returns whether transforms or positions differ between moments; shared meshes do not deform.
 bool moves_between(const std::vector<FlatMesh>& moments) {
   return std::any_of(moments.begin(), moments.end(), [&](const FlatMesh& moment) {
     return moment.T_world_mesh.matrix() != moments[0].T_world_mesh.matrix() ||
@@ -79,7 +79,7 @@ void add_moments(const std::vector<Scene>& scenes, FlatMesh& world) {
   }
 }
 
-/// Gives the instances that can do without vertices of their own the shared ones.
+/// Makes the instances that need no vertices of their own refer to shared meshes.
 void share_meshes(const std::vector<Scene>& moments, WorldGeometry& world) {
   const std::vector<bool> sharing = sharing_instances(*world.scene, moments);
   std::vector<int> shared_of_mesh(world.scene->meshes.size(), kNone);

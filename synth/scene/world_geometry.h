@@ -13,90 +13,92 @@
 
 namespace synth {
 
-/// An instance with its vertices where they stand, unless it shares them.
+/// A mesh instance with its vertices in the world-space geometry's coordinates, unless they are
+/// those of a shared mesh.
 struct FlatMesh {
   const Mesh* mesh = nullptr;
   const Material* material = nullptr;
-  int instance = kNone;  ///< of Scene::instances
+  int instance = kNone;  ///< index into Scene::instances
   Eigen::Affine3d T_world_mesh = Eigen::Affine3d::Identity();
-  float side = 1;                                    ///< -1 where T_world_mesh mirrors
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< WorldGeometry's
-  int shared = kNone;                                ///< of WorldGeometry::shared_meshes
-  std::vector<Eigen::Vector3f> positions;  ///< and one more: Embree reads 16 bytes at each
+  float side = 1;                                    ///< -1 if T_world_mesh mirrors, else 1
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, WorldGeometry::origin
+  int shared = kNone;                                ///< index into WorldGeometry::shared_meshes
+  std::vector<Eigen::Vector3f> positions;  ///< m; padded by one, as Embree reads 16 bytes each
   std::vector<Eigen::Vector3f> normals;
-  std::vector<FlatMesh> moments;  ///< of a mesh that moves meanwhile: where it stands at each
+  std::vector<FlatMesh> moments;  ///< states at SceneDuring::moments; empty if it does not move
 
   bool has_normals() const { return !mesh->normals.empty(); }
   Eigen::Vector3f position(int vertex) const;  ///< m, in the world-space geometry's coordinates
-  Eigen::Vector3f normal(int vertex) const;    ///< unit or zero; only of meshes that have them
+  Eigen::Vector3f normal(int vertex) const;    ///< unit or zero; requires has_normals()
 };
 
-/// What the mesh is made of; glTF's default if it does not say.
+/// Returns the mesh's material, or a default one, white and diffuse, if the mesh names none.
 const Material& material_of(const Scene& scene, const Mesh& mesh);
 
-/// A scene's triangles without its hierarchy. All float coordinates are the world's less `origin`,
-/// the middle of the scene, which keeps their precision wherever the scene stands. Refers to the
-/// scene.
+/// A scene's triangles without its node hierarchy. All float coordinates are world coordinates
+/// minus `origin`, the middle of the scene, which preserves precision wherever the scene lies.
+/// Refers to the scene, which must outlive it.
 struct WorldGeometry {
   const Scene* scene = nullptr;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, world
-  std::vector<FlatMesh> meshes;                      ///< each has a triangle
+  std::vector<FlatMesh> meshes;                      ///< each with at least one triangle
   std::vector<SharedMesh> shared_meshes;
-  double begin = 0;  ///< s, of the first moment
-  double end = 0;    ///< s, of the last
+  double begin = 0;  ///< s, time of the first moment
+  double end = 0;    ///< s, time of the last moment
 
-  /// How far a time of the scene's animations lies from the first moment to the last, 0 to 1.
+  /// Returns where a time of the animations, s, lies between `begin` and `end`, clamped to 0 to 1.
   float share_at(double time) const;
 };
 
 WorldGeometry flatten(const Scene& scene);
 
-/// Vertices that move go straight from moment to moment.
+/// Flattens a moving scene. Vertices move linearly from moment to moment.
 WorldGeometry flatten(const SceneDuring& during);
 
-/// What lies between two moments of a mesh; of one that rests, both are the mesh.
+/// The moments of a mesh around an instant; both are the mesh itself if it does not move.
 struct MomentPair {
   const FlatMesh* before = nullptr;
   const FlatMesh* after = nullptr;
-  float share = 0;  ///< of the way from the one to the other
+  float share = 0;  ///< fraction of the way from `before` to `after`
 };
 
-/// `share` is WorldGeometry::share_at.
+/// Returns the moments around an instant; `share` is the value of WorldGeometry::share_at.
 MomentPair moments_around(const FlatMesh& mesh, float share);
 
-/// Corners of a triangle, m, in the world-space geometry's coordinates. `share` is
-/// WorldGeometry::share_at.
+/// Returns the corners of a triangle, m, in the world-space geometry's coordinates. `share` is the
+/// value of WorldGeometry::share_at.
 std::array<Eigen::Vector3f, 3> corners_of(const FlatMesh& mesh, int triangle, float share = 0);
 
-/// From the vertices of the shared mesh that it shows to the world-space geometry's coordinates.
+/// Returns the transform from the vertices of the shared mesh that `mesh` shows to the world-space
+/// geometry's coordinates.
 Eigen::Affine3d T_flat_shared(const WorldGeometry& world, const FlatMesh& mesh);
 
-/// The box around all that can be seen, m, world.
+/// Returns the bounding box of all meshes, m, world.
 Eigen::AlignedBox3d visible_bounds(const WorldGeometry& world);
 
 /// The plane of a triangle as one camera sees it, in double precision throughout.
 struct DepthPlane {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< world axes, any length
-  double offset = 0;                                 ///< of the plane from the eye along the normal
-  double nearest = 0;   ///< m, least depth of the triangle's corners, less a margin
-  double farthest = 0;  ///< m, their greatest, and a margin
+  double offset = 0;                                 ///< eye to plane, m, times |normal|
+  double nearest = 0;   ///< m, least depth of the triangle's corners, minus a margin
+  double farthest = 0;  ///< m, greatest depth of the corners, plus a margin
 
-  /// Depth, m, at which a ray from the eye that hits the triangle meets its plane; the direction is
-  /// 1 along the optical axis, world axes. Nothing where that is beyond the corners' depths, as on
-  /// a triangle of no width.
+  /// Returns the depth, m, at which a ray from the eye that hits the triangle meets its plane, or
+  /// nothing if that is beyond the corners' depths, as for a degenerate triangle. `direction` is in
+  /// world axes, with component 1 along the optical axis.
   std::optional<double> depth_along(const Eigen::Vector3d& direction) const;
 };
 
-/// Where a triangle is looked at from.
+/// The viewpoint from which a triangle's depth plane is computed.
 struct PlaneView {
   Eigen::Vector3d eye = Eigen::Vector3d::Zero();            ///< m, world
   Eigen::Vector3d optical_axis = Eigen::Vector3d::UnitZ();  ///< unit, world axes
-  float share = 0;                                          ///< WorldGeometry::share_at
+  float share = 0;                                          ///< value of WorldGeometry::share_at
 };
 
 DepthPlane depth_plane(const FlatMesh& mesh, int triangle, const PlaneView& view);
 
-/// The box around all that is lit, m, world.
+/// Returns the bounding box of all meshes with lit materials, m, world.
 Eigen::AlignedBox3d lit_bounds(const WorldGeometry& world);
 
 }  // namespace synth
