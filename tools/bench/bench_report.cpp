@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 constexpr int kThreads = 1;
 constexpr double kNanosecondsPerMs = 1e6;
 
-/// One line of a table, formatted as printf does.
+/// Returns one line of a table, formatted as by printf.
 template <typename... Values>
 std::string line(const char* format, Values... values) {
   std::array<char, 240> text{};
@@ -43,7 +43,7 @@ std::string titles(const char* first) {
               "RPE deg", "ATE m");
 }
 
-/// A column that is `-` where the value is not known.
+/// Returns a column that is `-` where the value is unknown.
 std::string column(double value, int digits) {
   return std::isfinite(value) ? line("%9.*f", digits, value) : line("%9s", "-");
 }

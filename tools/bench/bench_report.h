@@ -18,18 +18,18 @@ struct BenchReport {
   std::string cpu;
   int width = 0;           ///< px
   int height = 0;          ///< px
-  std::size_t frames = 0;  ///< with those of the warm-up
+  std::size_t frames = 0;  ///< number of frames, including the warm-up
   RaceOptions options;
   std::vector<Summary> peers;
   std::vector<Absence> absent;
-  std::vector<GrowthTable> growth;  ///< empty unless asked for
+  std::vector<GrowthTable> growth;  ///< empty unless growth was measured
 };
 
-/// The machine's name for its processor, "unknown" where it does not say.
+/// Returns the processor's name from /proc/cpuinfo, or "unknown".
 std::string cpu_model();
 
-/// Whose time the others' is divided into: OpenCV's dense odometry where it ran, else the slowest.
-/// Nothing of fewer than two.
+/// Returns the peer to which speed-ups refer: OpenCV's dense odometry where it ran, else the
+/// slowest one. It is null with fewer than two peers.
 const Summary* yardstick(const std::vector<Summary>& peers);
 
 std::string bench_table(const BenchReport& report);

@@ -13,22 +13,22 @@
 
 namespace tools {
 
-/// The frames of a sequence in memory, so that no time that is measured holds a file.
+/// Frames of a sequence in memory, so that measured times contain no file access.
 struct Frames {
   vo::PinholeCamera camera;
   std::vector<vo::RgbdFrame> frames;
-  vo::Trajectory truth;  ///< empty when there is none
+  vo::Trajectory truth;  ///< ground-truth poses; empty if the sequence has none
 };
 
-/// The first `count` frames, or all when there are fewer.
+/// Loads the first `count` frames, or all when there are fewer.
 Frames load_frames(const vo::SequenceReader& sequence, std::size_t count,
                    const vo::Progress& progress);
 
-/// The camera that sees the same through pixels of another size.
+/// Returns the camera with the same field of view and an image of `size`.
 vo::PinholeCamera resized(const vo::PinholeCamera& camera, cv::Size size);
 
-/// The frame as that camera would have it: colour by the mean over a pixel's area, or between the
-/// nearest four pixels where it grows; depth of the nearest pixel, never a mean.
+/// Returns the frame scaled to `size`: colour averaged over areas when it shrinks, else
+/// interpolated bilinearly; depth of the nearest pixel, because averages would mix surfaces.
 vo::RgbdFrame resized(const vo::RgbdFrame& frame, cv::Size size);
 
 }  // namespace tools

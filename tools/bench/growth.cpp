@@ -10,7 +10,7 @@
 namespace tools {
 namespace {
 
-/// One table before the race: who runs, and what is read from the results.
+/// One growth table before measurement: its peers, and how to read x and ms from a summary.
 struct Sweep {
   std::string quantity;
   std::string timed;
@@ -35,7 +35,7 @@ std::vector<Peer> with_options(const vo::TrackerOptions& base, const std::string
   return peers;
 }
 
-/// The tracker on frames of that size; making them is not timed.
+/// Returns a peer that tracks frames resized to `size`; resizing is not timed.
 Peer at_size(const vo::TrackerOptions& base, cv::Size size) {
   const std::string name = vo::concat(size.width, "x", size.height);
   const Peer full = edvo_peer(name, base);
@@ -56,7 +56,8 @@ Sweep point_sweep(const vo::TrackerOptions& base) {
           [](std::size_t, const Summary& summary) { return summary.points; }, cpu_ms};
 }
 
-/// No line is fitted: coarse levels cost little and save iterations of the fine ones.
+/// Returns the sweep over pyramid levels, without a line fit: coarse levels cost little and save
+/// iterations of the fine ones.
 Sweep level_sweep(const vo::TrackerOptions& base) {
   return {"levels", "", with_options(base, "pyramid.levels", {"1", "2", "3", "4", "5"}),
           [](std::size_t row, const Summary&) { return static_cast<double>(row + 1); }, cpu_ms};

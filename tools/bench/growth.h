@@ -13,19 +13,19 @@
 
 namespace tools {
 
-/// How the time grows with one quantity. A summary's name is the value that made it:
+/// Run time as a function of one quantity. A row's name is the value that produced it:
 /// "edges.percentile=88", "pyramid.levels=3", "640x480".
 struct GrowthTable {
   std::string quantity;  ///< points | levels | pixels
-  std::string timed;     ///< cpu: whose median is fitted; empty without a fit
+  std::string timed;     ///< "cpu" if processor time is fitted; empty without a fit
   std::vector<Summary> rows;
-  std::vector<double> x;         ///< of each row: how many of the quantity
-  std::vector<double> ms;        ///< of each row: the fitted time
-  std::optional<LinearFit> fit;  ///< ms per one of the quantity, and the rest
+  std::vector<double> x;         ///< the quantity's value in each row
+  std::vector<double> ms;        ///< median processor time in each row, ms
+  std::optional<LinearFit> fit;  ///< line fitted to ms over x
 };
 
-/// The tracker with more and more edge points, with 1 to 5 pyramid levels, and on frames from a
-/// quarter to twice the size in each direction, all in one race.
+/// Measures the tracker with growing numbers of edge points, with 1 to 5 pyramid levels, and on
+/// frames from a quarter to twice the width and height, all in one interleaved run.
 std::vector<GrowthTable> measure_growth(const Frames& input, const vo::TrackerOptions& base,
                                         const RaceOptions& options, const vo::Progress& progress);
 

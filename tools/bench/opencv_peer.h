@@ -9,11 +9,11 @@
 
 namespace tools {
 
-/// Dense RGB-D odometry of OpenCV's contrib modules. With the parameters OpenCV gives it, it aligns
-/// a random 7 % of the pixels at most.
+/// Variants of the dense RGB-D odometry in OpenCV's contrib modules. With its default parameters it
+/// aligns a random 7 % of the pixels at most.
 enum class OpencvOdometry {
   rgbd,      ///< cv::rgbd::RgbdOdometry: photometric
-  rgbd_all,  ///< the same with every pixel that has depth and a gradient
+  rgbd_all,  ///< photometric, every pixel that has depth and a gradient
   rgbd_icp,  ///< cv::rgbd::RgbdICPOdometry: photometric and geometric
 };
 
@@ -23,8 +23,8 @@ constexpr auto enum_names(OpencvOdometry) {
                     std::pair{OpencvOdometry::rgbd_icp, "opencv-rgbd-icp"}};
 }
 
-/// Frame to frame, as OpenCV's sample does it; each frame's pyramid is made once. It knows no lens
-/// distortion. Nothing where this program was built without the module.
+/// Returns a peer that tracks frame to frame, as OpenCV's sample does, builds each frame's pyramid
+/// once and ignores lens distortion. It is empty if this program was built without the module.
 std::optional<Peer> opencv_peer(OpencvOdometry kind);
 
 }  // namespace tools

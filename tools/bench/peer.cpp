@@ -15,10 +15,10 @@ namespace {
 
 constexpr const char* kMono = "mono";
 
-/// One of our own: a preset, and `key=value` of what differs from it.
+/// One of edvo's own peers: a preset and the options that differ from it.
 struct EdvoRow {
   std::string name;
-  std::string peer;  ///< what `--peers` calls it
+  std::string peer;  ///< name of the peer in `--peers`
   vo::TrackerPreset preset;
   std::vector<std::pair<std::string, std::string>> assignments;
 };
@@ -35,7 +35,7 @@ std::vector<EdvoRow> edvo_rows() {
   };
 }
 
-/// The only place that knows which stages the odometry tells of.
+/// Converts the odometry's stage times; the map gets the time that no other stage accounts for.
 StageCosts stage_costs(const vo::StageTimes& times, double total_ms) {
   const double before_map_ms = times.pyramid_ms + times.edges_ms + times.alignment_ms;
   return {.pyramid_ms = times.pyramid_ms,
@@ -70,7 +70,7 @@ FrameSample track_frame(Odometry& odometry, const vo::RgbdFrame& frame) {
   return sample;
 }
 
-/// The monocular odometry, which reads the first frame's depth alone.
+/// Returns the monocular odometry, which reads only the first frame's depth.
 Peer mono_peer() {
   return {kMono, [](const vo::PinholeCamera& camera) {
             vo::MonoOptions options = vo::mono_options();
@@ -80,7 +80,7 @@ Peer mono_peer() {
           }};
 }
 
-/// Throws vo::Error when this program has no such option.
+/// Returns the peer of a row. Throws vo::Error when this program has no such option.
 Peer make_contestant(const EdvoRow& row) {
   vo::TrackerOptions options = vo::preset_options(row.preset);
   std::vector<vo::Field> fields = vo::fields_of(options);

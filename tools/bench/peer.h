@@ -13,39 +13,39 @@
 
 namespace tools {
 
-/// Wall-clock time of one frame by stage; the stages are the whole frame.
+/// Wall-clock time of one frame by stage; the stages add up to the whole frame.
 struct StageCosts {
   double pyramid_ms = 0;
   double edges_ms = 0;
   double alignment_ms = 0;
-  double map_ms = 0;  ///< what is left: keeping the frames that later ones are aligned to
+  double map_ms = 0;  ///< all else, mainly map maintenance
 
   double total_ms() const { return pyramid_ms + edges_ms + alignment_ms + map_ms; }
 };
 
-/// What tracking one frame cost and gave.
+/// Cost and result of tracking one frame.
 struct FrameSample {
   StageCosts costs;
-  double cpu_ms = 0;       ///< of the thread: the same as the costs on an idle machine
-  std::size_t points = 0;  ///< of the finest level, in the last alignment
+  double cpu_ms = 0;       ///< processor time of the thread; near the wall time if idle
+  std::size_t points = 0;  ///< points of the finest level in the last alignment
   bool is_keyframe = false;
-  std::optional<std::size_t> map_bytes;   ///< images and points of what is kept; if known
-  std::optional<vo::SE3> T_world_camera;  ///< nothing when lost
+  std::optional<std::size_t> map_bytes;   ///< memory of the map's images and points
+  std::optional<vo::SE3> T_world_camera;  ///< empty when tracking is lost
 };
 
-/// Tracks the next frame of a sequence and takes the time of it.
+/// Tracks the next frame of a sequence and measures its cost.
 using FrameTracker = std::function<FrameSample(const vo::RgbdFrame& frame)>;
 
-/// Something that tracks a camera. Each start is independent of the ones before.
+/// A tracker under test. Each start gives an independent run.
 struct Peer {
   std::string name;
   std::function<FrameTracker(const vo::PinholeCamera& camera)> start;
 };
 
-/// Our tracker with these options.
+/// Returns a peer that runs edvo's RGB-D tracker with these options.
 Peer edvo_peer(const std::string& name, const vo::TrackerOptions& options);
 
-/// Who was asked for and cannot run, and why.
+/// A peer that was requested but cannot run, and why.
 struct Absence {
   std::string name;
   std::string reason;
@@ -56,10 +56,10 @@ struct LineUp {
   std::vector<Absence> absent;
 };
 
-/// What `--peers` may name: edvo is all our presets.
+/// Returns the names that `--peers` accepts; "edvo" stands for all presets.
 std::vector<std::string> peer_names();
 
-/// The peers of these peers, in the order of the table.
+/// Returns the peers of the given names, in the order of the table, and those that cannot run.
 LineUp line_up(const std::vector<std::string>& peers);
 
 }  // namespace tools

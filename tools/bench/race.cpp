@@ -12,9 +12,9 @@
 namespace tools {
 namespace {
 
-constexpr std::size_t kBlock = 10;  // frames: long enough to fill the caches again
+constexpr std::size_t kBlock = 10;  // frames; long enough to warm the caches again
 
-/// One pass over the sequence.
+/// The state of all peers in one pass over the sequence.
 class Heat {
  public:
   Heat(const Frames& input, const std::vector<Peer>& peers) : input_(input) {

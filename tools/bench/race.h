@@ -11,24 +11,24 @@
 namespace tools {
 
 struct RaceOptions {
-  int warm_up = 5;  ///< frames at the start that are tracked and not counted
-  int repeats = 3;  ///< of the whole sequence; a frame's time is the median over them
+  int warm_up = 5;  ///< frames at the start that are tracked but not counted
+  int repeats = 3;  ///< runs of the whole sequence; a frame's time is their median
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error on an invalid option
 };
 
 /// All samples of one peer.
 struct RaceResult {
   std::string name;
-  std::vector<std::vector<FrameSample>> samples;  ///< [repeat][frame], with those of the warm-up
+  std::vector<std::vector<FrameSample>> samples;  ///< [repeat][frame], including the warm-up
 };
 
-/// Every peer tracks every frame, one thread, blocks of frames in turn, so that a machine
-/// that is slow for a while is slow for all. Contestants do not see each other's state.
+/// Lets every peer track every frame on one thread, blocks of frames in turn, so that a slow phase
+/// of the machine affects all. Peers do not share state.
 std::vector<RaceResult> race(const Frames& input, const std::vector<Peer>& peers,
                              const RaceOptions& options, const vo::Progress& progress);
 
-/// The trajectory that the peer found.
+/// Returns the trajectory that the peer estimated in the first repeat.
 vo::Trajectory trajectory(const RaceResult& result, const Frames& input);
 
 }  // namespace tools

@@ -34,7 +34,7 @@ std::size_t count_triangles(const synth::Scene& scene) {
   return count;
 }
 
-/// The first frame is not counted: it allocates and compiles.
+/// Measures the mean cost of a frame after one uncounted frame, which allocates and compiles.
 RenderCost measure(const synth::Scene& scene, const RenderOptions& options,
                    const vo::PinholeCamera& camera, const vo::Trajectory& views) {
   const std::unique_ptr<synth::Renderer> renderer = make_renderer(scene, options);

@@ -10,7 +10,7 @@
 
 namespace tools {
 
-/// What one frame costs in one setting.
+/// Cost of rendering one frame with one setting.
 struct RenderCost {
   std::string renderer;
   std::string mode;
@@ -18,20 +18,20 @@ struct RenderCost {
   int width = 0;   ///< px
   int height = 0;  ///< px
   std::size_t triangles = 0;
-  double cpu_s = 0;   ///< of all threads, mean over the poses
-  double wall_s = 0;  ///< likewise, by the clock on the wall: what else runs counts, too
+  double cpu_s = 0;   ///< processor time of all threads, mean over the poses, s
+  double wall_s = 0;  ///< wall-clock time, mean over the poses, s; depends on the machine's load
 };
 
 struct RenderBench {
-  std::vector<RenderCost> costs;   ///< of the settings that are promised
-  std::vector<RenderCost> growth;  ///< with samples, resolution and triangles
-  std::string absent;              ///< why the rasterizer is not among them
+  std::vector<RenderCost> costs;   ///< costs of each renderer and mode
+  std::vector<RenderCost> growth;  ///< costs over samples, resolution and triangles
+  std::string absent;              ///< why the rasterizer could not run; empty if it could
 };
 
-/// From the middle of the scene's box, in four directions.
+/// Returns four views in different directions from the centre of the scene's bounding box.
 vo::Trajectory views_from_the_middle(const synth::Scene& scene);
 
-/// Each triangle in four, which changes nothing that is seen.
+/// Returns the scene with each triangle split in four, which leaves its appearance unchanged.
 synth::Scene subdivided(const synth::Scene& scene);
 
 RenderBench bench_rendering(const synth::Scene& scene, const vo::PinholeCamera& camera,

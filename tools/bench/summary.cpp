@@ -10,7 +10,7 @@
 namespace tools {
 namespace {
 
-/// A value of each frame after the warm-up, the median over the repeats.
+/// Returns a value of each frame after the warm-up: the median over the repeats.
 template <typename Value>
 std::vector<double> per_frame(const RaceResult& result, const RaceOptions& options, Value value) {
   std::vector<double> values;
@@ -40,7 +40,7 @@ StageCosts median_stages(const RaceResult& result, const RaceOptions& options) {
           .map_ms = stage(&StageCosts::map_ms)};
 }
 
-/// Nothing where truth or estimate are too short to be compared.
+/// Returns the errors; empty where truth or estimate are too short to be compared.
 std::optional<Accuracy> accuracy(const vo::Trajectory& truth, const vo::Trajectory& estimate) {
   try {
     const vo::TrajectoryErrors errors = vo::evaluate(truth, estimate);

@@ -2,17 +2,17 @@
 
 #include "vo/core/error.h"
 
-/// What the program's exit code says. Documented in README.md; stable.
+/// Exit codes of the program. They are documented in README.md and stable.
 namespace tools::exit_code {
 
 inline constexpr int kOk = 0;
 inline constexpr int kInternalError = 1;
 inline constexpr int kUsage = 2;          ///< the command line is wrong
-inline constexpr int kUnusableInput = 3;  ///< input, configuration, scene or place to write
+inline constexpr int kUnusableInput = 3;  ///< unusable input, configuration, scene or output path
 inline constexpr int kBoundViolated = 4;  ///< a bound or a baseline comparison failed
-inline constexpr int kTrackingLost = 5;   ///< the result is incomplete
-inline constexpr int kOutputExists = 6;   ///< and differs; --force replaces it
-inline constexpr int kTemporary = 75;     ///< retry: disk full, terminated
+inline constexpr int kTrackingLost = 5;   ///< tracking was lost: the result is incomplete
+inline constexpr int kOutputExists = 6;   ///< an output exists and differs; --force replaces it
+inline constexpr int kTemporary = 75;     ///< a retry may succeed: disk full, terminated
 inline constexpr int kInterrupted = 130;
 
 inline int of(vo::ErrorKind kind) {

@@ -2,11 +2,12 @@
 
 namespace tools {
 
-/// From here on SIGINT, SIGTERM and SIGHUP are remembered instead of ending the process, and a file
-/// that grows beyond its limit is an error of `write` instead of a signal.
+/// Makes SIGINT, SIGTERM and SIGHUP be recorded instead of ending the process, and a write beyond
+/// the file size limit an error of `write` instead of a signal.
 void remember_signals();
 
-/// Throws vo::Error (`interrupted` after SIGINT, `temporary` after the others) once a signal came.
+/// Throws vo::Error (`interrupted` after SIGINT, `temporary` after SIGTERM or SIGHUP) once a signal
+/// has been recorded.
 void throw_if_interrupted();
 
 }  // namespace tools

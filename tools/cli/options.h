@@ -14,12 +14,12 @@
 
 namespace tools {
 
-/// What every command takes.
+/// Options that every command takes.
 struct CommonOptions {
   bool json = false;
   bool quiet = false;
   bool force = false;
-  int threads = 0;  ///< 0 = all cores
+  int threads = 0;  ///< greatest number of threads; 0 = all cores
 
   std::size_t max_threads() const;
   Verbosity verbosity() const { return quiet ? Verbosity::quiet : Verbosity::normal; }
@@ -30,20 +30,20 @@ struct CommonOptions {
 
 void add_common_options(CLI::App& command, CommonOptions& options);
 
-/// `--key value` for each field ('_' as '-'), with its meaning and default in `--help`.
+/// Adds an option `--key value` for each field ('_' as '-'), with its help and default.
 void add_field_options(CLI::App& command, const std::vector<vo::Field>& fields,
                        const std::string& group);
 
-/// The two sides of `key=value`. Throws vo::Error of kind usage.
+/// Returns the two sides of `key=value`. Throws vo::Error of kind usage.
 std::pair<std::string, std::string> split_assignment(const std::string& assignment);
 
-/// `key=value`, applied to the fields. Throws vo::Error of kind usage.
+/// Applies `key=value` to the fields. Throws vo::Error of kind usage.
 void apply_assignment(const std::string& assignment, std::vector<vo::Field>& fields);
 
-/// All fields with default and meaning, one a line, for the end of `--help`.
+/// Returns all fields with default and meaning, one per line, for the end of `--help`.
 std::string describe_fields(const std::vector<vo::Field>& fields);
 
-/// Calls `check` and turns its Errors into ones of kind usage: what it checks came from the command
+/// Calls `check` and rethrows its vo::Error as kind usage, for values that came from the command
 /// line.
 template <typename Check>
 void check_usage(Check check) {
@@ -54,7 +54,7 @@ void check_usage(Check check) {
   }
 }
 
-/// "640x480"; throws vo::Error of kind usage.
+/// Parses a size such as "640x480". Throws vo::Error of kind usage.
 std::pair<int, int> parse_size(const std::string& text);
 
 }  // namespace tools

@@ -15,7 +15,7 @@ using Seconds = std::chrono::duration<double>;
 
 constexpr Seconds kTerminalPeriod(0.1);
 constexpr Seconds kPlainPeriod(5);
-constexpr std::size_t kWidth = 30;  // characters
+constexpr std::size_t kWidth = 30;  // width of the bar, characters
 
 std::string bar(std::size_t done, std::size_t total) {
   const std::size_t filled = kWidth * done / total;

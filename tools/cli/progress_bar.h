@@ -10,12 +10,12 @@ namespace tools {
 enum class Verbosity { normal, quiet };
 
 /// Progress on stderr: one line that is redrawn on a terminal, otherwise a plain line every five
-/// seconds and one at the end. Every step also gives way to an interrupt.
+/// seconds and one at the end. Every step also throws when a signal was recorded.
 class ProgressBar {
  public:
   ProgressBar(std::string label, Verbosity verbosity);
 
-  vo::Progress callback();  ///< refers to this bar
+  vo::Progress callback();  ///< callback for the steps; refers to this bar
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -25,7 +25,7 @@ class ProgressBar {
   std::string label_;
   Verbosity verbosity_;
   bool is_terminal_;
-  Clock::time_point start_;  ///< of the first step's end
+  Clock::time_point start_;  ///< end of the first step
   Clock::time_point shown_;
 };
 

@@ -19,7 +19,7 @@ std::vector<std::string> path_kinds() {
   return names;
 }
 
-/// The path's own fields, without those that have an option of another name.
+/// Returns the path's fields except those that have an option of another name.
 std::vector<vo::Field> path_fields(synth::PathOptions& path) {
   std::vector<vo::Field> fields;
   for (const vo::Field& field : vo::fields_of(path)) {

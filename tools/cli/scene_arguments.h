@@ -9,7 +9,7 @@
 
 namespace tools {
 
-/// The camera on a command line.
+/// Command-line options of the camera.
 struct CameraArguments {
   std::string size = "640x480";
   std::string intrinsics;
@@ -19,10 +19,10 @@ struct CameraArguments {
 
 void add_camera_options(CLI::App& command, CameraArguments& arguments);
 
-/// Throws vo::Error, of kind usage where it does not lie in a file.
+/// Returns the camera. Throws vo::Error, of kind usage unless the error is in a camera file.
 vo::RgbdCamera chosen_camera(const CameraArguments& arguments);
 
-/// The camera's path on a command line.
+/// Command-line options of the camera's path.
 struct PathArguments {
   std::string kind;
   synth::PathOptions options;
@@ -30,7 +30,7 @@ struct PathArguments {
 
 void add_path_options(CLI::App& command, PathArguments& arguments);
 
-/// Throws vo::Error of kind usage.
+/// Returns the options of the chosen path. Throws vo::Error of kind usage.
 synth::PathOptions chosen_path(const PathArguments& arguments);
 
 }  // namespace tools

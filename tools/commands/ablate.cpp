@@ -122,7 +122,7 @@ void complete(AblateArguments& arguments) {
   });
 }
 
-/// Views of the scene as a sequence, whose frames pair up.
+/// Renders a sequence of pose pairs of the scene and returns its folder.
 fs::path render_pairs(const AblateArguments& arguments) {
   constexpr int kWidth = 640;           // px
   constexpr int kHeight = 480;          // px
@@ -175,7 +175,7 @@ Clip load(const AblateArguments& arguments) {
   return load_clip(sequence, clip_name(arguments), arguments.max_frames, bar.callback());
 }
 
-/// The command that made the report, without the places of files.
+/// Returns the command that repeats the report, without file locations.
 std::string command_line(const AblateArguments& arguments) {
   std::string text = "edvo ablate " + fs::path(arguments.input).filename().string();
   text += arguments.camera.empty() ? "" : " --camera " + arguments.camera;

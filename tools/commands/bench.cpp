@@ -67,7 +67,7 @@ Frames load_sequence(const BenchArguments& arguments, const fs::path& folder) {
                      bar.callback());
 }
 
-/// As many frames as are asked for, rendered into a folder that is gone afterwards.
+/// Renders the requested number of frames into a temporary folder and returns them.
 Frames render_scenario(const BenchArguments& arguments) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   arguments.common.max_threads());

@@ -33,7 +33,7 @@ struct CacheArguments {
   fs::path cache() const { return folder.empty() ? default_cache_folder() : fs::path(folder); }
 };
 
-/// "500M": bytes, or with k, M, G thousands, millions, thousand millions of them.
+/// Parses a number of bytes such as "500M"; k, M, G multiply by 1e3, 1e6, 1e9. Throws vo::Error.
 std::uintmax_t parse_bytes(const std::string& text) {
   constexpr std::string_view kUnits = "kMG";
   const std::size_t unit = text.empty() ? std::string_view::npos : kUnits.find(text.back());

@@ -4,8 +4,8 @@
 
 namespace tools {
 
-/// Each adds one subcommand to the program. A subcommand's callback does its work, prints its
-/// result on stdout and sets `exit_code` where it is not 0; unusable input leaves it as vo::Error.
+/// Adds the subcommand `inspect` to the program. Every subcommand's callback does its work, prints
+/// its result on stdout and sets `exit_code` where it is not 0; unusable input throws vo::Error.
 void add_inspect_command(CLI::App& program, int& exit_code);
 void add_render_command(CLI::App& program, int& exit_code);
 void add_convert_command(CLI::App& program, int& exit_code);

@@ -46,9 +46,9 @@ struct CompareArguments {
   ComparisonOptions options;
 };
 
-/// What a build measures, by its own `edvo test`.
+/// Returns the results of another build's own `edvo test`. Throws vo::Error if it leaves none.
 TestResults run_build(const CompareArguments& arguments, const std::string& build) {
-  constexpr double kTimeLimit = 24 * 3600;  // s
+  constexpr double kTimeLimit = 24 * 3600;  // time limit, s
   vo::require(fs::exists(build), build, ": there is no such program");
   std::string folder_name = (fs::temp_directory_path() / "edvo-compare-XXXXXX").string();
   vo::require(mkdtemp(folder_name.data()) != nullptr, folder_name, ": cannot be made");

@@ -55,7 +55,7 @@ std::string examples() {
          describe_fields(vo::fields_of(options));
 }
 
-/// The options with the command line's assignments.
+/// Returns the options with the command line's assignments applied.
 template <typename Options>
 Options assigned(const DepthArguments& arguments, Options options) {
   std::vector<vo::Field> fields = vo::fields_of(options);

@@ -49,10 +49,10 @@ struct EvaluateArguments {
   vo::EvaluationOptions options;
 };
 
-/// All that is printed.
+/// The results that `edvo evaluate` prints.
 struct Report {
   vo::TrajectoryErrors errors;
-  double tracked_fraction = -1;  ///< negative when unknown
+  double tracked_fraction = -1;  ///< share of frames with a pose; negative if unknown
   bool has_offset = false;
   vo::TimeOffset offset;
 };
@@ -153,7 +153,7 @@ void print_table(const EvaluateArguments& arguments, const Report& report) {
   }
 }
 
-/// Share of the sequence's frames that the estimate has a pose for.
+/// Returns the share of the sequence's frames that the estimate has a pose for.
 double tracked_fraction(const std::string& folder, const vo::Trajectory& estimate) {
   constexpr double kSameStamp = 1e-4;  // s, more than rounding and less than a frame
   const vo::SequenceReader sequence(folder, vo::RgbdCamera{});

@@ -10,16 +10,16 @@
 
 namespace tools {
 
-/// What the commands that measure scenarios for a study have in common.
+/// Options shared by the commands that measure scenarios for a study.
 struct LaboratoryArguments {
   CommonOptions common;
   std::string cache;
-  std::vector<std::string> assignments;  ///< key=value, changes of the scenario
+  std::vector<std::string> assignments;  ///< changes of the scenario as key=value
   std::string out;
   RunSettings run;
 
   Assignments changes() const;
-  void complete();  ///< checks, and finds the cache
+  void complete();  ///< validates the options and sets the cache folder
 };
 
 void add_laboratory_options(CLI::App& command, LaboratoryArguments& arguments);

@@ -37,7 +37,7 @@ struct CheckArguments {
   synth::PathLimits limits;
 };
 
-/// A value of the report, by name.
+/// A quantity of the report: name, unit and its member.
 struct Quantity {
   const char* name;
   const char* unit;

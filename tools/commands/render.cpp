@@ -177,7 +177,7 @@ std::vector<vo::Field> render_fields(synth::RenderJob& job) {
   return fields;
 }
 
-/// The preset comes first, so that it does not undo what else was chosen.
+/// Returns the sensor's fields with the preset first, so that it does not reset other options.
 std::vector<vo::Field> sensor_fields(synth::SensorOptions& sensor) {
   std::vector<vo::Field> fields = vo::fields_of(sensor);
   fields.front().key = "sensor";

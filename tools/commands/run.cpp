@@ -61,7 +61,7 @@ struct RunArguments {
   bool report_times = false;
 };
 
-/// For a browser.
+/// Returns the HTML report of the run.
 std::string browser_report(const RunArguments& arguments, const Scenario& scenario,
                            const Outcome& outcome, const FrameGallery& gallery) {
   ScenarioReport report = scenario_report(scenario, outcome);
@@ -72,7 +72,7 @@ std::string browser_report(const RunArguments& arguments, const Scenario& scenar
   return html_report({report});
 }
 
-/// All that a run writes beside sequence/, panels/ and report.html.
+/// Returns the files that a run writes beside sequence/, panels/ and report.html.
 std::vector<vo::NamedBytes> result_files(const Scenario& scenario, const Outcome& outcome) {
   const vo::Trajectory& estimate = outcome.tracking.trajectory;
   std::vector<vo::NamedBytes> files = {
@@ -86,7 +86,7 @@ std::vector<vo::NamedBytes> result_files(const Scenario& scenario, const Outcome
   return files;
 }
 
-/// Hidden files do not count: a run that was killed leaves its unfinished ones.
+/// Returns whether a folder has no visible files; a killed run leaves hidden ones.
 bool is_visibly_empty(const fs::path& folder) {
   return std::all_of(fs::directory_iterator(folder), fs::directory_iterator(),
                      [](const fs::directory_entry& entry) {
@@ -94,7 +94,7 @@ bool is_visibly_empty(const fs::path& folder) {
                      });
 }
 
-/// A folder that holds something but no sequence of ours belongs to somebody else.
+/// Throws vo::Error if the folder holds files but no sequence of edvo's.
 void require_own_folder(const fs::path& folder) {
   if (!fs::exists(folder)) {
     return;
@@ -122,7 +122,7 @@ void print(const RunArguments& arguments, const Scenario& scenario, const Outcom
             << (arguments.debug_images > 0 ? arguments.out + folder : "") << "\n";
 }
 
-/// Both are told of every frame; an empty one is left out.
+/// Returns an observer that calls both observers in turn; an empty one is skipped.
 vo::FrameObserver in_turn(const vo::FrameObserver& first, const vo::FrameObserver& second) {
   return [first, second](const vo::RgbdFrame& frame, const vo::FramePyramid& pyramid,
                          const vo::Tracker& tracker, const vo::TrackingResult& result) {
@@ -134,8 +134,8 @@ vo::FrameObserver in_turn(const vo::FrameObserver& first, const vo::FrameObserve
   };
 }
 
-/// What is drawn while a scenario runs: panels/ of a tracker with depth images, maps/ of one that
-/// makes its own, and what the browser's report shows.
+/// Pictures drawn while a scenario runs: panels/ in mode rgbd, maps/ in modes mono and mapping, and
+/// the gallery of the HTML report.
 class RunPictures {
  public:
   RunPictures(const RunArguments& arguments, const Scenario& scenario) {
@@ -183,7 +183,7 @@ class RunPictures {
   std::optional<PanelWriter> panels_;
   std::optional<DepthOutput> maps_;
   MapScale scale_ = MapScale::metric;
-  double time_ = 0;  ///< s, of the frame that is being tracked
+  double time_ = 0;  ///< s, time of the current frame
   FrameGallery gallery_;
 };
 

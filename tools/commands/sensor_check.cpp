@@ -45,7 +45,7 @@ struct SensorCheckArguments {
   std::string out;
 };
 
-/// The greatest share by which a measured deviation is off its formula.
+/// Returns the greatest relative difference of a measured deviation from its formula.
 double worst_share(const std::vector<NoiseSample>& samples) {
   double worst = 0;
   for (const NoiseSample& sample : samples) {
@@ -70,7 +70,7 @@ std::string contact_sheet(const SensorCheckArguments& arguments) {
   const synth::TimedPath timed = synth::make_path(arguments.path, file);
   const synth::SensorMotion motion{synth::sample(timed.path, timed.times), timed.path};
   const auto camera = vo::PinholeCamera::from_horizontal_fov(width, height, arguments.fov_deg);
-  constexpr double kQuality = 88;  // of 100; noise makes a lossless file five times as large
+  constexpr double kQuality = 88;  // of 100; noise makes lossless files five times as large
   return encode_webp(draw_contact_sheet(scene, renderers, camera, motion, motion.truth.size() / 2),
                      kQuality);
 }

@@ -7,8 +7,8 @@
 
 namespace tools {
 
-/// Writes a study's files into a folder and prints its table, or with --json its JSON. `command` is
-/// what repeats it.
+/// Writes a study's files into a folder and prints its table, or its JSON with --json. `command` is
+/// the command that repeats the study.
 void deliver_study(const StudyReport& report, const std::string& command, const std::string& folder,
                    const CommonOptions& common);
 

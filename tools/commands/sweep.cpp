@@ -38,7 +38,7 @@ struct SweepArguments {
   std::vector<std::string> scenarios;
 };
 
-/// Commas within brackets do not separate; the brackets are no part of the value.
+/// Splits a list at commas outside of brackets; the brackets are removed from the values.
 std::vector<std::string> split_values(const std::string& list) {
   std::vector<std::string> values(list.empty() ? 0 : 1);
   bool is_within = false;

@@ -98,7 +98,7 @@ void complete(TestArguments& arguments) {
   }
 }
 
-/// The baseline with what was run in the place of what it had.
+/// Returns the baseline with the scenarios of `results` replaced or added, by name.
 TestResults updated(const fs::path& baseline, const TestResults& results) {
   TestResults merged = results;
   if (fs::exists(baseline)) {
@@ -115,7 +115,7 @@ TestResults updated(const fs::path& baseline, const TestResults& results) {
   return merged;
 }
 
-/// Replaced, whatever was there: it has times, or is asked for by name.
+/// Writes a file that the user named, replacing an existing one; nothing if the name is empty.
 void write_asked(const std::string& file, const std::string& bytes) {
   if (!file.empty()) {
     vo::write_file(file, bytes, vo::ExistingOutput::replace);
@@ -145,7 +145,7 @@ int worst_code(const TestResults& results, const std::vector<Change>& changes) {
   return is_violated ? exit_code::kBoundViolated : exit_code::kOk;
 }
 
-/// Nothing without a baseline, and when it is being replaced.
+/// Returns the changes from the baseline; none without one or when it is being replaced.
 std::vector<Change> changes_from_baseline(const TestArguments& arguments,
                                           const TestResults& results) {
   if (arguments.baseline.empty() || arguments.update_baseline) {

@@ -29,7 +29,7 @@ vo::MonoOptions chosen_mono_options(const TrackArguments& arguments) {
   return options;
 }
 
-/// Median over the frames on which the map was observed, ms.
+/// Returns the median mapping time over the frames in which the map was observed, ms.
 double mapping_ms(const vo::MonoSequenceResult& result) {
   std::vector<double> times;
   for (const vo::StageTimes& time : result.times) {

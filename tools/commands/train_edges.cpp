@@ -137,7 +137,7 @@ void print_table(const std::vector<DetectorCurve>& curves, std::size_t views) {
   }
 }
 
-/// The first view of each scene.
+/// Returns the first view of each scene.
 std::vector<LabelledView> picture_views(const TrainArguments& arguments,
                                         const std::vector<LabelledView>& views) {
   std::vector<LabelledView> chosen;

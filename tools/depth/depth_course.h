@@ -7,8 +7,8 @@
 
 namespace tools {
 
-/// A map over time as SVG: by how much its scale has changed since the first frame, the median
-/// error, and how many hypotheses it holds.
+/// Returns an SVG of a depth map over time: the change of its scale since the first frame, the
+/// median error, and the number of hypotheses.
 std::string draw_course(const std::vector<MappedFrame>& frames);
 
 }  // namespace tools

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kOutlier = 0.1;
 
-/// A step of the true depth within two pixels.
+/// Returns depth_step where the true depth varies by more than 5 % within two pixels.
 EdgeKind kind_at(const vo::DepthImage& depth, cv::Point pixel) {
   constexpr int kRadius = 2;
   constexpr float kStep = 1.05F;
@@ -31,7 +31,7 @@ EdgeKind kind_at(const vo::DepthImage& depth, cv::Point pixel) {
   return farthest > kStep * nearest ? EdgeKind::depth_step : EdgeKind::surface;
 }
 
-/// All causes within a pixel: an edge lies between two.
+/// Returns all causes within one pixel, because an edge lies between two pixels.
 std::uint8_t causes_at(const synth::EdgeLabels& causes, cv::Point pixel) {
   const cv::Rect window =
       cv::Rect(pixel - cv::Point(1, 1), cv::Size(3, 3)) & cv::Rect(cv::Point(0, 0), causes.size());

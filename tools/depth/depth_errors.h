@@ -11,48 +11,49 @@
 
 namespace tools {
 
-/// What kind of edge a hypothesis lies on, by the true depth around it.
+/// Kind of edge that a hypothesis lies on, judged by the true depth around it.
 enum class EdgeKind { surface, depth_step };
 
-/// One hypothesis beside the truth.
+/// One depth hypothesis compared with the truth.
 struct DepthSample {
   double ratio = 1;             ///< estimated over true inverse depth
-  double normalized_error = 0;  ///< error over predicted standard deviation
-  double angle_deg = 0;         ///< of gradient and epipolar line, 0 to 90
+  double normalized_error = 0;  ///< error of inverse depth over its standard deviation
+  double angle_deg = 0;         ///< angle between gradient and epipolar line, 0..90 deg
   bool is_confident = false;
   EdgeKind kind = EdgeKind::surface;
-  std::uint8_t causes = 0;  ///< bits of synth::EdgeCause within a pixel, where they are known
+  std::uint8_t causes = 0;  ///< bits of synth::EdgeCause within 1 px; 0 if unknown
 };
 
-/// Errors of some of a map's hypotheses.
+/// Errors of a subset of a map's hypotheses; NaN if it is empty.
 struct DepthErrors {
   std::size_t count = 0;
-  double median_percent = 0;  ///< |relative error of the inverse depth|
+  double median_percent = 0;  ///< median |relative error| of the inverse depth
   double p90_percent = 0;
-  double outliers_percent = 0;  ///< beyond 10 %
-  double nees = 0;              ///< mean squared normalised error of those within 10 %
+  double outliers_percent = 0;  ///< share with a relative error beyond 10 %
+  double nees = 0;              ///< NEES: mean squared normalised error of the inliers
 };
 
-/// A map's errors against the true depth of its host: the best in a 3x3 window, because an edge
-/// between a near and a far surface belongs to the near one.
+/// A map's errors against its host's true depth, taken as the best value in a 3x3 window, because
+/// an edge between a near and a far surface belongs to the near one.
 struct MapErrors {
   DepthErrors confident;
-  DepthErrors all;                      ///< of which anything is known
-  DepthErrors surface;                  ///< confident, on texture and creases
+  DepthErrors all;                      ///< every hypothesis with an estimate
+  DepthErrors surface;                  ///< confident, not at a step of the true depth
   DepthErrors depth_step;               ///< confident, at a step of the true depth
-  std::array<DepthErrors, 4> by_cause;  ///< confident, by synth::EdgeCause; edges may have several
-  DepthErrors without_cause;            ///< confident, where causes are known and there is none
-  std::array<DepthErrors, 3> by_angle;  ///< confident; 0-30, 30-60, 60-90 deg
-  double density_percent = 0;           ///< confident hypotheses of all edge pixels kept
-  double scale = 1;                     ///< median estimated over true inverse depth, confident
+  std::array<DepthErrors, 4> by_cause;  ///< confident, by synth::EdgeCause; causes overlap
+  DepthErrors without_cause;            ///< confident, without a cause although causes are known
+  std::array<DepthErrors, 3> by_angle;  ///< confident, by angle: 0-30, 30-60, 60-90 deg
+  double density_percent = 0;           ///< share of hypotheses that are confident
+  double scale = 1;                     ///< median of estimated over true inverse depth, confident
 };
 
-/// Every hypothesis of which something is known and the truth is; the epipolar lines are those of
-/// the relation. Estimates are divided by `scale` first.
+/// Returns a sample for every hypothesis that has an estimate and a true depth; the epipolar lines
+/// are those of the relation. Estimates are divided by `scale` first.
 std::vector<DepthSample> depth_samples(const vo::DepthMap& map, const TrueView& truth,
                                        const vo::FrameRelation& relation, double scale);
 
-/// `host_scale` 1 for a metric map; 0 divides by the median scale found.
+/// Returns the map's errors after dividing the estimates by `host_scale`: 1 for a metric map; 0
+/// takes the median scale found.
 MapErrors map_errors(const vo::DepthMap& map, const TrueView& truth,
                      const vo::FrameRelation& relation, double host_scale = 1);
 

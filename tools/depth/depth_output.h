@@ -10,20 +10,20 @@
 
 namespace tools {
 
-/// Whether a map's scale is that of the truth, or is taken out before it is drawn.
+/// Whether a map is metric or of arbitrary scale, which is removed before it is drawn.
 enum class MapScale { metric, arbitrary };
 
-/// By what a map is divided before it is compared with the truth.
+/// Returns the scale that a map is divided by before it is compared with the truth.
 double divisor(const vo::DepthMap& map, const vo::DepthImage& true_depth, MapScale scale);
 
-/// A folder of what a map looked like: depth.csv, a picture of every n-th frame, cloud.ply of the
-/// last one pictured. It appears when all is there.
+/// Writes a folder with depth.csv, course.svg, a picture of every n-th frame and cloud.ply of the
+/// last one pictured. The folder appears when committed.
 class DepthOutput {
  public:
-  /// `every` 0 writes no picture.
+  /// Creates the staged folder; `every` 0 writes no picture.
   DepthOutput(const std::filesystem::path& folder, int every, vo::ExistingOutput existing);
 
-  MapObserver observer(MapScale scale);  ///< refers to this output
+  MapObserver observer(MapScale scale);  ///< callback that draws maps; refers to this output
   void commit(const std::vector<MappedFrame>& frames);
 
  private:

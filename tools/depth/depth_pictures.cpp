@@ -19,12 +19,12 @@ using Picture = cv::Mat_<cv::Vec3b>;
 
 const cv::Vec3b kBackground(40, 40, 40);
 
-/// A range of values as colours.
+/// A colour map over a range of values.
 struct ColourScale {
   double low = 0;
   double high = 1;
   std::string unit;
-  cv::Mat_<cv::Vec3b> colours;  ///< 256 of them, in a column
+  cv::Mat_<cv::Vec3b> colours;  ///< column of 256 colours
 
   ColourScale(double least, double greatest, std::string name_of_unit, int map)
       : low(least), high(greatest), unit(std::move(name_of_unit)) {
@@ -49,7 +49,7 @@ std::string labelled(double value, const std::string& unit) {
   return text.data();
 }
 
-/// The picture with the scale as a bar on its right, values on paper of its own.
+/// Returns the picture with a labelled colour bar on its right.
 Picture with_bar(const Picture& picture, const ColourScale& scale) {
   constexpr int kBar = 14;    // px
   constexpr int kPaper = 78;  // px
@@ -71,7 +71,7 @@ Picture with_bar(const Picture& picture, const ColourScale& scale) {
   return wide;
 }
 
-/// Two pixels wide, so that single pixels are seen.
+/// Draws a point of 2x2 pixels, so that it is visible.
 void put_point(Picture& picture, cv::Point pixel, const cv::Vec3b& colour) {
   picture(cv::Rect(pixel, cv::Size(2, 2)) & cv::Rect({0, 0}, picture.size())).setTo(colour);
 }
@@ -87,7 +87,7 @@ std::vector<std::size_t> confident_hypotheses(const vo::DepthMap& map) {
   return chosen;
 }
 
-/// The 2nd and 98th percentile of the true depths at the hypotheses, m.
+/// Returns the 2nd and 98th percentile of the true depths at the hypotheses, m.
 std::pair<double, double> depth_range(const vo::DepthMap& map, const vo::DepthImage& true_depth) {
   std::vector<float> depths;
   for (const cv::Point& pixel : map.hypotheses().pixel) {

@@ -66,7 +66,7 @@ Table error_table(const MapErrors& errors) {
   }
   for (const auto& [name, some] : subsets(errors)) {
     if (some.count == 0 && name.starts_with("edge_")) {
-      continue;  // the sequence has no such labels
+      continue;  // the sequence has no edge of this cause
     }
     std::vector<TableCell> row{name};
     append(some, row);

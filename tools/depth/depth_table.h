@@ -7,10 +7,10 @@
 
 namespace tools {
 
-/// One row a frame: counts, then errors of all subsets.
+/// Returns a table with a row per frame: counts, then the errors of all subsets.
 Table depth_table(const std::vector<MappedFrame>& frames);
 
-/// One row a subset of a frame's hypotheses.
+/// Returns a table with a row per subset of a frame's hypotheses.
 Table error_table(const MapErrors& errors);
 
 }  // namespace tools

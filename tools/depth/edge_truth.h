@@ -8,14 +8,14 @@
 
 namespace tools {
 
-/// What is true of one view.
+/// Ground truth of one view.
 struct TrueView {
   vo::DepthImage depth;
-  synth::EdgeLabels causes;  ///< of its edges; empty where nobody knows
+  synth::EdgeLabels causes;  ///< causes of the view's edges; empty where unknown
 };
 
-/// The renderer's exact edges of a frame, from the channel `edges` (`edvo render --channels
-/// edges`); empty where the sequence has none.
+/// Returns the renderer's exact edges of a frame, from the channel `edges` (`edvo render --channels
+/// edges`); empty where the sequence has none. Throws vo::Error if the labels have another size.
 synth::EdgeLabels true_edges(const vo::SequenceReader& sequence, std::size_t frame);
 
 }  // namespace tools

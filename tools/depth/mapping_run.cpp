@@ -11,7 +11,7 @@
 namespace tools {
 namespace {
 
-/// Of zero mean and unit variance (Box & Muller), the same everywhere.
+/// Returns a standard normal variate (Box & Muller) that is a function of seed and index.
 double normal(std::uint64_t seed, std::uint64_t index) {
   const auto uniform = [&](std::uint64_t stream) {
     const std::uint64_t bits = vo::mixed(vo::mixed(vo::mixed(seed) + index) + stream);
@@ -40,7 +40,7 @@ vo::PyramidOptions single_level() {
   return options;
 }
 
-/// One map following a sequence.
+/// Maintains one depth map over a sequence with given poses.
 class MappingRun {
  public:
   MappingRun(const vo::SequenceReader& sequence, const MappingOptions& options)
@@ -107,7 +107,7 @@ class MappingRun {
   vo::PyramidBuilder pyramid_builder_;
   vo::EdgeFinder finder_;
   vo::DepthMap map_;
-  TrueView truth_;  ///< of the host
+  TrueView truth_;  ///< ground truth of the host
   vo::SE3 T_world_host_;
 };
 

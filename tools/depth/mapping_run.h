@@ -14,11 +14,11 @@
 
 namespace tools {
 
-/// What the first host's depths are.
+/// How the first host keyframe's depths are initialised.
 enum class DepthStart {
-  random,  ///< guesses all over the range
-  flat,    ///< guesses of one depth
-  rgbd,    ///< the depth image
+  random,  ///< random depths over the whole range
+  flat,    ///< one constant depth
+  rgbd,    ///< depths of the depth image
 };
 
 constexpr auto enum_names(DepthStart) {
@@ -26,19 +26,19 @@ constexpr auto enum_names(DepthStart) {
                     std::pair{DepthStart::rgbd, "rgbd"}};
 }
 
-/// Mapping alone: poses are given.
+/// Options of mapping with given poses.
 struct MappingOptions {
   DepthStart start = DepthStart::random;
-  double flat_depth = 2;      ///< m
-  double rgbd_sigma = 0.01;   ///< relative
-  double pose_noise_m = 0;    ///< standard deviation per axis, of every frame's pose
-  double pose_noise_deg = 0;  ///< likewise
-  std::uint64_t seed = 0;     ///< of random depths and pose noise
-  int frames = 0;             ///< at most; 0 is all
+  double flat_depth = 2;      ///< depth of start = flat, m
+  double rgbd_sigma = 0.01;   ///< relative standard deviation of depths of start = rgbd
+  double pose_noise_m = 0;    ///< standard deviation of translation per axis
+  double pose_noise_deg = 0;  ///< standard deviation of rotation per axis
+  std::uint64_t seed = 0;     ///< seed of random depths and pose noise
+  int frames = 0;             ///< greatest number of frames; 0 = all
   vo::EdgeOptions edges;
   vo::DepthMapOptions map;
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error on an invalid option
 };
 
 template <typename Visitor>
@@ -54,27 +54,28 @@ void visit_fields(Visitor& visit, MappingOptions& options) {
   visit("map", options.map, "");
 }
 
-/// What one frame gave.
+/// Results of mapping one frame.
 struct MappedFrame {
   double timestamp = 0;   ///< s
-  double baseline_m = 0;  ///< to the host
+  double baseline_m = 0;  ///< distance to the host keyframe
   bool is_host = false;
   vo::ObservationCounts observations;
   MapErrors errors;
-  double mapping_ms = 0;  ///< diagnostic
+  double mapping_ms = 0;  ///< processor time of mapping; diagnostic
 };
 
-/// Told after each frame: the map, and the true depth of its host.
+/// Called after each frame with the map and the true depth of its host.
 using MapObserver =
     std::function<void(std::size_t frame, const vo::DepthMap& map, const vo::DepthImage& true_depth,
                        const vo::SE3& T_world_host)>;
 
-/// Maps a sequence with its ground-truth poses. Frames without one are left out.
+/// Maps a sequence with its ground-truth poses; frames without a pose are left out. Throws
+/// vo::Error without ground truth.
 std::vector<MappedFrame> map_sequence(const vo::SequenceReader& sequence,
                                       const MappingOptions& options, const MapObserver& observe,
                                       const vo::Progress& progress);
 
-/// A relation with pose noise of this standard deviation on both frames, as the map is told it.
+/// Returns a relation whose covariance is that of independent pose noise on both frames.
 vo::FrameRelation noisy_relation(const vo::SE3& T_cur_host, double sigma_m, double sigma_deg);
 
 }  // namespace tools

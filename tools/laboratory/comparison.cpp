@@ -17,7 +17,7 @@ namespace {
 
 enum class Sense { less_is_better, more_is_better, neither };
 
-/// What a metric's name says of it.
+/// Properties of a metric, derived from its name.
 struct MetricTraits {
   Sense sense = Sense::less_is_better;
   double negligible = 0;  ///< differences below this are never large
@@ -41,7 +41,7 @@ MetricTraits traits_of(const std::string& metric) {
   return {Sense::less_is_better, metric.ends_with("_deg") ? kAngle : kLength};
 }
 
-/// The values of two results that a test compares, those of the same seed in the same place.
+/// Samples of two results for a significance test; paired values have equal indices.
 struct Samples {
   std::vector<double> before;
   std::vector<double> after;
@@ -53,7 +53,7 @@ bool has_seed(const ScenarioResult& scenario, int seed) {
                      [&](const TrialResult& t) { return t.seed == seed && t.problem.empty(); });
 }
 
-/// The scenario with the trials alone that the other has, too.
+/// Returns the scenario without the trials whose seed was not measured in the other result.
 ScenarioResult common_trials(const ScenarioResult& scenario, const ScenarioResult& other) {
   ScenarioResult common = scenario;
   std::erase_if(common.trials, [&](const TrialResult& t) { return !has_seed(other, t.seed); });
@@ -64,8 +64,8 @@ ScenarioResult common_trials(const ScenarioResult& scenario, const ScenarioResul
 struct Pair {
   ScenarioResult before;
   ScenarioResult after;
-  bool paired = true;          ///< trials in the same place have the same seed
-  bool same_sequences = true;  ///< of those that have
+  bool paired = true;          ///< trials with equal index have equal seeds
+  bool same_sequences = true;  ///< paired trials tracked identical sequences
 };
 
 bool is_measured(const TrialResult& trial) {
@@ -99,13 +99,13 @@ double ratio(const Share& share) {
   return share.of == 0 ? 0 : static_cast<double>(share.having) / share.of;
 }
 
-/// Of the values that were measured; NaN without any.
+/// Returns the mean of the finite values; NaN without any.
 double mean_of(std::vector<double> values) {
   std::erase_if(values, [](double v) { return !std::isfinite(v); });
   return values.empty() ? std::numeric_limits<double>::quiet_NaN() : spread(values).mean;
 }
 
-/// Those alone that were measured, of pairs both.
+/// Returns the finite values; of pairs only those with both values finite.
 Samples measured(const Samples& samples) {
   Samples kept{.before = {}, .after = {}, .paired = samples.paired};
   const std::size_t count = std::max(samples.before.size(), samples.after.size());
@@ -126,7 +126,8 @@ bool all_positive(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return v > 0; });
 }
 
-/// Errors vary by factors: their logarithms are nearer to normal than they are.
+/// Returns the p-value of no difference. Errors vary by factors, so positive values are compared by
+/// their logarithms, which are nearer to normal.
 double p_value_of(Samples samples) {
   if (all_positive(samples.before) && all_positive(samples.after)) {
     const auto logarithm = [](double v) { return std::log(v); };
@@ -161,7 +162,7 @@ void judge_size(Change& change, const MetricTraits& traits, const ComparisonOpti
   change.is_large = std::abs(difference) > traits.negligible && std::abs(change.percent) > allowed;
 }
 
-/// A metric that more or fewer seeds have. All against none needs no statistics.
+/// Judges a metric that is measured in another share of the trials; all against none needs no test.
 void judge_missing(Change& change, const Share& before, const Share& after) {
   const double was = ratio(before);
   const double is = ratio(after);

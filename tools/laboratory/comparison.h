@@ -7,13 +7,13 @@
 
 namespace tools {
 
-/// When a difference of two results is an alarm: it is no chance, and it is large.
+/// Thresholds that make a change between two results an alarm: it is both significant and large.
 struct ComparisonOptions {
-  double level = 0.01;         ///< probability of any false alarm at all, over all comparisons
-  double worse_percent = 10;   ///< a loss beyond this share of what it was is an alarm
-  double better_percent = 30;  ///< a gain beyond this share, too: it mostly is a mistake
+  double level = 0.01;  ///< family-wise error rate: probability of any false alarm in a comparison
+  double worse_percent = 10;   ///< a metric that is worse by more than this is a large change
+  double better_percent = 30;  ///< a metric that is better, or merely different, by more is too
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error on an invalid option
 };
 
 template <typename Visitor>
@@ -27,34 +27,34 @@ enum class ChangeKind { none, worse, better, different };
 
 std::string to_text(ChangeKind kind);
 
-/// One metric of one scenario, in two results.
+/// One metric of one scenario, compared between two results.
 struct Change {
   std::string scenario;
   std::string metric;
-  double before = 0;  ///< mean over the seeds; NaN = not measured
+  double before = 0;  ///< mean over the seeds of the earlier result; NaN = not measured
   double after = 0;
-  double percent = 0;  ///< after over before, less 1
-  double p_value = 1;  ///< of no change at all
+  double percent = 0;  ///< relative change from before to after, %
+  double p_value = 1;  ///< p-value of the null hypothesis that nothing changed
   ChangeKind kind = ChangeKind::none;
   bool is_significant = false;
   bool is_large = false;
-  std::string note;  ///< mostly empty
+  std::string note;  ///< further remark, usually empty
 
   bool is_alarm() const { return is_significant && is_large; }
 };
 
-/// `room_orbit: ate_rmse_m was 0.0038, is 0.0076 (+100 %, p 0.0001): worse`.
+/// Returns one line such as `room_orbit: ate_rmse_m was 0.0038, is 0.0076 (+100 %, p 0.0001):
+/// worse`.
 std::string describe(const Change& change);
 
-/// Every metric of the scenarios that both have. Trials of the same seed are compared pairwise
-/// (Student's test of the logarithms' differences), trials of other seeds as independent samples
-/// (Welch's); over all of them Holm's correction keeps the probability of any false alarm. With a
-/// single seed there is no chance to be seen: tracker and sequence are deterministic, and every
-/// difference is significant.
+/// Compares every metric of the scenarios in both results. Trials with the same seeds are compared
+/// by a paired t-test of the logarithms' differences, others as independent samples by Welch's
+/// t-test; Holm's correction bounds the probability of any false alarm. A single pair of trials
+/// gives no variance: tracker and sequence are deterministic, so every difference is significant.
 std::vector<Change> compare_results(const TestResults& before, const TestResults& after,
                                     const ComparisonOptions& options);
 
-/// The names of scenarios that only the first has.
+/// Returns the names of the scenarios in `among` that `from` does not have.
 std::vector<std::string> missing_scenarios(const TestResults& among, const TestResults& from);
 
 }  // namespace tools

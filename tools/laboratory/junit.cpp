@@ -8,7 +8,7 @@
 namespace tools {
 namespace {
 
-/// As the value of an attribute.
+/// Returns the text in a form fit for an XML attribute value.
 std::string escaped(const std::string& text) {
   return escaped_markup(readable_text(text));
 }
@@ -28,7 +28,7 @@ std::string element(const char* name, const char* type, const std::string& messa
   return vo::concat("      <", name, " type=\"", type, "\" message=\"", escaped(message), "\"/>\n");
 }
 
-/// The children of a test case: at most one failure or error, as some readers expect.
+/// Returns the child of a test case: at most one failure or error, as some readers expect.
 std::string outcome_of(const ScenarioResult& scenario, const std::vector<std::string>& alarms) {
   std::vector<std::string> sentences = complaints(scenario);
   const bool is_error = scenario.verdict() == Verdict::error;

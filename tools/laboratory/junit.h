@@ -8,9 +8,9 @@
 
 namespace tools {
 
-/// JUnit XML as continuous integration reads it (the schema that Jenkins and Maven Surefire share):
-/// a test case per scenario with its time, a failure per violated bound or alarm, an error where
-/// nothing could be measured.
+/// Returns JUnit XML as continuous integration reads it (the schema that Jenkins and Maven Surefire
+/// share): a test case per scenario with its time, a failure where bounds are violated or alarms
+/// raised, an error where nothing could be measured.
 std::string format_junit(const TestResults& results, const std::vector<Change>& changes);
 
 }  // namespace tools

@@ -18,10 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLost = 5;                     // exit code
-constexpr double kMaxTimeDifference = 0.02;  // s, of a pose and the frame that it is of
+constexpr int kLost = 5;                     // exit code of a tracker that was lost
+constexpr double kMaxTimeDifference = 0.02;  // s, between a pose and its frame
 
-/// An empty folder that is gone, with all it holds, when the object is.
+/// A temporary folder that is removed with its contents by the destructor.
 class ScratchFolder {
  public:
   ScratchFolder() {
@@ -55,7 +55,7 @@ std::string replaced(std::string text, const std::string& name, const fs::path& 
   return text;
 }
 
-/// `: its last line` of what the program printed, or nothing.
+/// Returns `; it last said: ` with the program's last line of output, or nothing.
 std::string last_words(const fs::path& printed) {
   std::string text = fs::exists(printed) ? vo::read_file(printed) : "";
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) {
@@ -71,14 +71,14 @@ void require_good_end(const ChildEnd& end, const OutsideTracker& tracker, const 
               " s, its time limit", last_words(printed));
   vo::require(end.signal == 0, "the tracker crashed (signal ", end.signal, ")",
               last_words(printed));
-  constexpr int kShellSignal = 128;  // a shell says so of what it ran
+  constexpr int kShellSignal = 128;  // a shell's exit code for signal n is 128 + n
   vo::require(end.exit_code <= kShellSignal, "the tracker crashed (signal ",
               end.exit_code - kShellSignal, ")", last_words(printed));
   vo::require(end.exit_code == 0 || end.exit_code == kLost, "the tracker ended with exit code ",
               end.exit_code, ", expected 0", last_words(printed));
 }
 
-/// Of a tracker that was lost from the first frame on: no file, or one of comments alone.
+/// Returns whether there is no output file, or one of comments alone: all frames were lost.
 bool has_no_pose(const fs::path& output) {
   std::istringstream lines(fs::is_regular_file(output) ? vo::read_file(output) : "");
   for (std::string line; std::getline(lines, line);) {
@@ -97,7 +97,7 @@ vo::SequenceResult all_lost(const vo::SequenceReader& sequence) {
   return result;
 }
 
-/// In the words of a user who does not know the temporary file.
+/// Reads the trajectory. Errors do not name the temporary file, which the user does not know.
 vo::Trajectory read_output(const fs::path& output, const fs::path& printed) {
   vo::require(fs::exists(output), "the tracker wrote no trajectory to {output}",
               last_words(printed));
@@ -128,7 +128,7 @@ const vo::StampedPose* find_pose(const vo::Trajectory& trajectory, double timest
   return is_near ? &*nearest : nullptr;
 }
 
-/// The tracker's world is its own; its first pose is where the truth is then.
+/// Moves the estimate so that its first pose equals the ground truth at that time.
 void move_to_truth(vo::Trajectory& estimate, const vo::Trajectory& truth) {
   const vo::StampedPose* first = find_pose(truth, estimate.front().timestamp);
   vo::require(first != nullptr, "the tracker's trajectory begins at ",

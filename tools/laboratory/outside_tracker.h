@@ -11,24 +11,25 @@
 
 namespace tools {
 
-/// A program that tracks: a command of the shell in which {sequence} stands for the folder of an
+/// An external tracking program: a shell command in which {sequence} stands for the folder of an
 /// RGB-D sequence, {camera} for its camera.toml and {output} for the TUM trajectory to write. Exit
-/// code 0 says that it is done, 5 (as of `edvo track`) that frames, or all, are missing because it
-/// was lost.
+/// code 0 means success, 5 (as in `edvo track`) that poses of some or all frames are missing
+/// because tracking was lost.
 struct OutsideTracker {
   std::string command;
-  double time_limit = 600;  ///< s, for one sequence
+  double time_limit = 600;  ///< time limit for one sequence, s
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error on an invalid option
 };
 
-/// Runs it on the sequence in `folder`, whose poses are then moved so that the first one is the
-/// truth's. Frames carry their status alone. Throws vo::Error, in a sentence, when the program
-/// crashes, takes too long, or writes nothing or something else than a trajectory of the sequence.
+/// Runs the tracker on the sequence in `folder` and moves its poses so that the first one equals
+/// the ground truth's. Frames carry only their status and pose. Throws vo::Error, in a sentence,
+/// when the program crashes, takes too long, or writes no valid trajectory of the sequence.
 vo::SequenceResult track_outside(const OutsideTracker& tracker, const std::filesystem::path& folder,
                                  const vo::SequenceReader& sequence, const WaitObserver& waiting);
 
-/// The bounds of what is known of an outside program: not of keyframes and covariances.
+/// Returns the bounds without those on metrics that only edvo's own tracker reports: keyframes,
+/// covariances, maps.
 std::map<std::string, Bound> outside_bounds(const std::map<std::string, Bound>& expect);
 
 }  // namespace tools

@@ -15,29 +15,29 @@ namespace tools {
 struct ScenarioReport;
 
 enum class ProblemKind {
-  unusable,   ///< scenario, scene or place to write
-  temporary,  ///< disk full
-  tracker     ///< the outside program failed
+  unusable,   ///< the scenario, the scene or the output path is unusable
+  temporary,  ///< a retry may succeed, such as after a full disk
+  tracker     ///< the external tracker failed
 };
 
-/// One scenario with one seed.
+/// The result of one scenario with one seed.
 struct TrialResult {
-  int seed = 0;          ///< 0 is the scenario as its file says
-  std::string sequence;  ///< hash of the files of the sequence that was tracked
+  int seed = 0;          ///< 0 is the scenario as its file defines it
+  std::string sequence;  ///< hash of the tracked sequence's files
   std::size_t frames = 0;
-  Metrics metrics;      ///< NaN where nothing was measured
-  std::string problem;  ///< one sentence on why nothing was measured; mostly empty
-  std::string note;     ///< what should be known beside the result; mostly empty
-  ProblemKind kind = ProblemKind::unusable;      ///< of the problem. In no file, as what follows
-  bool was_kept = false;                         ///< measured by an earlier run of the same program
-  double time = 0;                               ///< s, diagnostic
-  std::shared_ptr<const ScenarioReport> report;  ///< where it was asked for
+  Metrics metrics;      ///< NaN marks a metric that was not measured
+  std::string problem;  ///< one sentence on why nothing was measured; empty on success
+  std::string note;     ///< remark for the user beside the result, usually empty
+  ProblemKind kind = ProblemKind::unusable;  ///< kind of the problem; not stored in files
+  bool was_kept = false;                     ///< taken from the cache of an earlier run; not stored
+  double time = 0;                           ///< run time, s; diagnostic, not stored
+  std::shared_ptr<const ScenarioReport> report;  ///< null unless requested; not stored
 };
 
 enum class Verdict {
   passed,
-  failed,  ///< a bound does not hold
-  error    ///< it could not be measured
+  failed,  ///< a bound is violated
+  error    ///< a trial could not be measured
 };
 
 std::string to_text(Verdict verdict);
@@ -45,35 +45,35 @@ std::string to_text(Verdict verdict);
 struct ScenarioResult {
   std::string name;
   std::string why;
-  std::vector<TrialResult> trials;  ///< by seed; one with a problem where the file is unusable
-  std::vector<BoundCheck> checks;   ///< of the means over the seeds
+  std::vector<TrialResult> trials;  ///< by seed; one with a problem if the file is unusable
+  std::vector<BoundCheck> checks;   ///< bounds checked against the means over the seeds
 
   Verdict verdict() const;
-  double time() const;  ///< s, of all trials
+  double time() const;  ///< total run time of all trials, s
 };
 
 struct TestResults {
-  std::string edvo;     ///< version
-  std::string tracker;  ///< "edvo" or the command of an outside program
+  std::string edvo;     ///< version of edvo
+  std::string tracker;  ///< "edvo" or the command of an external tracker
   std::vector<ScenarioResult> scenarios;
 
   bool passed() const;
 };
 
-/// The values of one metric over the trials without a problem, in the order of their seeds.
+/// Returns the values of one metric over the trials without a problem, in seed order.
 std::vector<double> values_of(const ScenarioResult& scenario, const std::string& metric);
 
-/// Every metric with its mean over the seeds and 95 % confidence interval.
+/// Returns every metric's mean over the seeds with its 95 % confidence interval.
 std::vector<std::pair<std::string, Estimate>> estimate_metrics(const ScenarioResult& scenario);
 
-/// Judges the means over the trials.
+/// Checks the means over the trials against the bounds in `expect`.
 std::vector<BoundCheck> check_means(const ScenarioResult& scenario,
                                     const std::map<std::string, Bound>& expect);
 
-/// `ate_rmse_m is 0.012, expected <= 0.01`.
+/// Returns a text such as `ate_rmse_m is 0.012, expected <= 0.01`.
 std::string violation_text(const BoundCheck& check);
 
-/// Every problem and every violation of a scenario, one sentence each.
+/// Returns every problem and every bound violation of a scenario, one sentence each.
 std::vector<std::string> complaints(const ScenarioResult& scenario);
 
 }  // namespace tools

@@ -8,16 +8,16 @@
 
 namespace tools {
 
-/// Results as JSON: `"schema": "edvo.results"` and its version. A baseline is the same file. No
-/// times, no places: equal runs give equal bytes.
+/// Returns the results as JSON with `"schema": "edvo.results"` and its version; a baseline is such
+/// a file. It has neither times nor paths, so that equal runs give equal bytes.
 nlohmann::ordered_json results_json(const TestResults& results);
 
-/// Throws vo::Error naming the file when it is no such JSON or of another version.
+/// Reads results. Throws vo::Error naming the file when it is invalid or of another version.
 TestResults read_results(const std::filesystem::path& file);
 
 nlohmann::ordered_json trial_json(const TrialResult& trial);
 
-/// Throws vo::Error or nlohmann::json::exception. Metrics that are absent are NaN.
+/// Parses a trial; absent metrics are NaN. Throws vo::Error or nlohmann::json::exception.
 TrialResult trial_from_json(const nlohmann::json& json);
 
 }  // namespace tools

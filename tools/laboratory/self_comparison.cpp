@@ -11,7 +11,7 @@
 namespace tools {
 namespace {
 
-/// By Fisher and Yates.
+/// Shuffles the trials with the Fisher-Yates algorithm.
 void shuffle(std::vector<TrialResult>& trials, std::uint64_t seed) {
   for (std::size_t i = trials.size(); i > 1; --i) {
     const double uniform = vo::random_uniform({seed, i});
@@ -19,7 +19,7 @@ void shuffle(std::vector<TrialResult>& trials, std::uint64_t seed) {
   }
 }
 
-/// Two results of halves of the trials.
+/// Splits every scenario's trials at random into two results.
 std::pair<TestResults, TestResults> split(const TestResults& results, std::uint64_t seed) {
   std::pair<TestResults, TestResults> halves{results, results};
   for (std::size_t i = 0; i < results.scenarios.size(); ++i) {

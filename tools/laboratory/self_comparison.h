@@ -5,9 +5,9 @@
 
 namespace tools {
 
-/// How many of so many comparisons raise an alarm where there is nothing to find: each splits every
-/// scenario's trials at random into two halves and compares these as two results of other seeds.
-/// Throws vo::Error where a scenario has fewer than four trials.
+/// Returns how many of `comparisons` comparisons without a true difference raise an alarm: each
+/// splits every scenario's trials at random into two halves and compares these as independent
+/// samples. Throws vo::Error where a scenario has fewer than four trials.
 int count_false_alarms(const TestResults& results, int comparisons,
                        const ComparisonOptions& options);
 

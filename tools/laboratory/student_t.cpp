@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// The d-th coefficient of the continued fraction of the incomplete beta function (Abramowitz and
-/// Stegun, 26.5.8).
+/// Returns the d-th coefficient of the continued fraction of the incomplete beta function
+/// (Abramowitz and Stegun, 26.5.8).
 double beta_coefficient(int d, double a, double b, double x) {
   const auto m = static_cast<double>(d / 2);
   if (d % 2 == 0) {
@@ -23,7 +23,7 @@ double beta_coefficient(int d, double a, double b, double x) {
   return -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1));
 }
 
-/// The continued fraction 1 / (1 + d1 / (1 + d2 / ...)), by Lentz' method.
+/// Returns the continued fraction 1 / (1 + d1 / (1 + d2 / ...)), evaluated by Lentz' method.
 double beta_fraction(double a, double b, double x) {
   constexpr double kTiny = 1e-300;
   constexpr int kMaxTerms = 1000;
@@ -43,7 +43,7 @@ double beta_fraction(double a, double b, double x) {
   return 1 / fraction;
 }
 
-/// The regularized incomplete beta function I_x(a, b).
+/// Returns the regularized incomplete beta function I_x(a, b).
 double incomplete_beta(double a, double b, double x) {
   if (x <= 0 || x >= 1) {
     return x <= 0 ? 0 : 1;
@@ -63,7 +63,7 @@ double log_binomial(int n, int k) {
   return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0);
 }
 
-/// Whether what differs between values is no more than how numbers are rounded.
+/// Returns whether a deviation is within floating-point rounding of the mean.
 bool is_rounding(double deviation, double mean) {
   return deviation <= 1e-12 * std::abs(mean);
 }

@@ -8,7 +8,7 @@
 namespace tools {
 namespace {
 
-constexpr std::size_t kPictureBytes = 6'000'000;  // of all scenarios together
+constexpr std::size_t kPictureBytes = 6'000'000;  // bytes of pictures of all scenarios together
 
 void judge_by_means(ScenarioReport& report, const ScenarioResult& result) {
   for (ReportedMetric& metric : report.metrics) {
@@ -27,7 +27,7 @@ void judge_by_means(ScenarioReport& report, const ScenarioResult& result) {
   }
 }
 
-/// What nobody sees from the metrics and bounds.
+/// Returns what metrics and bounds do not show: the trials' problems and the alarms.
 std::string problems_of(const ScenarioResult& result, const std::vector<Change>& changes) {
   std::vector<std::string> sentences;
   for (const TrialResult& trial : result.trials) {

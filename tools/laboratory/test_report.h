@@ -10,11 +10,11 @@
 
 namespace tools {
 
-/// So many pictures of each scenario that a report of all of them stays small enough to be sent.
+/// Returns a picture limit per scenario that keeps a report of all scenarios small enough to send.
 GalleryOptions pictures_of_each(std::size_t scenarios);
 
-/// What a report shows of every scenario: the means over the seeds with their bounds, the run of
-/// the first seed where a trial holds its report, and whatever was wrong.
+/// Returns a report per scenario: the metrics' means over the seeds with their bounds, the run of
+/// the first seed where its trial holds a report, and every problem and alarm.
 std::vector<ScenarioReport> test_reports(const TestResults& results,
                                          const std::vector<Change>& changes);
 

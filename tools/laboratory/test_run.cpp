@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Only whether it says so: whether it can be used is found when it is run.
+/// Returns whether the file says `slow = true`; an unusable file is found when it is run.
 bool is_slow(const fs::path& file) {
   try {
     const std::vector<vo::TomlValue> values = vo::read_toml(file);
@@ -40,10 +40,10 @@ std::vector<fs::path> scenarios_in(const fs::path& folder, SlowScenarios slow) {
   return files;
 }
 
-/// A file and what was read of it.
+/// A scenario file's result and, if it could be loaded, its scenario.
 struct LoadedScenario {
   ScenarioResult result;
-  std::optional<Scenario> scenario;  ///< nothing where the file cannot be used
+  std::optional<Scenario> scenario;  ///< empty if the file is unusable
 };
 
 LoadedScenario load(const fs::path& file) {

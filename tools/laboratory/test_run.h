@@ -12,30 +12,31 @@ namespace tools {
 struct RunSettings {
   TrialSettings trial;
   int seeds = 1;
-  int jobs = 1;  ///< trials at a time
+  int jobs = 1;  ///< number of trials that run concurrently
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error on an invalid setting
 };
 
 enum class SlowScenarios { leave_out, include };
 
-/// The scenario files that paths name, by name: files themselves, and those of folders without the
-/// slow ones. Throws vo::Error naming a path that is not there or a folder without scenarios.
+/// Returns the scenario files that the paths name, and those of folders sorted by name, slow ones
+/// only if included. Throws vo::Error naming a missing path or a folder without scenarios.
 std::vector<std::filesystem::path> find_scenarios(const std::vector<std::filesystem::path>& paths,
                                                   SlowScenarios slow);
 
-/// One of many trials.
+/// One scenario and one seed to run it with.
 struct TrialJob {
   Scenario scenario;
   int seed = 0;
 };
 
-/// In the order of the jobs, however they were done. `progress` counts trials, `waiting` is told
-/// again and again, from several threads at once.
+/// Returns the results in job order. `progress` counts trials; `waiting` is called repeatedly, from
+/// several threads at once.
 std::vector<TrialResult> run_trials(const std::vector<TrialJob>& jobs, const RunSettings& settings,
                                     const vo::Progress& progress, const WaitObserver& waiting);
 
-/// Every scenario with every seed, judged. A file that cannot be used is a scenario with a problem.
+/// Runs every scenario with every seed and checks the means against the bounds. A scenario whose
+/// file is unusable gets a trial with a problem.
 TestResults run_tests(const std::vector<std::filesystem::path>& files, const RunSettings& settings,
                       const vo::Progress& progress, const WaitObserver& waiting);
 

@@ -29,7 +29,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kUnknownMetric = std::numeric_limits<double>::quiet_NaN();
 
-/// Of this program's file: another build may measure something else.
+/// Returns the hash of this program's file, because another build may measure differently.
 const std::string& program_hash() {
   static const std::string hash = [] {
     vo::ContentHash content;
@@ -39,7 +39,7 @@ const std::string& program_hash() {
   return hash;
 }
 
-/// Under which the result of our own tracker is kept.
+/// Returns the cache key of edvo's own result on a sequence.
 std::string kept_key(const Scenario& scenario, const std::string& sequence) {
   Scenario copy = scenario;
   vo::ContentHash hash;
@@ -51,7 +51,7 @@ std::string kept_key(const Scenario& scenario, const std::string& sequence) {
   return vo::to_hex(hash.value());
 }
 
-/// What an earlier run measured; nothing where it left no or an unreadable file.
+/// Returns the cached result of an earlier run; empty if there is no readable file.
 std::optional<TrialResult> read_kept(const fs::path& file) {
   if (!fs::exists(file)) {
     return {};
@@ -100,7 +100,7 @@ void measure_outside(const Scenario& scenario, const TrialSettings& settings,
   }
 }
 
-/// Tracks as without a report, and draws what a report shows.
+/// Tracks the sequence, adds a report with pictures to the trial and returns the metrics.
 Metrics reported(const Scenario& scenario, const vo::SequenceReader& sequence,
                  const GalleryOptions& pictures, const vo::Progress& progress, TrialResult& trial) {
   FrameGallery gallery(pictures);

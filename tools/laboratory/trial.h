@@ -13,15 +13,15 @@ namespace tools {
 
 struct TrialSettings {
   std::filesystem::path cache;
-  std::optional<OutsideTracker> tracker;   ///< ours where there is none
-  bool measure_again = false;              ///< what this program has measured before
-  std::optional<GalleryOptions> pictures;  ///< seed 0 is reported with these
+  std::optional<OutsideTracker> tracker;   ///< external tracker; edvo's own if empty
+  bool measure_again = false;              ///< ignores results in the cache
+  std::optional<GalleryOptions> pictures;  ///< if set, seed 0 gets a report with pictures
 };
 
-/// Renders what the cache does not hold, tracks and measures. What our own tracker has measured is
-/// kept in the cache under the hash of the program, the tracker's options and the sequence's bytes;
-/// the next run takes it from there, but for a seed that is reported. Whatever makes this
-/// impossible is the result's `problem`; nothing but what `waiting` throws ends it.
+/// Renders the sequence unless the cache holds it, tracks it and measures. Results of edvo's own
+/// tracker are cached under the hash of the program, the tracker's options and the sequence's bytes
+/// and reused, except for a seed that is reported. An error becomes the result's `problem`; only
+/// exceptions thrown by `waiting` propagate.
 TrialResult run_trial(const Scenario& scenario, int seed, const TrialSettings& settings,
                       const WaitObserver& waiting);
 

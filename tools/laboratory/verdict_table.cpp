@@ -14,7 +14,7 @@ namespace {
 struct ShownMetric {
   const char* metric;
   const char* title;
-  double factor;  ///< from the metric's unit to the title's
+  double factor;  ///< conversion factor to the title's unit
   int decimals;
 };
 
@@ -24,7 +24,7 @@ constexpr std::array<ShownMetric, 5> kShown{{{"ate_rmse_m", "ate_mm", 1000, 2},
                                              {"drift_percent", "drift_%", 1, 2},
                                              {"tracked_fraction", "tracked_%", 100, 1}}};
 
-/// `3.78`, or `3.78 +-0.21` over several seeds.
+/// Returns a text such as `3.78`, or `3.78 +-0.21` with half the confidence interval.
 std::string estimate_text(const Estimate& estimate, const ShownMetric& shown) {
   std::string text = format_decimals(shown.factor * estimate.mean, shown.decimals);
   if (estimate.high > estimate.low) {

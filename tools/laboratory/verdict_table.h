@@ -8,11 +8,12 @@
 
 namespace tools {
 
-/// What `edvo test` prints: a line per scenario, then every complaint, alarm and note as a
-/// sentence, then how many scenarios passed.
+/// Returns what `edvo test` prints: a line per scenario, then every complaint, alarm and note as a
+/// sentence, then the number of scenarios by verdict.
 std::string format_verdicts(const TestResults& results, const std::vector<Change>& changes);
 
-/// What `edvo compare` prints: the changes worth a look, alarms first, and a sentence on the rest.
+/// Returns what `edvo compare` prints: the changes that are large or significant, alarms first, and
+/// a sentence on the others.
 std::string format_changes(const std::vector<Change>& changes);
 
 }  // namespace tools

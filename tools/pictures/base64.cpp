@@ -7,7 +7,7 @@ namespace tools {
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  constexpr std::size_t kGroup = 3;  // bytes that make four digits
+  constexpr std::size_t kGroup = 3;  // number of bytes that make four digits
   std::string text;
   text.reserve((bytes.size() + kGroup - 1) / kGroup * 4);
   for (std::size_t start = 0; start < bytes.size(); start += kGroup) {

@@ -5,7 +5,7 @@
 
 namespace tools {
 
-/// RFC 4648, with padding.
+/// Returns the bytes in base64 (RFC 4648) with padding.
 std::string base64(std::string_view bytes);
 
 }  // namespace tools

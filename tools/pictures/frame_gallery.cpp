@@ -40,7 +40,7 @@ ValuePicture encode_values(const cv::Mat_<float>& values, std::array<double, 2> 
   return {encode_webp(draw_values(values, range), kValueQuality), range};
 }
 
-/// Few shades: a lossless picture of dots is then small.
+/// Encodes residuals with few shades, which keeps a lossless picture of dots small.
 std::string encode_residuals(const vo::EdgePointLevel& points, const vo::PyramidLevel& level,
                              const vo::SE3& T_cur_ref) {
   constexpr int kShadeBits = 3;
@@ -79,7 +79,7 @@ vo::DepthImage inverse_of(const vo::DepthImage& depth, cv::Size size) {
   return fitting;
 }
 
-/// Keeps the elements at even indices.
+/// Removes the elements at odd indices.
 template <typename T>
 void halve(std::vector<T>& elements) {
   std::size_t kept = 0;

@@ -8,13 +8,13 @@
 
 namespace tools {
 
-/// Writes the panel of every n-th frame into a folder that appears when all are there.
+/// Writes the panel of every n-th frame into a folder that appears when committed.
 class PanelWriter {
  public:
-  /// `every` 0 writes none and makes no folder.
+  /// Creates the staged folder; with `every` 0 nothing is written and no folder made.
   PanelWriter(const std::filesystem::path& folder, int every, vo::ExistingOutput existing);
 
-  vo::FrameObserver observer();  ///< refers to this writer
+  vo::FrameObserver observer();  ///< callback that writes panels; refers to this writer
   void commit();
 
  private:

@@ -40,7 +40,7 @@ std::string metres(double value) {
   return text.data();
 }
 
-/// Near is bright, far is dark, no measurement is grey; the bar on the right carries the metres.
+/// Draws near bright, far dark and missing depth grey; the bar on the right is labelled in metres.
 Picture draw_depth(const vo::DepthImage& depth) {
   const auto [nearest, farthest] = positive_range(depth);
   vo::DepthImage with_bar = depth.clone();

@@ -15,14 +15,14 @@ class Tracker;
 
 namespace tools {
 
-/// A line of text at the top left of a picture.
+/// Returns the picture with a line of text at its top left.
 cv::Mat_<cv::Vec3b> titled(cv::Mat_<cv::Vec3b> picture, const std::string& title);
 
-/// Pictures beside each other, and rows of them below each other; all have the same size.
+/// Returns rows of pictures, each row below the one before; all pictures have equal size.
 cv::Mat_<cv::Vec3b> montage(const std::vector<std::vector<cv::Mat_<cv::Vec3b>>>& rows);
 
-/// One picture of how a frame was tracked: image | edges | depth over residual before | residual
-/// after | figures.
+/// Returns a picture of how a frame was tracked: image | edges | depth over residual before |
+/// residual after | numbers.
 cv::Mat_<cv::Vec3b> draw_panel(const vo::RgbdFrame& frame, const vo::FramePyramid& pyramid,
                                const vo::Tracker& tracker, const vo::TrackingResult& result);
 

@@ -13,7 +13,7 @@ namespace {
 
 using Picture = cv::Mat_<cv::Vec3b>;
 
-constexpr double kFullResidual = 30.0 / 255;  // intensity at which the colour saturates
+constexpr double kFullResidual = 30.0 / 255;  // residual at which the colour saturates, intensity
 
 cv::Vec3b residual_colour(float residual) {
   const double strength = std::min(std::abs(residual) / kFullResidual, 1.0);

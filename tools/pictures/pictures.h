@@ -16,22 +16,22 @@ class Tracker;
 
 namespace tools {
 
-/// A grey or colour image as a colour picture of its own.
+/// Returns a grey or colour image as a colour picture (BGR) with its own memory.
 cv::Mat_<cv::Vec3b> as_picture(const cv::Mat& image);
 
-/// The least and the greatest of the values above 0; both 0 where there is none.
+/// Returns the least and the greatest value above 0; both are 0 where there is none.
 std::array<double, 2> positive_range(const cv::Mat_<float>& values);
 
-/// Values of a range in viridis' colours, the first end dark and the second bright (the range may
-/// fall); grey where the value is 0.
+/// Returns the values in viridis' colours, the first end of the range dark and the second bright
+/// (the range may fall); grey where the value is 0.
 cv::Mat_<cv::Vec3b> draw_values(const cv::Mat_<float>& values, std::array<double, 2> range);
 
-/// The residuals at the reference's pixels: blue darker, red brighter than the reference, white
-/// equal, yellow not in view.
+/// Returns the residuals at the reference's pixels: blue darker, red brighter than the reference,
+/// white equal, yellow not in view, dark grey elsewhere.
 cv::Mat_<cv::Vec3b> draw_residuals(const vo::EdgePointLevel& points, const vo::PyramidLevel& level,
                                    const vo::SE3& T_cur_ref);
 
-/// The first reference's points of one level; none where the frame was not aligned to any.
+/// Returns one level of the first reference's points; none where the frame was not aligned.
 vo::EdgePointLevel aligned_points(const vo::Tracker& tracker, const vo::TrackingResult& result,
                                   std::size_t level);
 

@@ -33,7 +33,7 @@ Voxel voxel_of(const Eigen::Vector3f& position, float side) {
           static_cast<std::int64_t>(cell.z())};
 }
 
-/// The first point of each voxel, in the order of the voxels.
+/// Returns the first point of each voxel, in the order of the voxels.
 std::vector<ColouredPoint> first_of_voxels(const std::vector<ColouredPoint>& points, float side) {
   std::vector<std::pair<Voxel, std::size_t>> order;
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -17,28 +17,29 @@ struct ColouredPoint {
   std::array<std::uint8_t, 3> rgb{};  ///< sRGB
 };
 
-/// Some of what a frame's depth image shows, in the camera's frame.
+/// A sparse sample of a frame's depth image as points in the camera's frame.
 struct SceneView {
   double timestamp = 0;  ///< s
   std::vector<ColouredPoint> points;
 };
 
-/// Pixels with depth on a regular grid. `picture` has the level's size.
+/// Returns the pixels with depth on a regular grid. `picture` has the level's size.
 SceneView scene_view(double timestamp, const vo::PyramidLevel& level,
                      const cv::Mat_<cv::Vec3b>& picture);
 
-/// The views in world coordinates, seen from the trajectory's poses: one point of each voxel, the
-/// voxels so large that there are at most `max_points`. Views outside its time span are left out.
+/// Returns the views in world coordinates, seen from the trajectory's poses, thinned to one point
+/// per voxel, the voxels large enough for at most `max_points`. Views outside its time span are
+/// left out.
 std::vector<ColouredPoint> merge_views(const std::vector<SceneView>& views,
                                        const vo::Trajectory& trajectory, std::size_t max_points);
 
-/// Points in 16 bits a coordinate.
+/// Coloured points with 16 bits per coordinate.
 struct PointCloud {
   std::size_t count = 0;
   std::array<double, 3> origin{};  ///< m, world
-  double step = 0;                 ///< m, of one unit
-  std::string positions;  ///< int16 x, y, z of each point, little-endian: origin + step * n
-  std::string colours;    ///< uint8 r, g, b of each point
+  double step = 0;                 ///< m per unit
+  std::string positions;           ///< int16 x, y, z per point, little-endian: origin + step * n
+  std::string colours;             ///< uint8 r, g, b per point
 };
 
 PointCloud quantised(const std::vector<ColouredPoint>& points);

@@ -10,7 +10,7 @@
 namespace tools {
 namespace {
 
-/// What an encoder of the library gave: `bytes` is its own, `size` 0 says that it failed.
+/// Takes ownership of an encoder's `bytes` and returns them. Throws vo::Error if `size` is 0.
 std::string taken(std::uint8_t* bytes, std::size_t size) {
   const std::unique_ptr<std::uint8_t, decltype(&WebPFree)> owned(bytes, &WebPFree);
   vo::require(size > 0, "a picture of the report cannot be encoded as WebP");

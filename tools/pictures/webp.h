@@ -6,10 +6,11 @@
 
 namespace tools {
 
-/// A WebP file of a colour picture (BGR), lossy; quality 0..100.
+/// Returns a lossy WebP file of a colour picture (BGR); quality 0..100. Throws vo::Error on
+/// failure.
 std::string encode_webp(const cv::Mat_<cv::Vec3b>& picture, double quality);
 
-/// A WebP file of a picture (BGR and alpha) that reads back with the same values.
+/// Returns a lossless WebP file of a picture (BGRA). Throws vo::Error on failure.
 std::string encode_webp_lossless(const cv::Mat_<cv::Vec4b>& picture);
 
 }  // namespace tools

@@ -5,7 +5,7 @@
 
 namespace tools {
 
-/// As text or as the value of an attribute of HTML or XML.
+/// Returns the text escaped for use as text or attribute value in HTML or XML.
 std::string escaped_markup(std::string_view text);
 
 }  // namespace tools

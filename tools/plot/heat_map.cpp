@@ -20,11 +20,11 @@ constexpr double kMapBottom = 56;  // px
 
 using Colour = std::array<double, 3>;
 
-/// Five colours of the map "cividis", which colour-blind readers see in the same order.
+/// Five colours of the colour map cividis, whose order colour-blind readers see, too.
 constexpr std::array<Colour, 5> kColours{
     {{0, 34, 78}, {66, 78, 108}, {125, 124, 120}, {187, 175, 113}, {254, 232, 56}}};
 
-/// Where a value lies in the range, 0..1.
+/// Returns the position of a value in the map's range, 0..1.
 double share_of(const HeatMap& map, double value) {
   const AxisMap axis{map.range, 0, 1, map.scale};
   const double least = map.scale == AxisScale::logarithmic ? map.range.low : value;

@@ -13,19 +13,19 @@ namespace {
 
 constexpr double kPanelWidth = 470;   // px
 constexpr double kPanelHeight = 330;  // px
-constexpr double kLeft = 66;          // px, of the panel's edge to its axis
+constexpr double kLeft = 66;          // px, from the panel's edge to its axis
 constexpr double kRight = 22;         // px
 constexpr double kTop = 30;           // px
 constexpr double kBottom = 46;        // px
 constexpr double kTitleHeight = 30;   // px
 constexpr double kLegendRow = 20;     // px
-constexpr double kMarker = 4;         // px, half its size
+constexpr double kMarker = 4;         // px, half the size of a marker
 
 constexpr const char* kStyle =
     "<style>text{font:12px sans-serif;fill:#222}.title{font:bold 14px sans-serif}"
     ".axis{stroke:#ddd;stroke-width:1}</style>\n";
 
-/// Okabe and Ito's colours: told apart by colour-blind readers and in grey.
+/// Okabe and Ito's colours, which colour-blind readers can distinguish, also in grey.
 constexpr std::array kPalette{"#0072b2", "#d55e00", "#333333", "#009e73",
                               "#cc79a7", "#e69f00", "#56b4e9", "#8a6d00"};
 
@@ -45,7 +45,7 @@ bool has_bars(const PlotPanel& panel) {
                      [](const PlotSeries& series) { return series.mark == PlotMark::bar; });
 }
 
-/// Room around the extreme values: an eighth of the axis, none beyond a zero that was asked for.
+/// Returns the range with a margin of about 6 % at each end, but none below a requested lower end.
 Range widened(const Range& values, const PlotAxis& axis) {
   constexpr double kRoom = 0.06;
   if (axis.scale == AxisScale::logarithmic) {
@@ -157,7 +157,7 @@ std::string draw_series(const PlotPanel& panel, const PlotSeries& series, const 
   return text;
 }
 
-/// The bars of one series; all series of the panel share the width of a category.
+/// Returns the bars of one series; all series of the panel share the width of a category.
 std::string draw_bars(const PlotPanel& panel, std::size_t index, const Frame& frame) {
   const PlotSeries& series = panel.series[index];
   const double slot = frame.x(1) - frame.x(0);
@@ -230,7 +230,7 @@ struct Legend {
 };
 
 Legend draw_legend(const std::vector<PlotSeries>& entries, double width) {
-  constexpr double kCharacter = 6.6;  // px, a generous mean
+  constexpr double kCharacter = 6.6;  // px, generous mean width of a character
   Legend legend;
   double x = 20;
   double y = kTitleHeight + kLegendRow / 2;

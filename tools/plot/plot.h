@@ -10,18 +10,18 @@ namespace tools {
 struct PlotPoint {
   double x = 0;
   double y = 0;
-  double deviation = 0;  ///< drawn as a bar above and below; 0 = none
+  double deviation = 0;  ///< half length of the error bar; 0 = none
 };
 
 enum class PlotMark {
-  line,             ///< through the points
-  dashes,           ///< the same, dashed
-  points,           ///< markers alone
-  line_and_points,  ///< both
-  bar,              ///< from 0 to y, bars of several series beside each other
+  line,             ///< line through the points
+  dashes,           ///< dashed line through the points
+  points,           ///< only markers
+  line_and_points,  ///< line through the points, with markers
+  bar,              ///< bar from 0 to y; bars of several series are side by side
 };
 
-/// Series of the same style have the same colour and marker in every panel, and one legend entry.
+/// A named series. Its style determines colour and marker; equal names share a legend entry.
 struct PlotSeries {
   std::string name;
   int style = 0;  ///< index into the palette
@@ -30,9 +30,9 @@ struct PlotSeries {
 };
 
 struct PlotAxis {
-  std::string title;  ///< with unit
+  std::string title;  ///< axis title with unit
   AxisScale scale = AxisScale::linear;
-  Range include = {};                   ///< shown whatever the values are; empty = as they are
+  Range include = {};  ///< range that is always shown; empty = fitted to the values
   std::vector<std::string> categories;  ///< labels of x = 0, 1, ...
 };
 
@@ -42,8 +42,8 @@ struct PlotPanel {
   std::vector<PlotSeries> series;
 };
 
-/// Panels beside each other below a title and one legend for all. Values that are not finite (or,
-/// on logarithmic axes, not positive) are left out.
+/// Returns an SVG with the panels side by side below a title and one legend for all. Values that
+/// are not finite (or, on logarithmic axes, not positive) are left out.
 std::string draw_plot(const std::string& title, const std::vector<PlotPanel>& panels);
 
 }  // namespace tools

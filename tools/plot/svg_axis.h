@@ -14,25 +14,26 @@ struct Range {
   void include(double value);
 };
 
-/// Round values (1, 2 or 5 times a power of ten apart) within the range, about `count` of them.
+/// Returns round values (1, 2 or 5 times a power of ten apart) within the range, about `count`.
 std::vector<double> ticks(const Range& range, int count);
 
-/// A value with as few digits as its tick spacing needs.
+/// Returns the value as a tick label, rounded to 1e-9, without needless digits.
 std::string tick_label(double value);
 
 enum class AxisScale { linear, logarithmic };
 
-/// Maps values to pixels of a drawing.
+/// Maps values along one axis to pixels of a drawing.
 struct AxisMap {
-  Range values;         ///< above 0 on a logarithmic axis
-  double first_px = 0;  ///< where values.low is
-  double last_px = 0;   ///< where values.high is
+  Range values;         ///< range of values; above 0 on a logarithmic axis
+  double first_px = 0;  ///< position of values.low
+  double last_px = 0;   ///< position of values.high
   AxisScale scale = AxisScale::linear;
 
   double operator()(double value) const;
 };
 
-/// Round values along an axis: as above, or 1, 2 and 5 times powers of ten on a logarithmic one.
+/// Returns round values along an axis: on a logarithmic one 1, 2 and 5 times powers of ten, on a
+/// linear one about `count` equally spaced ones.
 std::vector<double> axis_ticks(const AxisMap& axis, int count);
 
 }  // namespace tools

@@ -20,7 +20,7 @@ bool is_number(const TableCell& cell) {
   return std::holds_alternative<double>(cell);
 }
 
-/// Titles and cells as people read them.
+/// Returns titles and cells as formatted text.
 Lines shown(const Table& table) {
   Lines lines(1);
   for (const TableColumn& column : table.columns) {
@@ -42,7 +42,7 @@ bool is_number_column(const Table& table, std::size_t column) {
                      [&](const std::vector<TableCell>& row) { return is_number(row[column]); });
 }
 
-/// Quoted where a comma would split it.
+/// Returns the text in quotes if it has a comma.
 std::string csv_text(const std::string& text) {
   return text.find(',') == std::string::npos ? text : "\"" + text + "\"";
 }

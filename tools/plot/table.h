@@ -9,24 +9,24 @@
 namespace tools {
 
 struct TableColumn {
-  std::string name;  ///< ends in its unit
-  int decimals = 0;  ///< shown to people; CSV and JSON have all
+  std::string name;  ///< column name that ends in its unit
+  int decimals = 0;  ///< decimals in text and Markdown; CSV and JSON are exact
 };
 
 using TableCell = std::variant<std::string, double>;
 
-/// Named columns of equal length: one table for files, programs and people.
+/// Named columns of equal length, for CSV, JSON, Markdown and plain text.
 struct Table {
   std::vector<TableColumn> columns;
   std::vector<std::vector<TableCell>> rows;
 
-  void add_row(std::vector<TableCell> row);  ///< one cell per column
+  void add_row(std::vector<TableCell> row);  ///< appends a row with one cell per column
 };
 
-std::string as_csv(const Table& table);              ///< NaN is an empty cell
-std::string as_markdown(const Table& table);         ///< NaN is a dash, here and below
-std::string as_text(const Table& table);             ///< columns aligned
-nlohmann::ordered_json as_json(const Table& table);  ///< an object per row; NaN is null
+std::string as_csv(const Table& table);       ///< CSV; NaN is an empty cell
+std::string as_markdown(const Table& table);  ///< Markdown table; NaN is a dash
+std::string as_text(const Table& table);      ///< plain text with aligned columns; NaN is a dash
+nlohmann::ordered_json as_json(const Table& table);  ///< array with an object per row; NaN is null
 
 std::string format_decimals(double value, int decimals);
 

@@ -24,13 +24,13 @@ constexpr const char* kTrajectoryStyle =
     ".truth{stroke:#999;stroke-width:4;fill:none;stroke-linejoin:round}"
     ".error{stroke:#b2182b;stroke-width:1.5;fill:none}</style>\n";
 
-/// Two world axes, drawn to the right and upwards.
+/// The two world axes that are drawn to the right and upwards.
 struct View {
   int right = 0;
   int up = 1;
 };
 
-/// The two axes along which the trajectory extends most, in their order x, y, z.
+/// Returns the two axes along which the trajectory extends most, in their order x, y, z.
 View widest_view(const std::array<Range, 3>& extent) {
   int least = 0;
   for (int axis = 1; axis < 3; ++axis) {
@@ -81,13 +81,13 @@ MapFrame make_frame(const vo::Trajectory& truth, const vo::Trajectory& estimate)
           {widened(along, inner_height), kMapHeight - kMargin, kMargin}};
 }
 
-/// From blue (0) over yellow to red (1).
+/// Returns a colour from blue (0) over yellow to red (1).
 std::string error_colour(double fraction) {
   const double hue = 240 * (1 - std::clamp(fraction, 0.0, 1.0));
   return vo::concat("hsl(", px(hue), ",85%,42%)");
 }
 
-/// Distance from the truth at the same time, where the truth covers it.
+/// Returns each pose's distance from the truth at its time, empty where the truth has no pose.
 std::vector<std::optional<double>> position_errors(const vo::Trajectory& truth,
                                                    const vo::Trajectory& estimate) {
   std::vector<std::optional<double>> errors;
@@ -101,7 +101,7 @@ std::vector<std::optional<double>> position_errors(const vo::Trajectory& truth,
   return errors;
 }
 
-/// The part of `truth` within the estimate's time span.
+/// Returns the part of `truth` within the estimate's time span.
 vo::Trajectory during(const vo::Trajectory& truth, const vo::Trajectory& estimate) {
   vo::Trajectory part;
   for (const vo::StampedPose& pose : truth) {

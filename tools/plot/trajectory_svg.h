@@ -6,9 +6,10 @@
 
 namespace tools {
 
-/// Truth (grey) and estimate (coloured by its distance from the truth at the same time) seen along
-/// the axis of least extent, and below it the distance over time. The estimate is drawn as it is:
-/// align it first if its origin is another. Without truth, the estimate alone.
+/// Returns an SVG with the truth (grey) and the estimate (coloured by its distance from the truth
+/// at equal times) projected along the axis of least extent, and below it the distance over time.
+/// The estimate is not aligned. Without truth it is drawn alone; an empty estimate throws
+/// vo::Error.
 std::string draw_trajectory(const vo::Trajectory& truth, const vo::Trajectory& estimate);
 
 }  // namespace tools

@@ -19,8 +19,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What posix_spawn is told: a group of its own, default signals, nothing to read, output to a
-/// file.
+/// Settings of posix_spawn: own process group, default signal handlers, no input, output to a file.
 class SpawnSettings {
  public:
   explicit SpawnSettings(const std::filesystem::path& output) {
@@ -68,7 +67,7 @@ class SpawnSettings {
   posix_spawn_file_actions_t actions_{};
 };
 
-/// Ends a process group with whatever it still does, and collects its leader.
+/// Owns a process group; its destructor kills the group and waits for the leader.
 class ProcessGroup {
  public:
   explicit ProcessGroup(pid_t leader) : leader_(leader) {}
@@ -85,7 +84,7 @@ class ProcessGroup {
   ProcessGroup(ProcessGroup&&) = delete;
   ProcessGroup& operator=(ProcessGroup&&) = delete;
 
-  /// Whether the leader has ended, and how.
+  /// Returns whether the leader has ended, and stores how in `end`.
   bool has_ended(ChildEnd& end) {
     int status = 0;
     if (::waitpid(leader_, &status, WNOHANG) != leader_) {

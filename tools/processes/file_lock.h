@@ -7,21 +7,21 @@
 namespace tools {
 
 enum class LockKind {
-  shared,    ///< others may hold it shared, too
-  exclusive  ///< nobody else holds it
+  shared,    ///< others may hold a shared lock, too
+  exclusive  ///< nobody else holds a lock
 };
 
-/// Told again and again while waiting; may throw to stop.
+/// Callback that is called repeatedly while waiting; it may throw to stop.
 using WaitObserver = std::function<void()>;
 
-/// A lock on a file (flock) between threads and processes. It ends with the object and with the
-/// process, however that ends. The file stays; its modification time is when it was last locked.
+/// A lock on a file (flock) between threads and processes. It is released with the object or when
+/// the process ends. The file stays; its modification time is that of the last lock.
 class FileLock {
  public:
-  /// Makes the file and waits. Throws vo::Error when the file cannot be made.
+  /// Creates the file and waits for the lock. Throws vo::Error when either fails.
   FileLock(const std::filesystem::path& file, LockKind kind, const WaitObserver& waiting);
 
-  /// Nothing when somebody else holds it.
+  /// Returns the lock, or nothing when somebody else holds it. Throws vo::Error without a file.
   static std::optional<FileLock> try_lock(const std::filesystem::path& file, LockKind kind);
 
   ~FileLock();
@@ -30,7 +30,7 @@ class FileLock {
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
 
-  /// From exclusive to shared, without anybody coming in between.
+  /// Changes the lock from exclusive to shared.
   void share() const;
 
  private:

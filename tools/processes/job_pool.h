@@ -5,8 +5,8 @@
 
 namespace tools {
 
-/// Calls `work` with 0 to count - 1, at most `jobs` at a time, in threads that share nothing. The
-/// first exception stops what has not begun and is thrown when what has begun is over.
+/// Calls `work` with 0 to count - 1 on at most `jobs` threads at a time. The first exception keeps
+/// further jobs from starting and is rethrown when those that run have ended.
 void run_jobs(std::size_t count, int jobs, const std::function<void(std::size_t)>& work);
 
 }  // namespace tools

@@ -10,7 +10,7 @@ bool is_continuation(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
 }
 
-/// Bytes that a character takes by its first one; 0 where that is none.
+/// Returns a character's length by its first byte; 0 where that begins no character.
 std::size_t length_from(unsigned char first) {
   if (first < 0x80U) {
     return 1;
@@ -24,7 +24,8 @@ std::size_t length_from(unsigned char first) {
   return first >= 0xF0U && first < 0xF5U ? 4 : 0;
 }
 
-/// Neither overlong, nor half of a UTF-16 pair, nor beyond Unicode's last.
+/// Returns whether the second byte makes neither an overlong form, a surrogate, nor a value beyond
+/// Unicode's last.
 bool is_allowed(unsigned char first, unsigned char second) {
   switch (first) {
     case 0xE0U:
@@ -40,7 +41,7 @@ bool is_allowed(unsigned char first, unsigned char second) {
   }
 }
 
-/// Of the character that begins there, which can be shown; 0 where there is none.
+/// Returns the length of the printable character at the start; 0 where there is none.
 std::size_t readable_length(std::string_view rest) {
   const auto first = static_cast<unsigned char>(rest.front());
   const std::size_t length = length_from(first);

@@ -7,7 +7,7 @@
 namespace tools {
 namespace {
 
-constexpr double kSameTime = 1e-4;  // s: what text files with four decimals keep
+constexpr double kSameTime = 1e-4;  // s; timestamps with four decimals are equal within it
 
 double angle_deg(const vo::SE3& T) {
   return T.log().tail<3>().norm() * 180 / std::numbers::pi;

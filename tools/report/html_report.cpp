@@ -12,7 +12,7 @@
 namespace tools {
 namespace {
 
-/// Nothing but what the file itself holds may be loaded.
+/// Content security policy: nothing but the file's own contents may be loaded.
 constexpr const char* kPolicy =
     "default-src 'none'; img-src data: blob:; style-src 'unsafe-inline'; script-src "
     "'unsafe-inline'";
@@ -28,7 +28,7 @@ std::string head(const std::vector<ScenarioReport>& scenarios, std::string_view 
       " scenarios passed</title>\n<style>", style, "</style>\n</head>\n");
 }
 
-/// JSON within a script element: no `<` may end or open one.
+/// Returns JSON for a script element, with `<` escaped so that it cannot end the element.
 std::string json_for_script(const nlohmann::ordered_json& data) {
   const std::string text =
       data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

@@ -10,13 +10,14 @@
 
 namespace tools {
 
-/// One HTML file that needs nothing beside it and no network: verdicts, and of each scenario the
-/// trajectory in its scene, errors over time, pictures, options. Equal reports give equal bytes.
-/// Where the bundle is missing it holds verdicts and trajectories alone and says why.
+/// Returns one HTML file that needs no other file and no network: verdicts, and for each scenario
+/// the trajectory in its scene, errors over time, pictures and options. Equal reports give equal
+/// bytes. Where the bundle is missing it holds verdicts and trajectories alone and says why.
 std::string html_report(const std::vector<ScenarioReport>& scenarios,
                         const ReportBundle& bundle = report_bundle());
 
-/// The same as a file. Throws vo::Error as vo::write_file, and when there is no scenario.
+/// Writes the report to a file. Throws vo::Error as vo::write_file does, and when there is no
+/// scenario.
 void write_html_report(const std::vector<ScenarioReport>& scenarios,
                        const std::filesystem::path& path,
                        vo::ExistingOutput existing = vo::ExistingOutput::keep);

@@ -47,7 +47,7 @@ std::string padded(std::string text, std::size_t width) {
   return text;
 }
 
-/// A metric that was neither asked for nor measured is not shown.
+/// Returns whether a metric is shown: it was measured or has a bound.
 bool is_shown(double value, const BoundCheck* check) {
   return std::isfinite(value) || check != nullptr;
 }

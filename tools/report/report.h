@@ -11,20 +11,20 @@
 
 namespace tools {
 
-/// Metrics, bounds and verdict as JSON. No times, no places: equal runs give equal bytes.
+/// Returns metrics, bounds and verdict as JSON, without times and paths, which may differ.
 nlohmann::ordered_json report_json(const Scenario& scenario, const Outcome& outcome);
 
-/// The same for people, with the pictures beside it and the command that repeats the run.
+/// Returns a Markdown report with the trajectory and the command that repeats the run.
 std::string report_markdown(const Scenario& scenario, const Outcome& outcome);
 
-/// The aligned table that `edvo run` prints: metric, measured, bound, verdict; one verdict line.
+/// Returns the table that `edvo run` prints: metric, measured value, bound; then the verdict.
 std::string report_table(const Scenario& scenario, const Outcome& outcome);
 
-std::string shown_number(double value);  ///< six digits
+std::string shown_number(double value);  ///< the value with six significant digits
 
-std::string bound_text(const Bound& bound);  ///< ">= 0.9, <= 1"
+std::string bound_text(const Bound& bound);  ///< a text such as ">= 0.9, <= 1"
 
-/// An options struct's fields as a JSON object by dotted key.
+/// Returns the fields of an options struct as a JSON object by dotted key.
 nlohmann::ordered_json fields_json(const std::vector<vo::Field>& fields);
 
 nlohmann::ordered_json time_json(const vo::TimeSummary& times);

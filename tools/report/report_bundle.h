@@ -4,11 +4,11 @@
 
 namespace tools {
 
-/// The interactive part of the HTML report, bundled from web/ when the program was built.
+/// Interactive part of the HTML report, bundled from web/ when the program was built.
 struct ReportBundle {
   std::string_view script;   ///< JavaScript
   std::string_view style;    ///< CSS
-  std::string_view missing;  ///< a sentence: why there is none; empty where there is one
+  std::string_view missing;  ///< why there is no bundle; empty if there is one
 };
 
 ReportBundle report_bundle();

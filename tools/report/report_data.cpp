@@ -24,7 +24,7 @@ Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-/// To a micrometre, a microradian or their like: a report is looked at.
+/// Returns the number rounded to 1e-6, which suffices for display.
 Json rounded(double value) {
   constexpr double kUnit = 1e-6;
   return number(std::round(value / kUnit) * kUnit + 0.0);
@@ -52,7 +52,7 @@ Json poses_json(const FramePoses& poses) {
   return json;
 }
 
-/// One element per frame or time.
+/// Returns an array with `select` applied to each element.
 template <typename T, typename Select>
 Json column(const std::vector<T>& elements, Select select) {
   Json json = Json::array();
@@ -87,7 +87,7 @@ Json camera_json(const vo::PinholeCamera& camera) {
           {"fy", rounded(camera.fy)}, {"cx", rounded(camera.cx)}, {"cy", rounded(camera.cy)}};
 }
 
-/// Of the tracker's frames; of another tracker, those of the truth or of its own poses.
+/// Returns the times of the tracker's frames; without any, those of the true or estimated poses.
 std::vector<double> timestamps_of(const ScenarioReport& report) {
   std::vector<double> timestamps;
   for (const vo::TrackingResult& frame : report.frames) {
@@ -117,7 +117,7 @@ Json tracking_json(const std::vector<vo::TrackingResult>& frames) {
           {"cost", column(frames, [](const Frame& f) { return rounded(f.alignment.cost); })}};
 }
 
-/// Needs three poses that have a partner in the truth.
+/// Returns the aligned poses of the frames; all are empty with fewer than three matched poses.
 FramePoses aligned_poses(const ScenarioReport& report, const std::vector<double>& timestamps,
                          const FramePoses& truth, const FramePoses& estimate) {
   constexpr int kMinPoses = 3;

@@ -8,11 +8,11 @@
 
 namespace tools {
 
-/// Version of the data's form; a change of meaning or a key less is a new version.
+/// Version of the data format; a changed meaning or a removed key needs a new version.
 constexpr int kReportDataVersion = 1;
 
-/// The data of the HTML report. web/src/data.ts declares its form and says what each key means; a
-/// test type-checks this function's output against it.
+/// Returns the data of the HTML report. web/src/data.ts declares its format and the meaning of each
+/// key; a test type-checks this output against it.
 ///
 ///     { "schema": "edvo-report", "version": 1, "generator": "edvo ...", "scenarios": [ {
 ///         "name", "why", "command", "passed", "problem"?, "alignment", "camera"?,
@@ -26,8 +26,8 @@ constexpr int kReportDataVersion = 1;
 ///         "times"?: { "pyramid_ms", "edges_ms", "alignment_ms" }  differ from run to run
 ///     } ] }
 ///
-/// Poses are [tx, ty, tz, qx, qy, qz, qw] of T_world_camera, m, or null. All but `times` depend on
-/// the input alone.
+/// Poses are [tx, ty, tz, qx, qy, qz, qw] of T_world_camera, m, or null. Everything except `times`
+/// depends only on the input.
 nlohmann::ordered_json report_data(const std::vector<ScenarioReport>& scenarios);
 
 }  // namespace tools

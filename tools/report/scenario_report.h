@@ -17,42 +17,41 @@
 namespace tools {
 
 struct ReportedMetric {
-  std::string name;            ///< ends in its unit
-  double value = 0;            ///< NaN where it could not be measured
-  std::optional<Bound> bound;  ///< if the scenario has one
+  std::string name;            ///< metric name that ends in its unit
+  double value = 0;            ///< measured value; NaN where it could not be measured
+  std::optional<Bound> bound;  ///< the scenario's bound, if any
   bool holds = true;
 };
 
 struct ReportedOption {
   std::string key;
   std::string value;
-  std::string preset;  ///< what it is when the scenario says nothing
+  std::string preset;  ///< default value in the scenario's mode and preset
   std::string help;
 };
 
-/// What the HTML report shows of one scenario. Whatever is not known stays empty, and the report
-/// leaves it out: a tracker that is not ours gives no `frames`, a real sequence perhaps no truth.
+/// Data that the HTML report shows of one scenario. What is unknown stays empty and is left out: an
+/// external tracker gives no `frames`, a real sequence perhaps no truth.
 struct ScenarioReport {
   std::string name;
-  std::string why;      ///< what would break the bounds
-  std::string command;  ///< repeats the run
-  std::string problem;  ///< why there is no result, or what else is wrong: it has failed
+  std::string why;      ///< which defects would violate the bounds
+  std::string command;  ///< command that repeats the run
+  std::string problem;  ///< why there is no result, or another failure; empty on success
   std::vector<ReportedMetric> metrics;
   std::vector<std::string> notes;
   std::vector<ReportedOption> options;
   std::optional<vo::PinholeCamera> camera;
-  vo::TrajectoryAlignment alignment = vo::TrajectoryAlignment::se3;  ///< of the absolute error
+  vo::TrajectoryAlignment alignment = vo::TrajectoryAlignment::se3;  ///< for the absolute error
   vo::Trajectory truth;
   vo::Trajectory estimate;
   std::vector<vo::TrackingResult> frames;
-  std::vector<vo::StageTimes> times;  ///< diagnostic, of `frames`: with them reports of equal runs
-                                      ///< differ
+  std::vector<vo::StageTimes> times;  ///< stage times of `frames`; diagnostic, differ between runs
   FrameGallery gallery;
 
   bool passed() const;
 };
 
-/// All but times and gallery.
+/// Returns the report of a run, without times and gallery.
 ScenarioReport scenario_report(const Scenario& scenario, const Outcome& outcome);
 
 }  // namespace tools

@@ -8,7 +8,7 @@
 
 namespace tools {
 
-/// The body of a report without scripts: verdicts, metrics and the drawn trajectories.
+/// Returns the body of a report without scripts: the note, verdicts, metrics and trajectories.
 std::string static_page(const std::vector<ScenarioReport>& scenarios, std::string_view note);
 
 }  // namespace tools

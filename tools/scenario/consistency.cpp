@@ -12,7 +12,7 @@
 namespace tools {
 namespace {
 
-constexpr double kMedianOfChi2 = 5.348121;  // six degrees of freedom
+constexpr double kMedianOfChi2 = 5.348121;  // median of chi^2 with six degrees of freedom
 
 std::optional<double> squared_error(const vo::Trajectory& truth, const vo::TrackingResult& frame) {
   const auto T_world_ref = vo::pose_at(truth, frame.reference_timestamp);

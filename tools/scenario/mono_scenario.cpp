@@ -13,7 +13,7 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kMinPoses = 3;
 
-/// The part of the truth that the estimate covers.
+/// Returns the length of the true path within the estimate's time span, m.
 double tracked_length(const vo::Trajectory& truth, const vo::Trajectory& estimate) {
   vo::Trajectory covered;
   for (const vo::StampedPose& pose : truth) {
@@ -46,7 +46,7 @@ void measure_trajectory(const Scenario& scenario, const vo::Trajectory& truth,
         vo::evaluate(truth, estimate, {.alignment = vo::TrajectoryAlignment::sim3}).scale;
     metrics.scale_error_percent = 100 * std::abs(1 / scale - 1);
   }
-  constexpr double kPer = 10;  // m
+  constexpr double kPer = 10;  // m of path that the drift refers to
   if (!run.maps.empty()) {
     metrics.scale_drift_percent =
         100 * std::abs(run.maps.back().errors.scale / run.maps.front().errors.scale - 1) * kPer /

@@ -7,24 +7,24 @@
 
 namespace tools {
 
-/// What tracking or mapping a scenario gave.
+/// The results of tracking or mapping a scenario.
 struct TrackingRun {
   vo::SequenceResult tracking;
   std::vector<MappedFrame> maps;
 };
 
-/// Mode mono: colour alone, but for the first frame's depth where the bootstrap asks for it.
+/// Runs mode mono, which gets only colour images and the first frame's depth image.
 TrackingRun track_mono_scenario(const Scenario& scenario, const vo::SequenceReader& sequence,
                                 const ScenarioObservers& observers, const vo::Progress& progress);
 
-/// Mode mapping: the poses are true, nothing is tracked.
+/// Runs mode mapping, which takes the true poses and does not track.
 TrackingRun map_scenario(const Scenario& scenario, const vo::SequenceReader& sequence,
                          const ScenarioObservers& observers, const vo::Progress& progress);
 
-/// Whether the maps of a scenario's mode are in metres or of unknown scale.
+/// Returns whether the maps are metric or of arbitrary scale.
 MapScale map_scale(const OdometryOptions& odometry);
 
-/// Fills in what the last map and the trajectory's scale say.
+/// Fills in the metrics of the last map and of the trajectory's scale.
 void measure_map(const Scenario& scenario, const vo::Trajectory& truth, const TrackingRun& run,
                  Metrics& metrics);
 

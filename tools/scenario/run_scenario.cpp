@@ -11,7 +11,7 @@
 namespace tools {
 namespace {
 
-/// Distance of the estimate's last position from the truth at that time, over the truth's length.
+/// Returns the estimate's final position error over the length of the true path, %.
 double drift_percent(const vo::Trajectory& truth, const vo::Trajectory& estimate) {
   const auto T_world_true = vo::pose_at(truth, estimate.back().timestamp);
   const double length = vo::path_length(truth);
@@ -23,7 +23,8 @@ double drift_percent(const vo::Trajectory& truth, const vo::Trajectory& estimate
   return 100 * error.norm() / length;
 }
 
-/// Of the poses of two runs over the same frames, m; infinite where only one of them has a pose.
+/// Returns the greatest distance between two runs' positions, m; infinite if the numbers of poses
+/// differ.
 double greatest_difference(const vo::SequenceResult& a, const vo::SequenceResult& b) {
   if (a.trajectory.size() != b.trajectory.size()) {
     return std::numeric_limits<double>::infinity();

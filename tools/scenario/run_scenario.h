@@ -23,38 +23,38 @@ struct BoundCheck {
 };
 
 struct Outcome {
-  vo::SequenceResult tracking;    ///< empty in mode mapping
-  std::vector<MappedFrame> maps;  ///< of modes mono and mapping
+  vo::SequenceResult tracking;    ///< tracked frames and poses; empty in mode mapping
+  std::vector<MappedFrame> maps;  ///< maps after each frame in modes mono and mapping
   vo::Trajectory truth;
-  Metrics metrics;  ///< NaN where too little was tracked to measure
+  Metrics metrics;  ///< metrics; NaN where too little was tracked to measure
   std::vector<BoundCheck> checks;
-  std::vector<std::string> notes;  ///< what the scene file holds that was left out
+  std::vector<std::string> notes;  ///< parts of the scene file that were ignored
 
   bool passed() const;
 };
 
-/// What the scenario renders.
+/// Returns the render job of the scenario. Throws vo::Error when the scene or path is unusable.
 synth::RenderJob render_job(const Scenario& scenario);
 
-/// NaN where too little was tracked to measure.
+/// Evaluates a tracked sequence; metrics are NaN where too little was tracked to measure.
 Metrics measure(const vo::Trajectory& truth, const vo::SequenceResult& tracking,
                 const ScoreOptions& score);
 
-/// The bounds of metrics that were measured, in the order of the metrics.
+/// Checks the metrics against their bounds, in the order of the metrics; NaN violates a bound.
 std::vector<BoundCheck> check_bounds(const Metrics& metrics,
                                      const std::map<std::string, Bound>& expect);
 
-/// Told after each frame; empty ones are not called.
+/// Callbacks after each frame; empty ones are not called.
 struct ScenarioObservers {
-  vo::FrameObserver frame;  ///< of modes rgbd and mono
-  MapObserver map;          ///< of modes mono and mapping
+  vo::FrameObserver frame;  ///< called in modes rgbd and mono
+  MapObserver map;          ///< called in modes mono and mapping
 };
 
-/// Tracks a sequence as the scenario says, from the true first pose, and evaluates.
+/// Tracks a sequence with the scenario's options, from the true first pose, and evaluates it.
 Outcome track_scenario(const Scenario& scenario, const vo::SequenceReader& sequence,
                        const ScenarioObservers& observers, const vo::Progress& progress);
 
-/// Told of the two long steps' progress.
+/// Progress callbacks of rendering and tracking.
 struct RunProgress {
   vo::Progress render;
   vo::Progress track;

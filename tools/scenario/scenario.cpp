@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kExpect = "expect.";
 
-/// `expect.<metric>.min` and `.max` for every metric.
+/// Returns the fields `expect.<metric>.min` and `.max` of every metric.
 std::vector<vo::Field> bound_fields(std::map<std::string, Bound>& bounds) {
   Metrics metrics;
   std::vector<vo::Field> fields;
@@ -43,7 +43,7 @@ void apply(const Assignments& changes, std::vector<vo::Field>& fields) {
   }
 }
 
-/// One option that others start from: the file's value, then the changes'.
+/// Applies one option that determines the defaults of others: the file's value, then the changes'.
 template <typename Options>
 void apply_first(const std::string& key, const std::vector<vo::TomlValue>& values,
                  const Assignments& changes, Options& options) {
@@ -61,15 +61,15 @@ void apply_first(const std::string& key, const std::vector<vo::TomlValue>& value
   }
 }
 
-/// A preset is where the sensor's options start from, so it is applied before them.
+/// Applies the sensor preset, which must precede the options that it determines.
 void apply_preset(const std::vector<vo::TomlValue>& values, const Assignments& changes,
                   synth::SensorOptions& sensor) {
   apply_first("sensor.preset", values, changes, sensor);
   sensor = synth::preset_options(sensor.preset);
 }
 
-/// The mode decides which options there are, the preset where the tracker's start from: they are
-/// applied before all others.
+/// Applies the mode, which determines the available options, and the preset, which determines their
+/// defaults, before all others.
 void apply_start(const std::vector<vo::TomlValue>& values, const Assignments& changes,
                  OdometryOptions& odometry) {
   for (const std::string key : {"odometry.mode", "odometry.preset"}) {

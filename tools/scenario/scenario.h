@@ -19,7 +19,7 @@
 
 namespace tools {
 
-/// What a metric must lie between.
+/// A closed interval that a metric must lie in.
 struct Bound {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
@@ -39,7 +39,7 @@ void visit_fields(Visitor& visit, SceneOptions& options) {
 struct CameraOptions {
   int width = 640;      ///< px
   int height = 480;     ///< px
-  double fov_deg = 60;  ///< deg, horizontal
+  double fov_deg = 60;  ///< horizontal field of view, deg
   double depth_units_per_m = 5000;
   vo::Distortion distortion;
 
@@ -55,11 +55,11 @@ void visit_fields(Visitor& visit, CameraOptions& options) {
   visit("distortion", options.distortion, "");
 }
 
-/// What is tested.
+/// The part of the odometry that a scenario tests.
 enum class OdometryMode {
-  rgbd,     ///< the tracker, on depth images
-  mono,     ///< the tracker on a map of its own making, as `edvo track --mode mono`
-  mapping,  ///< the map alone, with true poses, as `edvo depth`
+  rgbd,     ///< tracking with depth images
+  mono,     ///< monocular tracking and mapping, as `edvo track --mode mono`
+  mapping,  ///< mapping alone, with true poses, as `edvo depth`
 };
 
 constexpr auto enum_names(OdometryMode) {
@@ -68,16 +68,16 @@ constexpr auto enum_names(OdometryMode) {
 }
 
 struct OdometryOptions {
-  OdometryMode mode = OdometryMode::rgbd;                       ///< which of the options count
-  vo::TrackerPreset preset = vo::TrackerPreset::best_measured;  ///< where `tracker` starts from
+  OdometryMode mode = OdometryMode::rgbd;  ///< selects which of the options apply
+  vo::TrackerPreset preset = vo::TrackerPreset::best_measured;  ///< preset of `tracker`
   vo::TrackerOptions tracker;
   vo::MonoOptions mono = vo::mono_options();
   MappingOptions mapping;
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error on an invalid option of the mode
 };
 
-/// Those of its mode.
+/// Visits the mode and the options that apply in it.
 template <typename Visitor>
 void visit_fields(Visitor& visit, OdometryOptions& options) {
   visit("mode", options.mode, "what is tested");
@@ -95,12 +95,12 @@ void visit_fields(Visitor& visit, OdometryOptions& options) {
   }
 }
 
-/// What the options of a mode, and of a preset where the mode is rgbd, start from.
+/// Returns the default options of a mode; in mode rgbd the tracker's are those of the preset.
 OdometryOptions odometry_defaults(OdometryMode mode, vo::TrackerPreset preset);
 
 struct ScoreOptions {
   vo::TrajectoryAlignment align = vo::TrajectoryAlignment::se3;
-  double interval = 1;  ///< s, of the relative error
+  double interval = 1;  ///< interval of the relative pose error, s
 };
 
 template <typename Visitor>
@@ -109,7 +109,7 @@ void visit_fields(Visitor& visit, ScoreOptions& options) {
   visit("interval", options.interval, "of the relative error, s");
 }
 
-/// What a run is judged by. Names end in their unit.
+/// Metrics that a run is evaluated by. Names end in their unit.
 struct Metrics {
   double ate_rmse_m = 0;
   double ate_max_m = 0;
@@ -118,17 +118,17 @@ struct Metrics {
   double drift_percent = 0;  ///< distance of the last pose from the truth over the path's length
   double tracked_fraction = 0;
   double keyframes = 0;
-  double nees_median = 0;          ///< squared errors over their covariances; 1 is calibrated
-  double repeat_difference_m = 0;  ///< greatest distance of two runs' poses; measured if bounded
+  double nees_median = 0;          ///< median NEES of the poses; 1 is calibrated
+  double repeat_difference_m = 0;  ///< greatest distance between two runs; only if bounded
 
-  // Of a map of its own making; those of depth are of the last map's confident hypotheses.
+  // Metrics of modes mono and mapping; those of depth use the last map's confident hypotheses.
   double ate_percent = 0;             ///< ATE over the length of the tracked part of the path
-  double scale_error_percent = 0;     ///< of a metric estimate's size against the truth's
-  double scale_drift_percent = 0;     ///< from the first map's to the last map's, per 10 m of path
+  double scale_error_percent = 0;     ///< |scale error| of a metric estimate
+  double scale_drift_percent = 0;     ///< |scale change| from first to last map, per 10 m
   double depth_error_percent = 0;     ///< median relative error of the inverse depth
-  double depth_outliers_percent = 0;  ///< share that errs by more than 10 %
-  double depth_nees = 0;              ///< squared errors over variances, mean without outliers
-  double depth_density_fraction = 0;  ///< confident hypotheses of all edge pixels kept
+  double depth_outliers_percent = 0;  ///< share with a relative error beyond 10 %
+  double depth_nees = 0;              ///< NEES of the inverse depth without outliers
+  double depth_density_fraction = 0;  ///< share of hypotheses that are confident
 };
 
 template <typename Visitor>
@@ -151,18 +151,18 @@ void visit_fields(Visitor& visit, Metrics& metrics) {
   visit("depth_density_fraction", metrics.depth_density_fraction, "mono: confident edge pixels");
 }
 
-/// The metrics by name, in the order of their fields.
+/// Returns the metrics' names and values in the order of their fields.
 std::vector<std::pair<std::string, double>> metric_values(const Metrics& metrics);
 
-/// Metrics with the value that `value_of` gives for each name.
+/// Returns metrics with the values that `value_of` gives for each name.
 Metrics make_metrics(const std::function<double(const std::string& name)>& value_of);
 
-/// One file of scenarios/: what is rendered, how it is tracked, and how good the result must be.
+/// A scenario file: what is rendered, how it is tracked, and which bounds the metrics must meet.
 struct Scenario {
   std::filesystem::path file;
   std::string name;   ///< the file's stem
   std::string why;    ///< what would break its bounds
-  bool slow = false;  ///< labelled so in CTest
+  bool slow = false;  ///< labelled slow in CTest
   SceneOptions scene;
   CameraOptions camera;
   synth::PathOptions path;
@@ -170,13 +170,13 @@ struct Scenario {
   synth::SensorOptions sensor;
   OdometryOptions odometry;
   ScoreOptions score;
-  std::map<std::string, Bound> expect;  ///< by metric
+  std::map<std::string, Bound> expect;  ///< bounds by metric
 
-  std::filesystem::path scene_file() const;  ///< relative scenes are in `assets` beside the folder
-  synth::PathOptions resolved_path() const;  ///< relative files are in the scenario's folder
+  std::filesystem::path scene_file() const;  ///< relative to ../assets of the file's folder
+  synth::PathOptions resolved_path() const;  ///< path with its file relative to the scenario's
 };
 
-/// All but the bounds.
+/// Visits all fields of a scenario file except the bounds.
 template <typename Visitor>
 void visit_fields(Visitor& visit, Scenario& scenario) {
   visit("why", scenario.why, "what would break the bounds");
@@ -190,15 +190,15 @@ void visit_fields(Visitor& visit, Scenario& scenario) {
   visit("score", scenario.score, "");
 }
 
-/// `key = value` as a scenario file has it, keys dotted from its outermost table.
+/// A `key = value` assignment of a scenario file, with the dotted key from the outermost table.
 using Assignment = std::pair<std::string, std::string>;
 using Assignments = std::vector<Assignment>;
 
-/// Throws vo::Error as `file:line: unknown key 'sensor.exposre'; the nearest known key is ...`, or
-/// as `--set key=value: ...` where that is in the `changes`, which come after the file.
+/// Loads a scenario and applies `changes`. Throws vo::Error as `file:line: unknown key
+/// 'sensor.exposre'; ...`, or as `--set key=value: ...` if the error is in the changes.
 Scenario load_scenario(const std::filesystem::path& path, const Assignments& changes = {});
 
-/// The scenario with other random numbers: every `seed` but the tracker's is this much higher.
+/// Returns the scenario with `offset` added to every `seed` except those of the odometry.
 Scenario with_seed(const Scenario& scenario, int offset);
 
 }  // namespace tools

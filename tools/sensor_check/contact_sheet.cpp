@@ -16,9 +16,9 @@ namespace {
 
 using Picture = cv::Mat_<cv::Vec3b>;
 
-constexpr double kFar = 4;       // m, at the end of the colours
-constexpr double kError = 0.03;  // m, of full colour
-constexpr int kEnlargement = 4;  // of the middle
+constexpr double kFar = 4;       // depth at the end of the colour map, m
+constexpr double kError = 0.03;  // error at full saturation, m
+constexpr int kEnlargement = 4;  // magnification of the centre
 
 Picture enlarged_middle(const cv::Mat& image) {
   const cv::Size part(image.cols / kEnlargement, image.rows / kEnlargement);
@@ -54,7 +54,7 @@ Picture error_picture(const vo::DepthImage& measured, const vo::DepthImage& exac
   return result;
 }
 
-/// The measured surface in a light from the upper left: steps and noise that colours hide.
+/// Returns the measured surface shaded by a light from the upper left, which shows steps and noise.
 Picture relief(const vo::DepthImage& depth, const vo::PinholeCamera& camera) {
   const Eigen::Vector3d to_light = Eigen::Vector3d(-1, -1, -1).normalized();
   Picture result(depth.size(), cv::Vec3b(0, 0, 0));

@@ -11,9 +11,9 @@
 
 namespace tools {
 
-/// A row per preset, of one frame of a motion: image | its middle enlarged | depth, red far, black
-/// none | the surface that it describes, lit | depth less the perfect one, red too far, blue too
-/// near.
+/// Returns a picture with a row per sensor preset, of one frame of a motion: image | its centre
+/// enlarged | depth, red far, black none | the measured surface, shaded | depth error, red too far,
+/// blue too near.
 cv::Mat_<cv::Vec3b> draw_contact_sheet(const synth::Scene& scene,
                                        const synth::RenderersOverTime& renderers,
                                        const vo::PinholeCamera& camera,

@@ -13,7 +13,7 @@ std::string name_of(synth::SensorPreset preset, const char* what) {
   return std::string(vo::to_string(preset)) + what;
 }
 
-/// A preset's line and its marks, of a value that both know.
+/// Adds a preset's line of the formula and marks of the measurements, unless they are empty.
 void add_series(synth::SensorPreset preset, std::vector<PlotPoint> formula,
                 std::vector<PlotPoint> measured, PlotPanel& panel) {
   if (!formula.empty()) {

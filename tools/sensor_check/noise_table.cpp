@@ -15,9 +15,9 @@ namespace {
 using synth::DepthSensorOptions;
 
 constexpr int kJudgedColumns = 5;
-constexpr double kTails = 6;  // standard deviations that sums run over
+constexpr double kTails = 6;  // half width of the sums, standard deviations
 
-/// Mean and mean square of a random depth error, m.
+/// Mean and mean square of a random depth error in m and m^2.
 struct ErrorMoments {
   double mean = 0;
   double square = 0;
@@ -32,7 +32,7 @@ double normal_share(double value) {
   return std::erfc(-value / std::numbers::sqrt2) / 2;
 }
 
-/// Of step round(n / step), n being normal.
+/// Visits every value and probability of step round(n / step) for a normal variable n.
 template <typename Visit>
 void visit_rounded(double mean, double sigma, double step, const Visit& visit) {
   const double spread = std::max(sigma, 1e-9 * step);
@@ -46,7 +46,7 @@ void visit_rounded(double mean, double sigma, double step, const Visit& visit) {
   }
 }
 
-/// Standard deviation of the place that is measured, px.
+/// Returns the standard deviation of the sampled position, px.
 double lateral_deviation(const synth::LateralNoise& noise, double incidence) {
   const double sigma = synth::lateral_sigma(noise.sigma, noise.grazing, incidence);
   if (noise.sampling == synth::DepthSampling::linear || sigma == 0) {
@@ -57,13 +57,14 @@ double lateral_deviation(const synth::LateralNoise& noise, double incidence) {
   return std::sqrt(variance);
 }
 
-/// White noise under linear interpolation at random places keeps (1 - a)^2 + a^2 = 2 / 3 of its
-/// variance in each of u and v.
+/// Returns the factor on the standard deviation of white noise by linear interpolation at random
+/// places, which keeps 2 / 3 of the variance, the mean of (1 - a)^2 + a^2, in each of u and v.
 double kept_by_sampling(const synth::LateralNoise& noise) {
   return noise.sigma > 0 && noise.sampling == synth::DepthSampling::linear ? 2.0 / 3 : 1;
 }
 
-/// Where disparity comes in steps, so does depth, and rounding it once more shifts each of them.
+/// Adds the error by disparity noise. Quantised disparity gives discrete depths, each of which the
+/// rounding of depth shifts.
 void add_disparity_error(const DepthSensorOptions& sensor, double depth, double sigma_px,
                          double truth, double probability, ErrorMoments& moments) {
   const synth::DisparityNoise& noise = sensor.disparity;
@@ -83,7 +84,7 @@ void add_disparity_error(const DepthSensorOptions& sensor, double depth, double 
   });
 }
 
-/// `sigma` of normal noise before disparity, m.
+/// Returns the depth error after disparity quantisation of depths with normal noise `sigma`, m.
 ErrorMoments through_disparity(const DepthSensorOptions& sensor, double depth, double sigma) {
   const synth::DisparityNoise& noise = sensor.disparity;
   ErrorMoments moments;
@@ -100,7 +101,7 @@ ErrorMoments through_disparity(const DepthSensorOptions& sensor, double depth, d
   return moments;
 }
 
-/// At one pixel of a plane.
+/// Returns the expected depth error at one pixel of a plane.
 ErrorMoments expected_at(const DepthSensorOptions& sensor, const synth::DepthView& view,
                          const vo::PinholeCamera& camera, const cv::Point& pixel) {
   const double depth = view.depth(pixel);
@@ -115,7 +116,7 @@ ErrorMoments expected_at(const DepthSensorOptions& sensor, const synth::DepthVie
   return through_disparity(sensor, depth, std::hypot(axial, lateral, along_normal));
 }
 
-/// Noise alone.
+/// Returns the sensor without holes, flying pixels and depth limits.
 synth::SensorOptions without_holes(const synth::SensorOptions& sensor) {
   synth::SensorOptions noise = sensor;
   noise.min_depth = 0.01;

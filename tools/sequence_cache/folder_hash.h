@@ -5,10 +5,11 @@
 
 namespace tools {
 
-/// A line for each file below a folder, by name: `hash bytes name`.
+/// Returns a line `hash bytes name` for each file below a folder, sorted by name.
 std::string list_file_hashes(const std::filesystem::path& folder);
 
-/// What the first file is that differs from such a list; empty when none does.
+/// Returns a text on the first difference between the folder and such a list of its files; empty if
+/// there is none.
 std::string find_difference(const std::filesystem::path& folder, const std::string& listed);
 
 }  // namespace tools

@@ -13,7 +13,7 @@
 namespace tools {
 namespace {
 
-/// The files that the members of an array such as "buffers" name.
+/// Adds the files that the elements of an array such as "buffers" refer to.
 void add_named_files(const synth::GltfFile& file, const char* array, vo::ContentHash& hash) {
   const auto elements = file.json.find(array);
   if (elements == file.json.end() || !elements->is_array()) {

@@ -5,8 +5,8 @@
 
 namespace tools {
 
-/// Of a glTF file and of every file that it names: differs where the scene may differ. Much faster
-/// than loading the scene. Throws vo::Error naming a file that is missing.
+/// Returns a hash of a glTF file and of every file that it names, which is much faster than loading
+/// the scene. Throws vo::Error naming a file that is missing.
 std::uint64_t scene_files_hash(const std::filesystem::path& gltf);
 
 }  // namespace tools

@@ -39,14 +39,14 @@ std::string key_of(const synth::RenderJob& job) {
   return vo::to_hex(hash.value());
 }
 
-/// The hash of all of the files of an entry.
+/// Returns the hash of all files of an entry.
 std::string content_of(const EntryPlaces& places) {
   vo::ContentHash hash;
   hash.add(vo::read_file(places.files));
   return vo::to_hex(hash.value());
 }
 
-/// What is wrong with an entry that is there; empty when nothing is.
+/// Returns what is wrong with an existing entry; empty when nothing is.
 std::string problem_of(const EntryPlaces& places) {
   if (!fs::exists(places.files)) {
     return "it was left unfinished";
@@ -60,7 +60,7 @@ void remove_entry(const EntryPlaces& places) {
   fs::remove_all(places.sequence, ignored);
 }
 
-/// What a process that was killed while it rendered left, for the next one to go on from.
+/// Removes unfinished sequences of processes that were killed while rendering.
 void remove_unfinished(const fs::path& cache) {
   std::vector<std::string> keys;
   if (fs::is_directory(cache / "sequences")) {
@@ -94,7 +94,7 @@ std::uintmax_t size_of(const fs::path& folder) {
   return bytes;
 }
 
-/// Nothing of an entry that somebody removes at this moment.
+/// Returns the description of an entry; empty if it is being removed.
 std::optional<CacheEntry> describe_entry(const fs::path& cache, const std::string& key) {
   const EntryPlaces places = places_of(cache, key);
   try {

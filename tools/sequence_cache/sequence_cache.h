@@ -11,47 +11,48 @@
 
 namespace tools {
 
-/// A folder of rendered sequences, each under the hash of all that determines it: the scene's
-/// files, the recipe, and the sources of the generator. Any number of processes may use one cache
-/// at once.
+/// An entry of the cache, a folder of rendered sequences whose keys are hashes of all that
+/// determines them: the scene's files, the recipe and the generator's sources. Any number of
+/// processes may use one cache at once.
 ///     sequences/<key>/         the sequence
-///     sequences/<key>.part/    the same while it is made
-///     sequences/<key>.files    size and hash of each of its files
-///     locks/<key>              held while the sequence is made or used; when it was last used
-///     results/<key>.json       what was measured on sequences (`kept_results.h`)
+///     sequences/<key>.part/    the sequence while it is rendered
+///     sequences/<key>.files    size and hash of each file of the sequence
+///     locks/<key>              lock while the sequence is rendered or used; time of its last use
+///     results/<key>.json       metrics of edvo's own tracker on a sequence (`trial.h`)
 struct CachedSequence {
   std::filesystem::path folder;
-  std::string content;  ///< hash of its files: the same bytes have the same
-  std::string problem;  ///< what was wrong with the entry before it was made again; mostly empty
-  FileLock in_use;      ///< nobody removes the sequence while this exists
+  std::string content;  ///< hash of the sequence's files
+  std::string problem;  ///< why an existing entry was rendered again; usually empty
+  FileLock in_use;      ///< shared lock that keeps the sequence from being removed
 };
 
-/// $XDG_CACHE_HOME/edvo, or ~/.cache/edvo where that is not set.
+/// Returns $XDG_CACHE_HOME/edvo, or ~/.cache/edvo where that is not set to an absolute path.
 std::filesystem::path default_cache_folder();
 
-/// The sequence, rendered unless it is there and its files are what they were. `progress` is told
-/// of the rendering, and (0, 0) while another process makes the same sequence.
+/// Returns the cached sequence; renders it if it is missing or its files changed. `progress` is
+/// told of the rendering, and (0, 0) while another process holds the lock.
 CachedSequence cached_sequence(const std::filesystem::path& cache, const synth::RenderJob& job,
                                const vo::Progress& progress);
 
 struct CacheEntry {
   std::string key;
-  std::string scene;  ///< file name
+  std::string scene;  ///< file name of the scene
   std::size_t frames = 0;
   std::uintmax_t bytes = 0;
   std::filesystem::file_time_type last_used;
-  std::string problem;  ///< set by `verify_cache`
+  std::string problem;  ///< what is wrong with the files; set by `verify_cache`
 };
 
-/// In order of their last use, the oldest first.
+/// Returns the entries in order of their last use, the oldest first.
 std::vector<CacheEntry> list_cache(const std::filesystem::path& cache);
 
-/// The same after every file was read: `problem` says what is wrong, and such entries are removed.
+/// Returns the entries after reading every file: `problem` says what is wrong, and such entries are
+/// removed unless in use.
 std::vector<CacheEntry> verify_cache(const std::filesystem::path& cache,
                                      const vo::Progress& progress);
 
-/// Removes the entries that were not used for longest until the rest has at most `max_bytes`, and
-/// what killed processes left. Entries in use stay. Returns what was removed.
+/// Removes the least recently used entries until the rest has at most `max_bytes`, and unfinished
+/// ones of killed processes. Entries in use stay. Returns the removed entries.
 std::vector<CacheEntry> prune_cache(const std::filesystem::path& cache, std::uintmax_t max_bytes);
 
 }  // namespace tools

@@ -18,10 +18,10 @@ namespace {
 struct AlignPair {
   vo::EdgePoints points;
   vo::FramePyramid current;
-  vo::SE3 T_cur_ref;  ///< the truth
+  vo::SE3 T_cur_ref;  ///< ground truth
 };
 
-/// One cell of the map: all pairs from one pair of offsets.
+/// One cell of the map: the alignments of all pairs with one translational and rotational offset.
 struct BasinCell {
   double translation = 0;   ///< m
   double rotation_deg = 0;  ///< deg
@@ -30,7 +30,7 @@ struct BasinCell {
   std::vector<double> deg;
 };
 
-/// Directions that are spread evenly over the sphere: a spiral of the golden angle.
+/// Returns one of `count` directions spread evenly over the sphere by a golden-angle spiral.
 Eigen::Vector3d direction(std::size_t index, std::size_t count) {
   const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
   const double z = 1 - (2 * static_cast<double>(index) + 1) / static_cast<double>(count);
@@ -55,7 +55,7 @@ std::vector<AlignPair> make_pairs(const Clip& clip, const BasinSettings& setting
 }
 
 void measure(const std::vector<AlignPair>& pairs, const BasinSettings& settings, BasinCell& cell) {
-  constexpr std::size_t kStride = 5;  // so that axis and direction of a pair have nothing in common
+  constexpr std::size_t kStride = 5;  // decorrelates rotation axis and translation
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     vo::Vector6d offset;
     offset << cell.translation * direction(i, pairs.size()),
@@ -77,7 +77,7 @@ double percent(const BasinCell& cell) {
   return 100.0 * cell.converged / static_cast<double>(cell.mm.size());
 }
 
-/// Row by row, the translation growing within a row.
+/// Returns the cells row by row; the translation grows within a row, the rotation from row to row.
 std::vector<BasinCell> make_cells(const BasinSettings& settings) {
   std::vector<BasinCell> cells;
   for (int i = 0; i < settings.steps; ++i) {
@@ -132,7 +132,7 @@ std::string draw(const std::string& title, const std::vector<BasinCell>& cells, 
   return draw_heat_maps(title, {converged, error});
 }
 
-/// Along one axis of the map, the greatest offset up to which nine of ten alignments converge.
+/// Returns the greatest offset along one axis of the map up to which 90 % of alignments converge.
 double reach(const std::vector<BasinCell>& cells, int steps, int stride,
              double BasinCell::*offset) {
   constexpr double kEnough = 90;

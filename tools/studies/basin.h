@@ -8,16 +8,16 @@ namespace tools {
 
 struct BasinSettings {
   vo::TrackerOptions tracker;
-  int pairs = 12;                ///< of frames that are aligned
-  int apart = 1;                 ///< frames between the two of a pair
-  int steps = 7;                 ///< of each offset, 0 included
-  double max_translation = 0.3;  ///< m, greatest offset
-  double max_rotation_deg = 12;  ///< deg, greatest offset
-  double max_error = 0.01;       ///< m, of an alignment that converged
-  double max_error_deg = 0.3;    ///< deg, of an alignment that converged
+  int pairs = 12;                ///< number of frame pairs that are aligned
+  int apart = 1;                 ///< distance between the two frames of a pair, frames
+  int steps = 7;                 ///< number of values of each offset, 0 included
+  double max_translation = 0.3;  ///< greatest translational offset, m
+  double max_rotation_deg = 12;  ///< greatest rotational offset, deg
+  double max_error = 0.01;       ///< greatest error of an alignment that counts as converged, m
+  double max_error_deg = 0.3;    ///< greatest error of an alignment that counts as converged, deg
   int jobs = 1;
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error on an invalid setting
 };
 
 template <typename Visitor>
@@ -31,8 +31,8 @@ void visit_fields(Visitor& visit, BasinSettings& settings) {
   visit("max_error_deg", settings.max_error_deg, "of an alignment that converged, deg");
 }
 
-/// From how far off the truth an alignment finds it: pairs of frames aligned from the true pose
-/// moved and turned by growing offsets, each pair in a direction of its own.
+/// Measures the basin of convergence: frame pairs are aligned from the true pose displaced by
+/// growing translations and rotations, each pair in directions of its own.
 StudyReport study_basin(const Clip& clip, const BasinSettings& settings,
                         const vo::Progress& progress);
 

@@ -20,7 +20,7 @@ namespace {
 struct BudgetMetric {
   double Metrics::*value;
   const char* name;
-  double factor;  ///< from the metric's unit to the name's
+  double factor;  ///< conversion factor to the name's unit
 };
 
 constexpr std::array<BudgetMetric, 3> kBudgetMetrics{
@@ -28,17 +28,17 @@ constexpr std::array<BudgetMetric, 3> kBudgetMetrics{
      {&Metrics::rpe_translation_rmse_m, "rpe_mm", 1000},
      {&Metrics::rpe_rotation_rmse_deg, "rpe_deg", 1}}};
 
-/// A player of the game: imperfections that are switched together.
+/// A player of the Shapley game: imperfections that are switched together.
 using Group = std::vector<Imperfection>;
 
-/// What was measured with sets of groups switched on; bit i of a set is group i.
+/// Cached metrics by set of groups switched on; bit i of a set is group i.
 class Measurements {
  public:
   Measurements(const Scenario& scenario, const BudgetSettings& settings,
                const vo::Progress& progress, const WaitObserver& waiting)
       : scenario_(scenario), settings_(settings), progress_(progress), waiting_(waiting) {}
 
-  /// Measures the sets that are not known; `groups` are named by their contents.
+  /// Measures the sets without cached metrics; cache keys depend on the groups' contents.
   void measure(const std::vector<Group>& groups, const std::vector<std::uint32_t>& sets) {
     std::vector<TrialJob> jobs;
     std::vector<std::string> keys;
@@ -59,7 +59,7 @@ class Measurements {
     }
   }
 
-  /// By seed, in the unit of the metric's name.
+  /// Returns the values by seed, in the unit of the metric's name.
   std::vector<double> values(const std::vector<Group>& groups, std::uint32_t set,
                              const BudgetMetric& metric) const {
     std::vector<double> values;
@@ -99,7 +99,7 @@ class Measurements {
   const BudgetSettings& settings_;
   const vo::Progress& progress_;
   const WaitObserver& waiting_;
-  std::map<std::string, std::vector<Metrics>> known_;  ///< by what is switched off; by seed
+  std::map<std::string, std::vector<Metrics>> known_;  ///< by names switched off, then seed
 };
 
 std::uint32_t all_of(const std::vector<Group>& groups) {
@@ -110,7 +110,7 @@ double mean_of(const std::vector<double>& values) {
   return estimate_mean(values).mean;
 }
 
-/// Each on alone, each off alone, all and none.
+/// Returns the sets with none, with all, with each group alone and with all but each group.
 std::vector<std::uint32_t> one_by_one(const std::vector<Group>& groups) {
   const std::uint32_t all = all_of(groups);
   std::vector<std::uint32_t> sets{0, all};
@@ -121,7 +121,7 @@ std::vector<std::uint32_t> one_by_one(const std::vector<Group>& groups) {
   return sets;
 }
 
-/// Single imperfections, those that change the ATE most first; those after `top` in one group.
+/// Returns the groups ordered by decreasing effect on the ATE; those after `top` form one group.
 std::vector<Group> top_groups(const std::vector<Group>& singles, const Measurements& measured,
                               int top) {
   const BudgetMetric& ate = kBudgetMetrics.front();
@@ -149,7 +149,7 @@ std::vector<Group> top_groups(const std::vector<Group>& singles, const Measureme
   return groups;
 }
 
-/// The Shapley values over the seeds, by group.
+/// Returns the Shapley value of each group, estimated over the seeds.
 std::vector<Estimate> shares_of(const std::vector<Group>& groups, const Measurements& measured,
                                 const BudgetMetric& metric, int seeds) {
   std::vector<std::vector<double>> by_group(groups.size());
@@ -181,7 +181,7 @@ double half_width(const Estimate& estimate) {
   return estimate.high - estimate.mean;
 }
 
-/// One metric of the budget.
+/// Adds the rows of one metric to the budget table.
 void add_rows(Table& table, const std::vector<Group>& groups, const Measurements& measured,
               const BudgetMetric& metric, int seeds) {
   const std::uint32_t all = all_of(groups);
@@ -221,7 +221,7 @@ std::string draw(const Table& table, const std::string& title) {
   return draw_plot(title, panels);
 }
 
-/// In words, the largest share of the ATE and the error without it, which was measured, too.
+/// Returns a sentence on the largest Shapley value of the ATE and the error without that group.
 std::string finding(const std::vector<Group>& groups, const Measurements& measured, int seeds) {
   const BudgetMetric& ate = kBudgetMetrics.front();
   const std::vector<Estimate> shares = shares_of(groups, measured, ate, seeds);

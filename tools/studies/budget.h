@@ -6,16 +6,16 @@
 namespace tools {
 
 struct BudgetSettings {
-  RunSettings run;  ///< with all of its seeds
-  int top = 3;      ///< imperfections whose shares are told apart; the others are one
+  RunSettings run;  ///< settings of the trials, including the number of seeds
+  int top = 3;      ///< imperfections with a share of their own; the others share one
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error on an invalid setting
 };
 
-/// What of a scenario's errors each imperfection of its camera causes: the error with it alone, the
-/// error with all but it, and its Shapley value, the mean of what it adds over all orders in which
-/// the imperfections may be switched on. Shares and the error of a perfect camera sum to the whole.
-/// Throws vo::Error when the camera is perfect, or where nothing could be measured.
+/// Attributes a scenario's errors to its camera's imperfections: for each, the error with it alone,
+/// the error with all but it, and its Shapley value, the mean of what it adds over all orders in
+/// which the imperfections may be switched on. The Shapley values and the error of a perfect camera
+/// sum to the total error. Throws vo::Error when the camera is perfect, or when a trial fails.
 StudyReport error_budget(const Scenario& scenario, const BudgetSettings& settings,
                          const vo::Progress& progress, const WaitObserver& waiting);
 

@@ -24,34 +24,34 @@ struct Clip {
   std::vector<vo::RgbdFrame> frames;
 };
 
-/// The first `max_frames` frames, all of them where it is 0. Throws vo::Error without ground truth.
+/// Loads the first `max_frames` frames, or all if it is 0. Throws vo::Error without ground truth.
 Clip load_clip(const vo::SequenceReader& sequence, const std::string& name, std::size_t max_frames,
                const vo::Progress& progress);
 
-/// How one way of tracking a clip did. NaN where too little was tracked to measure.
+/// Accuracy and cost of tracking a clip with one set of options. NaN where too little was tracked.
 struct ClipScore {
-  double rpe_mm = 0;  ///< RMSE over one second, or over all of a shorter clip
+  double rpe_mm = 0;  ///< RMSE over 1 s, or over half of the estimate if it spans less than 2 s
   double rpe_deg = 0;
-  double ate_mm = 0;           ///< RMSE after a rigid alignment
-  double points = 0;           ///< aligned on the finest level, mean of the tracked frames
-  double ms_per_frame = 0;     ///< median processor time; differs from run to run
-  double tracked_percent = 0;  ///< of all frames
+  double ate_mm = 0;           ///< RMSE after a rigid (SE(3)) alignment
+  double points = 0;           ///< points aligned on the finest level, mean over the tracked frames
+  double ms_per_frame = 0;     ///< median processor time; differs between runs
+  double tracked_percent = 0;  ///< share of all frames with a pose
 };
 
 ClipScore score(const Clip& clip, const vo::TrackerOptions& options);
 
-/// Of two frames of a clip.
+/// Two frames of a clip and their true relative pose.
 struct FramePair {
   std::size_t ref = 0;
   std::size_t cur = 0;
-  vo::SE3 T_cur_ref;  ///< the truth
+  vo::SE3 T_cur_ref;  ///< ground truth
 };
 
-/// At most `count` pairs, `distance` frames apart, spread evenly over the clip; none of frames that
-/// the truth does not cover.
+/// Returns at most `count` pairs, `distance` frames apart, spread evenly over the clip and without
+/// those whose poses the ground truth does not cover.
 std::vector<FramePair> pairs_apart(const Clip& clip, std::size_t distance, std::size_t count);
 
-/// As the tracker sees the frame: pyramid and edges.
+/// Returns the frame's image pyramid with edges, built with the tracker's options.
 vo::FramePyramid pyramid_of(const vo::RgbdFrame& frame, const vo::PinholeCamera& camera,
                             const vo::TrackerOptions& options);
 
@@ -62,8 +62,8 @@ struct PoseError {
 
 PoseError pose_error(const vo::SE3& T_true, const vo::SE3& T_estimated);
 
-/// Mean displacement of the pixels that have depth and stay in front of the camera, px. Every
-/// `step`-th pixel in both directions is looked at.
+/// Returns the mean displacement, px, of the pixels that have depth and stay in front of the
+/// camera. Only every `step`-th pixel in each direction is sampled.
 double mean_flow_px(const vo::DepthImage& depth, const vo::PinholeCamera& camera,
                     const vo::SE3& T_cur_ref, int step);
 

@@ -5,7 +5,7 @@
 namespace tools {
 namespace {
 
-/// A detector more is a line more.
+/// Returns the detectors that the study compares.
 std::vector<Variant> detectors() {
   return {
       {"Canny, Otsu", {{"edges.threshold", "otsu"}}},
@@ -38,7 +38,7 @@ PlotPanel detectors_make_panel(const std::string& title) {
   return panel;
 }
 
-/// The smallest number of a column, and which row has it.
+/// Returns a sentence on the smallest value of a column and its row.
 std::string best(const Table& table, std::size_t column, const char* what, const char* unit) {
   std::size_t best_row = 0;
   const auto value = [&](std::size_t row) { return std::get<double>(table.rows[row][column]); };

@@ -11,7 +11,8 @@ namespace {
 constexpr std::string_view kSensor = "sensor.";
 constexpr std::string_view kDistortion = "camera.distortion.";
 
-/// `sensor.depth.holes.max_step` belongs to `depth.holes`; empty for an option that is none.
+/// Returns the imperfection of an option: that of `sensor.depth.holes.max_step` is `depth.holes`.
+/// It is empty for other options.
 std::string imperfection_of(const std::string& key) {
   if (key.starts_with(kDistortion)) {
     return "distortion";

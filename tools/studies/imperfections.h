@@ -7,15 +7,15 @@
 
 namespace tools {
 
-/// What makes a scenario's camera worse than a perfect one: options that are not at their defaults
-/// and belong together.
+/// An imperfection of a scenario's camera: options that belong together and are not at their
+/// default.
 struct Imperfection {
   std::string name;
-  Assignments off;  ///< what switches it off
+  Assignments off;  ///< assignments that restore the defaults
 };
 
-/// Those of `sensor.*` and of `camera.distortion`, in the order of the options. Options of one
-/// table, such as `sensor.depth`, are one imperfection; a seed is none.
+/// Returns the imperfections among `sensor.*` and `camera.distortion`, in option order. Options of
+/// one table, such as `sensor.depth`, form one imperfection; seeds and presets do not count.
 std::vector<Imperfection> find_imperfections(const Scenario& scenario);
 
 Scenario without(const Scenario& scenario, const std::vector<Imperfection>& imperfections);

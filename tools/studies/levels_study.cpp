@@ -11,10 +11,10 @@ namespace tools {
 namespace {
 
 constexpr std::array<std::size_t, 5> kDistances{1, 2, 4, 8, 16};  // frames
-constexpr std::size_t kPairs = 24;                                // at most, of each distance
+constexpr std::size_t kPairs = 24;  // greatest number of pairs per distance
 constexpr int kMaxLevels = 6;
 
-/// Alignments of all pairs of one distance with one depth of the pyramid.
+/// Alignments of all pairs of one distance with one number of pyramid levels.
 struct LevelsSample {
   std::vector<double> mm;
   std::vector<double> deg;
@@ -24,10 +24,10 @@ struct LevelsSample {
   double percent() const { return 100.0 * converged / static_cast<double>(mm.size()); }
 };
 
-/// All pairs of one distance. samples[l] has l + 1 levels.
+/// Results of all pairs of one distance. samples[l] has l + 1 levels.
 struct Distance {
   std::size_t frames = 0;
-  double flow_px = 0;  ///< mean of the pairs
+  double flow_px = 0;  ///< mean optical flow of the pairs
   std::array<LevelsSample, kMaxLevels> samples;
 };
 
@@ -117,7 +117,7 @@ std::string levels_draw(const Clip& clip, const std::vector<Distance>& distances
   return draw_plot("Depth of the pyramid against convergence: " + clip.name, {converged, error});
 }
 
-/// Over all distances, the share that converges with each number of levels.
+/// Returns a sentence with the share of all pairs that converges with each number of levels.
 std::string totals(const std::vector<Distance>& distances) {
   std::string text = "Converged, all distances together:";
   for (std::size_t l = 0; l < kMaxLevels; ++l) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// One change of the default at a time.
+/// Returns variants that each change one option of the default.
 std::vector<Variant> mono_variants() {
   return {{"default", {}},
           {"propagate every frame", {{"depth_map.propagate", "always"}}},
@@ -31,13 +31,13 @@ std::vector<Variant> mono_variants() {
           {"random start", {{"bootstrap", "random"}}}};
 }
 
-/// NaN where too little was tracked to measure.
+/// Scores of one variant; NaN where too little was tracked to measure.
 struct MonoScore {
-  double ate_percent = kUnknown;  ///< of the path; Sim(3) where the bootstrap is not metric
+  double ate_percent = kUnknown;  ///< % of path length; Sim(3) unless metric
   double scale_error_percent = kUnknown;
   double tracked_percent = 0;
   double mapping_ms = kUnknown;
-  std::optional<MapErrors> errors;  ///< of the last map
+  std::optional<MapErrors> errors;  ///< errors of the last map
 };
 
 vo::MonoImages images_of(const Clip& clip, std::size_t& next) {

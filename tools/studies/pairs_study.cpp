@@ -8,7 +8,7 @@
 namespace tools {
 namespace {
 
-/// A way of aligning more is a line more.
+/// Returns the variants of the alignment that the study compares.
 std::vector<Variant> pair_variants() {
   return {
       {"as given", {}},
@@ -32,7 +32,7 @@ std::vector<Variant> pair_variants() {
   };
 }
 
-/// All pairs of one motion size, aligned in one way.
+/// Results of one variant on all pairs of one mean flow.
 struct PairSample {
   std::vector<double> mm;
   std::vector<double> deg;
@@ -42,13 +42,13 @@ struct PairSample {
   double percent() const { return 100.0 * converged / static_cast<double>(mm.size()); }
 };
 
-/// samples[flow], in the order of the flows.
+/// Results of one variant; samples[i] belongs to the i-th mean flow.
 struct VariantResult {
   std::string name;
   std::vector<PairSample> samples;
 };
 
-/// As the tracker would: one keyframe, the camera last seen there and at rest.
+/// Aligns a pair as the tracker would with one keyframe, seen last, and a camera at rest.
 void align_pair(const vo::FramePyramid& reference, const vo::FramePyramid& current,
                 const vo::SE3& T_true, const vo::TrackerOptions& options,
                 const StudySettings& settings, PairSample& sample) {
@@ -80,7 +80,7 @@ VariantResult pairs_measure(const Clip& clip, const Variant& variant, std::size_
   return result;
 }
 
-/// Of each motion size, px, over the full images.
+/// Returns the mean flow of each motion size over the full images, px.
 std::vector<double> measured_flows(const Clip& clip, std::size_t group) {
   constexpr int kStep = 4;  // px
   std::vector<double> flows;
@@ -143,7 +143,7 @@ std::string pairs_draw(const Clip& clip, const std::vector<VariantResult>& resul
   return draw_plot("Random pairs from identity: " + clip.name, {converged, error});
 }
 
-/// The project's own goals for pairs of 12, 27 and 42 px.
+/// Compares a variant with the project's goals for pairs with 12, 27 and 42 px of flow.
 std::string judged(const VariantResult& result) {
   constexpr double kGoalMm = 0.2;
   constexpr double kGoalDeg = 0.004;

@@ -11,12 +11,12 @@ namespace {
 
 constexpr std::array kPointPercents{5, 10, 20, 30, 40, 50, 60, 70, 80, 90, 100};
 
-/// With keyframes and without constant motion, as the paper measured it.
+/// Returns the fixed options: keyframes and no constant-motion model, as in the paper.
 Assignments held() {
   return {{"keyframes.every", "4"}, {"motion_model", "stationary"}};
 }
 
-/// One selection at one share, over the seeds.
+/// Scores of one selection at one share, one per seed.
 struct PointsSample {
   std::string selection;
   int percent = 100;
@@ -31,7 +31,7 @@ struct PointsSample {
   }
 };
 
-/// All edges and all pixels are the same with every seed.
+/// Returns the number of seeds to run: one if the selection is not random.
 int seeds_of(const PointsSample& sample, int seeds) {
   return sample.percent == 100 && sample.selection != "random" ? 1 : seeds;
 }
@@ -121,7 +121,8 @@ std::string compared(const char* what, const char* unit, double edges, double ra
                     " with all pixels.");
 }
 
-/// At how many shares edges beat random pixels, and at how many by more than the seeds scatter.
+/// Returns a sentence on the number of shares at which edges beat random pixels, and at which by
+/// more than the standard deviations over seeds.
 std::string count_wins(const std::vector<PointsSample>& samples, double ClipScore::*value,
                        const char* what) {
   int wins = 0;

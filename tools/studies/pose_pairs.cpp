@@ -28,7 +28,7 @@ Eigen::Vector3d random_direction(vo::Random& random) {
   }
 }
 
-/// A view at an eighth of the resolution: enough to judge depths and flow.
+/// A view at an eighth of the resolution, which suffices to judge depths and flow.
 struct SmallView {
   vo::SE3 T_world_camera;
   vo::DepthImage depth;
@@ -44,7 +44,7 @@ vo::PinholeCamera small_camera(vo::PinholeCamera camera) {
   return camera;
 }
 
-/// In the middle of the lit box, at about eye level, looking anywhere but far up or down.
+/// Returns a pose in the middle of the lit box, at about eye level, pitched at most 25 deg.
 vo::SE3 random_view(const Eigen::AlignedBox3d& box, vo::Random& random) {
   constexpr double kDegree = std::numbers::pi / 180;
   const Eigen::Vector3d eye = box.min() + box.sizes().cwiseProduct(Eigen::Vector3d(
@@ -60,11 +60,11 @@ vo::SE3 random_view(const Eigen::AlignedBox3d& box, vo::Random& random) {
   return vo::look_at(eye, eye + forward, Eigen::Vector3d::UnitY()) * T_view_rolled;
 }
 
-/// In how many of 4x3 blocks the brightness varies by more than shading alone makes it.
+/// Counts in how many of 4x3 blocks the brightness varies by more than shading alone makes it.
 int textured_blocks(const cv::Mat_<cv::Vec3f>& radiance) {
   constexpr int kColumns = 4;
   constexpr int kRows = 3;
-  constexpr double kMinContrast = 0.15;  // standard deviation over mean
+  constexpr double kMinContrast = 0.15;  // least standard deviation over mean
   int textured = 0;
   for (int row = 0; row < kRows; ++row) {
     for (int column = 0; column < kColumns; ++column) {
@@ -100,7 +100,7 @@ SmallView find_view(const synth::Renderer& renderer, const vo::PinholeCamera& ca
            options.min_depth, " m was found");
 }
 
-/// The motion along a twist whose mean flow is `flow_px` pixels of the full resolution.
+/// Returns the motion along a twist whose mean flow is `flow_px` pixels at full resolution.
 vo::SE3 scaled_motion(const SmallView& view, const vo::PinholeCamera& camera,
                       const vo::Vector6d& twist, double flow_px) {
   constexpr int kIterations = 12;

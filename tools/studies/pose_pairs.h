@@ -10,23 +10,23 @@
 
 namespace tools {
 
-/// Random views of a scene and, for each, the same view moved so far that the image moves by a
-/// given mean flow.
+/// Options for random views of a scene, each with moved views that displace the image by given mean
+/// flows.
 struct PosePairOptions {
-  std::vector<double> flows_px{4, 12, 27, 42};  ///< mean over the pixels with depth
+  std::vector<double> flows_px{4, 12, 27, 42};  ///< mean optical flow of each moved view
   int views = 24;
   std::uint64_t seed = 1;
-  double min_depth = 0.6;        ///< m, of every pixel of a view
-  double min_mean_depth = 1.5;   ///< m, of a view
-  int min_textured_blocks = 10;  ///< of the 12 that a view is divided into
+  double min_depth = 0.6;        ///< least depth of any pixel of a view, m
+  double min_mean_depth = 1.5;   ///< least mean depth of a view, m
+  int min_textured_blocks = 10;  ///< least number of the view's 12 blocks that have texture
 
   std::size_t poses_per_view() const { return 1 + flows_px.size(); }
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error on an invalid option
 };
 
-/// T_world_camera of each view followed by those of its moved views, a second apart. Translation
+/// Returns T_world_camera of each view followed by those of its moved views, 1 s apart. Translation
 /// and rotation have random directions; each causes about half of the flow. Throws vo::Error when
-/// the scene has too few views that are textured and in which every pixel has depth.
+/// no textured view in which every pixel has depth is found.
 vo::Trajectory pose_pairs(const synth::Scene& scene, const vo::PinholeCamera& camera,
                           const PosePairOptions& options);
 

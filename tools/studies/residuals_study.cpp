@@ -19,11 +19,11 @@ namespace tools {
 namespace {
 
 constexpr std::size_t kCompared = 5;     // frames
-constexpr std::size_t kReferences = 12;  // at most
+constexpr std::size_t kReferences = 12;  // greatest number of references
 constexpr std::size_t kGreyLevels = 256;
 constexpr int kPictureWidth = 320;  // px
 
-/// How many pixels have which |residual|, in whole grey levels.
+/// Number of pixels by |residual| in whole grey levels.
 struct Histogram {
   std::array<double, kGreyLevels> counts{};
 
@@ -46,19 +46,19 @@ struct Histogram {
     return sum / total();
   }
 
-  /// Share of the pixels with at most this residual, %.
+  /// Returns the share of pixels whose |residual| is at most `level`, %.
   double percent_within(std::size_t level) const {
     const auto end = counts.begin() + static_cast<std::ptrdiff_t>(level) + 1;
     return 100 * std::accumulate(counts.begin(), end, 0.0) / total();
   }
 };
 
-/// All pixels' residuals one distance from the reference.
+/// Histograms of residuals at one distance from the reference.
 struct Stage {
-  Histogram before;        ///< at the reference's pose
-  Histogram after_edges;   ///< edges aligned
-  Histogram after_all;     ///< all pixels aligned: as far down as they go
-  Histogram edges_before;  ///< of the edge pixels alone
+  Histogram before;        ///< all pixels at the reference's pose
+  Histogram after_edges;   ///< all pixels after aligning edges
+  Histogram after_all;     ///< all pixels after aligning all pixels
+  Histogram edges_before;  ///< edge pixels at the reference's pose
   Histogram edges_after;
 };
 
@@ -83,7 +83,7 @@ cv::Mat_<cv::Vec3b> picture(const vo::EdgePointLevel& points, const vo::PyramidL
   return titled(small, title);
 }
 
-/// Follows one reference over the frames after it, each search starting where the last one ended.
+/// Follows one reference over the next frames, each search starting at the last result.
 void residuals_follow(const Clip& clip, std::size_t first, const StudySettings& settings,
                       ResidualsOutcome& outcome) {
   const vo::TrackerOptions edges = settings.options({}, {{"points.selection", "edges"}});
@@ -158,7 +158,7 @@ PlotPanel residuals_make_panel(const ResidualsOutcome& outcome, Histogram Stage:
   return panel;
 }
 
-/// Pixels of each residual, as the curves are made of.
+/// Returns the histograms behind the curves as CSV.
 std::string histogram_csv(const ResidualsOutcome& outcome) {
   Table table{
       .columns = {{"frames_apart"}, {"residual_grey"}, {"before"}, {"after_edges"}, {"after_all"}}};

@@ -6,8 +6,8 @@
 namespace tools {
 namespace {
 
-/// Of the orders of all players, the share in which exactly a certain set of `before` players comes
-/// before a certain player.
+/// Returns the share of all orders of the players in which exactly a given set of `before` players
+/// precedes a given player.
 double share_of_orders(int before, int players) {
   double share = 1.0 / players;
   for (int i = 1; i <= before; ++i) {

@@ -13,69 +13,71 @@
 
 namespace tools {
 
-/// One of the things that a study compares.
+/// One configuration of the tracker that a study compares with others.
 struct Variant {
   std::string name;
-  Assignments changes;  ///< of the tracker's options, as `edvo track --set` takes them
+  Assignments changes;  ///< tracker options as for `edvo track --set`
 };
 
 struct StudySettings {
   vo::TrackerPreset preset = vo::TrackerPreset::paper;
-  Assignments assignments;      ///< what the user set
-  int seeds = 5;                ///< repetitions of what is random
-  double max_error = 0.005;     ///< m, of an alignment that converged
-  double max_error_deg = 0.15;  ///< deg, of an alignment that converged
+  Assignments assignments;      ///< option assignments of the user
+  int seeds = 5;                ///< repetitions with different random seeds
+  double max_error = 0.005;     ///< greatest error of an alignment that counts as converged, m
+  double max_error_deg = 0.15;  ///< greatest error of an alignment that counts as converged, deg
 
-  void validate() const;          ///< throws vo::Error
-  std::string described() const;  ///< "preset paper with align.loss=none"
+  void validate() const;          ///< throws vo::Error on an invalid setting
+  std::string described() const;  ///< for example "preset paper with align.loss=none"
 
-  bool accepts(const PoseError& error) const;  ///< an alignment with this error converged
+  bool accepts(const PoseError& error) const;  ///< whether this error counts as converged
 
-  /// The preset, then what the study holds fixed, then what the user set, then what it varies.
+  /// Returns the preset's options overridden by the study's fixed ones, the user's and the varied
+  /// ones.
   vo::TrackerOptions options(const Assignments& held, const Assignments& varied) const;
 
-  /// Of `study_mono`, started from the first depth image: what the user set, then what is varied.
+  /// Returns the options of `study_mono`, bootstrapped from the first depth image, overridden by
+  /// the user's assignments and then by the varied ones.
   vo::MonoOptions mono_options(const Assignments& varied) const;
 };
 
-/// What a study found. Where it measures time, two runs differ in the columns that say `ms`.
+/// The results of a study. Columns whose names contain `ms` are times and differ from run to run.
 struct StudyReport {
-  std::string name;  ///< of its files
+  std::string name;  ///< stem of the output files' names
   std::string title;
-  std::string method;  ///< one paragraph: what was done
+  std::string method;  ///< one paragraph on how the study was done
   Table table;
-  std::vector<std::string> findings;  ///< one sentence each, with figures
-  std::string plot;                   ///< SVG
-  std::vector<vo::NamedBytes> more;   ///< further files
+  std::vector<std::string> findings;  ///< one sentence each, with numbers
+  std::string plot;                   ///< the study's plot as SVG
+  std::vector<vo::NamedBytes> more;   ///< further output files
 };
 
-/// Edges against as many random pixels against all pixels, over the share of them that is kept
+/// Compares edge pixels, as many random pixels and all pixels over the share of them that is kept
 /// (paper, Figure 8).
 StudyReport study_points(const Clip& clip, const StudySettings& settings,
                          const vo::Progress& progress);
 
-/// Edge detectors, frame to frame and with keyframes (paper, Table 1).
+/// Compares edge detectors, frame to frame and with keyframes (paper, Table 1).
 StudyReport study_detectors(const Clip& clip, const StudySettings& settings,
                             const vo::Progress& progress);
 
-/// Residuals of all pixels before and after aligning edges only, up to five frames apart (paper,
-/// Figure 4).
+/// Compares the residuals of all pixels before and after aligning edges only, up to five frames
+/// apart (paper, Figure 4).
 StudyReport study_residuals(const Clip& clip, const StudySettings& settings,
                             const vo::Progress& progress);
 
-/// Depth of the pyramid against convergence from identity (paper, Figure 3).
+/// Measures convergence from identity against the number of pyramid levels (paper, Figure 3).
 StudyReport study_levels(const Clip& clip, const StudySettings& settings,
                          const vo::Progress& progress);
 
-/// Time of an alignment against its number of points.
+/// Measures the time of an alignment against its number of points.
 StudyReport study_time(const Clip& clip, const StudySettings& settings,
                        const vo::Progress& progress);
 
-/// The ways of keeping a depth map, in the loop with the tracker.
+/// Compares depth map options of monocular odometry, with tracking and mapping in the loop.
 StudyReport study_mono(const Clip& clip, const StudySettings& settings,
                        const vo::Progress& progress);
 
-/// Pairs of a clip made by `pose_pairs`: accuracy and basin of variants of the alignment.
+/// Measures accuracy and convergence of alignment variants on a clip made by `pose_pairs`.
 StudyReport study_pairs(const Clip& clip, const StudySettings& settings,
                         const vo::Progress& progress);
 

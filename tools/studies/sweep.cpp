@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 struct SweptMetric {
   const char* metric;
   const char* title;
-  double factor;  ///< from the metric's unit to the title's
+  double factor;  ///< conversion factor to the title's unit
   int decimals;
 };
 
@@ -29,7 +29,7 @@ constexpr std::array<SweptMetric, 4> kSweptMetrics{
      {"rpe_rotation_rmse_deg", "rpe_deg", 1, 4},
      {"tracked_fraction", "tracked_percent", 100, 1}}};
 
-/// Of modes mono and mapping.
+/// Metrics of modes mono and mapping.
 constexpr std::array<SweptMetric, 7> kMapMetrics{
     {{"ate_percent", "ate_percent", 1, 3},
      {"scale_error_percent", "scale_percent", 1, 3},
@@ -39,7 +39,7 @@ constexpr std::array<SweptMetric, 7> kMapMetrics{
      {"depth_nees", "nees", 1, 2},
      {"depth_density_fraction", "density_percent", 100, 1}}};
 
-/// One row: a scenario with certain values of the options.
+/// One row: a scenario with one combination of option values.
 struct Combination {
   Assignments values;
   ScenarioResult result;
@@ -50,7 +50,7 @@ struct Combination {
   }
 };
 
-/// The values that were measured, in the title's unit.
+/// Returns the finite values over the seeds, in the title's unit.
 std::vector<double> measured_values(const Combination& row, const SweptMetric& swept) {
   std::vector<double> values;
   for (const double value : values_of(row.result, swept.metric)) {
@@ -61,7 +61,7 @@ std::vector<double> measured_values(const Combination& row, const SweptMetric& s
   return values;
 }
 
-/// Those of maps only where a map was measured.
+/// Returns the metrics to show: those of maps only if one was measured.
 std::vector<SweptMetric> shown_metrics(const std::vector<Combination>& rows) {
   std::vector<SweptMetric> shown(kSweptMetrics.begin(), kSweptMetrics.end());
   std::copy_if(kMapMetrics.begin(), kMapMetrics.end(), std::back_inserter(shown),
@@ -73,7 +73,7 @@ std::vector<SweptMetric> shown_metrics(const std::vector<Combination>& rows) {
   return shown;
 }
 
-/// All combinations, the last option's values changing fastest.
+/// Returns all combinations; the last option's values change fastest.
 std::vector<Assignments> combine(const std::vector<SweptOption>& options) {
   std::vector<Assignments> combinations(1);
   for (const auto& [key, values] : options) {
@@ -115,7 +115,7 @@ std::string last_part(const std::string& key) {
   return key.substr(key.rfind('.') + 1);
 }
 
-/// A list as a cell of a table that is written with commas between cells.
+/// Returns the value with commas replaced by blanks, which do not split a CSV cell.
 std::string without_commas(std::string value) {
   std::replace(value.begin(), value.end(), ',', ' ');
   return value;
@@ -150,7 +150,7 @@ Table make_table(const std::vector<Combination>& rows, const SweepSettings& sett
   return table;
 }
 
-/// The values as numbers; nothing where one of them is none.
+/// Returns the values as numbers; empty where one of them is not a number.
 std::vector<double> as_numbers(const std::vector<std::string>& texts) {
   std::vector<double> numbers;
   for (const std::string& text : texts) {
@@ -164,7 +164,7 @@ std::vector<double> as_numbers(const std::vector<std::string>& texts) {
   return numbers;
 }
 
-/// The scenario and the values of all options but the first.
+/// Returns a series name: the scenario and the values of all options but the first.
 std::string series_name(const Combination& row) {
   std::string name = row.result.name;
   for (std::size_t i = 1; i < row.values.size(); ++i) {
@@ -173,7 +173,7 @@ std::string series_name(const Combination& row) {
   return name;
 }
 
-/// Against the first option's values, a line for each scenario and combination of the others.
+/// Plots a metric over the first option, with a line per scenario and combination of the others.
 PlotPanel draw_panel(const std::vector<Combination>& rows, const SweptOption& option,
                      const SweptMetric& swept) {
   const std::vector<double> numbers = as_numbers(option.second);
@@ -214,7 +214,7 @@ std::vector<std::string> problems_of(const std::vector<Combination>& rows) {
   return sentences;
 }
 
-/// The median over all scenarios and seeds that were run with the same values.
+/// Returns a sentence per combination with medians over all scenarios and seeds.
 std::vector<std::string> medians_of(const std::vector<Combination>& rows,
                                     const SweepSettings& settings) {
   std::vector<std::string> sentences;

@@ -10,17 +10,17 @@
 
 namespace tools {
 
-/// An option of a scenario and the values that it takes.
+/// A scenario option's key and the values to try.
 using SweptOption = std::pair<std::string, std::vector<std::string>>;
 
 struct SweepSettings {
   RunSettings run;
-  std::vector<SweptOption> options;  ///< every combination of their values is measured
+  std::vector<SweptOption> options;  ///< options whose values are combined in every way
 };
 
-/// A row per scenario and combination of values: means over the seeds with half the 95 % confidence
-/// interval. Throws vo::Error when an option or a value of it does not exist; what cannot be
-/// measured is a row without figures and a finding.
+/// Measures every scenario with every combination of values: a row each with the means over the
+/// seeds and half the 95 % confidence interval. Throws vo::Error when an option or a value does not
+/// exist; a failed trial becomes a row without numbers and a finding.
 StudyReport sweep(const std::vector<std::filesystem::path>& scenarios,
                   const SweepSettings& settings, const vo::Progress& progress,
                   const WaitObserver& waiting);

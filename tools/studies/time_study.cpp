@@ -15,14 +15,14 @@ namespace tools {
 namespace {
 
 constexpr std::array kTimePercents{5, 10, 20, 30, 40, 50, 60, 70, 80, 90, 100};
-constexpr std::size_t kTimedPairs = 8;  // at most
+constexpr std::size_t kTimedPairs = 8;  // greatest number of pairs
 
-/// One share of one selection, mean of the pairs.
+/// Means over the pairs for one share of one selection.
 struct TimeSample {
   double percent = 0;
-  double points = 0;      ///< of the finest level
-  double iterations = 0;  ///< all levels together
-  double ms = 0;          ///< of the alignment
+  double points = 0;      ///< number of points of the finest level
+  double iterations = 0;  ///< iterations over all levels
+  double ms = 0;          ///< time of one alignment
   double ms_per_iteration = 0;
 };
 

@@ -14,7 +14,7 @@ using Picture = cv::Mat_<cv::Vec3b>;
 
 const cv::Vec3b kPaper(255, 255, 255);
 
-/// BGR; the cause named first wins where several meet.
+/// Draws edges coloured (BGR) by cause; the cause listed last wins where several meet.
 Picture draw_labels(const synth::EdgeLabels& labels) {
   const std::pair<synth::EdgeCause, cv::Vec3b> colours[] = {
       {synth::EdgeCause::albedo, {0, 150, 0}},

@@ -10,9 +10,10 @@
 
 namespace tools {
 
-/// A row per view: image | exact edges | the forest's edges | Canny's. Exact edges are red where
-/// depth steps, magenta at creases, green where colour changes, blue at shadows; detected ones
-/// green within 2 px of an exact one, else red. `detectors` has Canny's options and the forest's.
+/// Returns a picture with a row per view: image | exact edges | the forest's edges | Canny's. Exact
+/// edges are red at depth steps, magenta at creases, blue at shadows, green at colour changes;
+/// detected ones green within 2 px of an exact one, else red. `detectors` has both detectors'
+/// options.
 cv::Mat_<cv::Vec3b> draw_comparison(const std::vector<LabelledView>& views,
                                     const vo::StructuredForest& forest,
                                     const vo::EdgeOptions& detectors);

@@ -42,7 +42,7 @@ void add_view(const vo::StructuredForest& forest, const LabelledView& view,
   }
 }
 
-/// Counts are whole numbers: their sum does not depend on the order.
+/// Adds the scores. Sums of integer counts do not depend on the order of the views.
 void add_curves(const std::vector<DetectorCurve>& from, std::vector<DetectorCurve>& to) {
   for (std::size_t i = 0; i < to.size(); ++i) {
     for (std::size_t j = 0; j < to[i].points.size(); ++j) {
@@ -61,7 +61,7 @@ const SweepPoint& DetectorCurve::best() const {
 }
 
 vo::EdgeOptions options_at(const DetectorCurve& curve, double threshold) {
-  constexpr double kLowFloor = 4;  // Sobel magnitude: the percentile decides
+  constexpr double kLowFloor = 4;  // Sobel magnitude, so low that the percentile decides
   vo::EdgeOptions options;
   options.detector = curve.detector;
   options.floor = kLowFloor;

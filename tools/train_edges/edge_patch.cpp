@@ -36,7 +36,7 @@ EdgePatch line_between(const cv::Point& from, const cv::Point& to) {
   int along_x = 0;
   int along_y = 0;
   while (along_x + along_y + 1 < length.x + length.y) {
-    // One step at a time along the axis whose next grid line is met first.
+    // Steps one pixel along the axis whose next grid line is crossed first.
     if ((1 + 2 * along_x) * length.y < (1 + 2 * along_y) * length.x) {
       at.x += step.x;
       ++along_x;

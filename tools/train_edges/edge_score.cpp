@@ -13,7 +13,7 @@ std::size_t count(const cv::Mat& mask) {
   return static_cast<std::size_t>(cv::countNonZero(mask));
 }
 
-/// The pixels within the tolerance of one that is set.
+/// Returns a mask of the pixels within the tolerance of a set pixel.
 cv::Mat near_to(const cv::Mat& mask) {
   const cv::Mat is_free = mask == 0;
   if (cv::countNonZero(mask) == 0) {

@@ -8,10 +8,10 @@
 
 namespace tools {
 
-inline constexpr double kEdgeTolerance = 2;  ///< px
+inline constexpr double kEdgeTolerance = 2;  ///< greatest distance of matching edge pixels, px
 
-/// How many pixels two sets have, and how many of them lie within 2 px of the other set. Pixels are
-/// not paired one to one: detections that are thick are not punished, so compare thin ones.
+/// Sizes of a detected and a labelled pixel set and how many of each lie within 2 px of the other.
+/// Pixels are not matched one to one: thick detections are not penalised, so compare thin ones.
 struct EdgeScore {
   static constexpr std::size_t kCauses = enum_names(synth::EdgeCause::depth).size();
 
@@ -19,13 +19,13 @@ struct EdgeScore {
   std::size_t detected_right = 0;
   std::size_t labelled = 0;
   std::size_t labelled_found = 0;
-  std::array<std::size_t, kCauses> caused{};  ///< labelled, by EdgeCause
+  std::array<std::size_t, kCauses> caused{};  ///< number of labelled pixels by EdgeCause
   std::array<std::size_t, kCauses> caused_found{};
 
   EdgeScore& operator+=(const EdgeScore& other);
 
-  double precision() const;  ///< 1 where nothing is detected
-  double recall() const;     ///< 1 where nothing is labelled
+  double precision() const;  ///< share of detections that are right; 1 without any
+  double recall() const;     ///< share of labels that are found; 1 without any
   double recall_of(synth::EdgeCause cause) const;
   double f_measure() const;  ///< harmonic mean of precision and recall
 };

@@ -50,7 +50,7 @@ void append(const TreeNode& node, vo::ForestNodes& nodes) {
   nodes.edge_boundaries.push_back(static_cast<int>(nodes.edge_bins.size()));
 }
 
-/// One tree after the other, all filled up to as many nodes.
+/// Concatenates the trees, all padded to the same number of nodes.
 vo::ForestNodes joined(const std::vector<Tree>& trees) {
   std::size_t size = 0;
   for (const Tree& tree : trees) {

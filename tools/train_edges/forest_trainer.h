@@ -11,12 +11,11 @@ namespace tools {
 
 struct ForestTrainingOptions {
   int trees = 8;
-  int scale =
-      2;  ///< views are enlarged by it, as the detector's `forest_scale` will enlarge images
-  int patches_per_view = 600;  ///< per tree
+  int scale = 2;  ///< factor by which views are enlarged, as `forest_scale` does at detection
+  int patches_per_view = 600;  ///< patches per view that each tree learns from
   TreeOptions tree;
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error on an invalid option
 };
 
 template <typename Visitor>
@@ -28,7 +27,7 @@ void visit_fields(Visitor& visit, ForestTrainingOptions& options) {
 }
 
 /// Learns a structured forest (Dollar & Zitnick, ICCV 2013) from views with exact edges, trees in
-/// parallel; the result depends on the arguments alone.
+/// parallel; the result depends only on the arguments.
 vo::StructuredForest train_forest(const std::vector<LabelledView>& views,
                                   const ForestTrainingOptions& options, std::uint64_t seed,
                                   const vo::Progress& progress);

@@ -5,10 +5,10 @@
 namespace tools {
 namespace {
 
-constexpr double kMinDistance = 0.3;  // m, to the nearest surface
+constexpr double kMinDistance = 0.3;  // least distance to a surface, m
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// World, y up.
+/// Returns a unit direction in the world (y up) from angles in rad.
 Eigen::Vector3d direction(double yaw, double pitch) {
   return {std::cos(pitch) * std::cos(yaw), std::sin(pitch), std::cos(pitch) * std::sin(yaw)};
 }
@@ -23,7 +23,8 @@ bool sees_surfaces(const synth::SurfaceTracer& tracer, const vo::PinholeCamera& 
          nearest > kMinDistance;
 }
 
-/// To all sides but above, where a model may be open.
+/// Returns whether there are surfaces, none too near, on all sides but above, where a model may be
+/// open.
 bool is_free(const synth::SurfaceTracer& tracer, const Eigen::Vector3d& eye) {
   const vo::PinholeCamera probe = vo::PinholeCamera::from_horizontal_fov(8, 8, 90);
   for (const double yaw : {0.0, 90.0, 180.0, 270.0}) {

@@ -7,9 +7,9 @@
 
 namespace tools {
 
-/// A random T_world_camera that looks at something from a place that is indoors and not inside
-/// furniture: to all sides and below there is a surface, none nearer than 0.3 m. Nothing when
-/// thousands of tries have found none.
+/// Returns a random T_world_camera indoors and outside of furniture: in the horizontal directions
+/// and below there are surfaces, all at least 0.3 m away. It is empty when no such pose is found in
+/// 20000 tries.
 std::optional<vo::SE3> free_view(const synth::SurfaceTracer& tracer,
                                  const vo::PinholeCamera& camera, vo::Random& random);
 

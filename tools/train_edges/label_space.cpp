@@ -17,14 +17,14 @@ Eigen::MatrixXf separations(const std::vector<EdgePatch>& patches,
 }
 
 std::vector<bool> two_classes(const Eigen::MatrixXf& separations) {
-  constexpr int kIterations = 12;  // of the power method; a rough direction suffices
+  constexpr int kIterations = 12;  // power iterations; a rough direction suffices
   constexpr float kAlike = 1e-4F;
   const Eigen::MatrixXf centred = separations.rowwise() - separations.colwise().mean();
   Eigen::VectorXf component = centred.colwise().squaredNorm();
   if (!(component.sum() > kAlike * static_cast<float>(centred.size()))) {
     return {};
   }
-  // From the row that is farthest from the mean: never at right angles to the component sought.
+  // The start is the row farthest from the mean, never orthogonal to the principal component.
   Eigen::Index farthest = 0;
   centred.rowwise().squaredNorm().maxCoeff(&farthest);
   component = centred.row(farthest).transpose().normalized();

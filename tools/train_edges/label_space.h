@@ -8,15 +8,16 @@
 
 namespace tools {
 
-/// One row a patch, one column a line: 1 where the patch has an edge on the line, else 0.
+/// Returns a matrix with a row per patch and a column per line: 1 where an edge of the patch
+/// crosses the line, else 0.
 Eigen::MatrixXf separations(const std::vector<EdgePatch>& patches,
                             const std::vector<EdgePatch>& lines);
 
-/// Divides patches in two classes of like edges: by the sign of the first principal component of
-/// their separations. Empty when all are alike.
+/// Divides patches into two classes of similar edges by the sign of the first principal component
+/// of their separations. It is empty when all are alike.
 std::vector<bool> two_classes(const Eigen::MatrixXf& separations);
 
-/// The row nearest to the mean of all.
+/// Returns the index of the row nearest to the mean of all rows.
 std::size_t medoid(const Eigen::MatrixXf& separations);
 
 }  // namespace tools

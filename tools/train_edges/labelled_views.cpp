@@ -39,7 +39,7 @@ vo::ColorImage noisy(const vo::ColorImage& image, double deviation, vo::Random& 
   return result;
 }
 
-/// The labels where the image has this contrast within 5x5 px, in any channel.
+/// Returns the labels where the image has at least this contrast within 5x5 px, in any channel.
 synth::EdgeLabels visible(const synth::EdgeLabels& labels, const vo::ColorImage& image,
                           double min_contrast) {
   cv::Mat brightest;
@@ -55,7 +55,7 @@ synth::EdgeLabels visible(const synth::EdgeLabels& labels, const vo::ColorImage&
   return result;
 }
 
-/// A scene and all that is needed to look at it.
+/// A scene with its renderer and tracer, from which labelled views are made.
 class Studio {
  public:
   Studio(const std::filesystem::path& path, const ViewOptions& options)

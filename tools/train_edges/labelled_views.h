@@ -11,27 +11,27 @@
 
 namespace tools {
 
-/// What a camera sees and where the edges truly are.
+/// A rendered image with exact edge labels.
 struct LabelledView {
   vo::ColorImage image;
   synth::EdgeLabels labels;
 };
 
-/// Views of a scene from random places that are free and enclosed, in random directions.
+/// Options of the views rendered from random free, enclosed places in random directions.
 struct ViewOptions {
-  int views = 150;             ///< per scene
+  int views = 150;             ///< number of views per scene
   int width = 240;             ///< px
   int height = 180;            ///< px
-  double min_fov_deg = 20;     ///< horizontal
-  double max_fov_deg = 50;     ///< horizontal
-  double exposure_stops = 1;   ///< brighter or darker than metered at most, powers of two
-  double noise = 0.015;        ///< standard deviation at most, of intensities 0..1
-  double blur_px = 0.8;        ///< standard deviation of the lens at most
-  double min_contrast = 0.03;  ///< of a labelled edge in the image without noise, intensity 0..1
+  double min_fov_deg = 20;     ///< least horizontal field of view, deg
+  double max_fov_deg = 50;     ///< greatest horizontal field of view, deg
+  double exposure_stops = 1;   ///< greatest deviation from the metered exposure, stops
+  double noise = 0.015;        ///< greatest standard deviation, intensity 0..1
+  double blur_px = 0.8;        ///< greatest standard deviation of the lens blur, px
+  double min_contrast = 0.03;  ///< least contrast at a labelled edge, intensity 0..1
   std::uint64_t seed = 1;
   synth::EdgeLabelOptions labels;
 
-  void validate() const;  ///< throws vo::Error
+  void validate() const;  ///< throws vo::Error on an invalid option
 };
 
 template <typename Visitor>
@@ -49,7 +49,7 @@ void visit_fields(Visitor& visit, ViewOptions& options) {
   visit("labels", options.labels, "");
 }
 
-/// Renders the views, in parallel; the result depends on the scene and the options alone. Throws
+/// Renders the views in parallel; the result depends only on the scene and the options. Throws
 /// vo::Error where the scene has no free place.
 std::vector<LabelledView> render_labelled_views(const std::filesystem::path& scene,
                                                 const ViewOptions& options,

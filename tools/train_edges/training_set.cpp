@@ -20,7 +20,7 @@ std::vector<vo::ForestFeatures> features_of(const std::vector<LabelledView>& vie
   return features;
 }
 
-/// Whether an edge runs through the middle 4x4 px.
+/// Returns whether an edge runs through the middle 4x4 px.
 bool has_edge_in_middle(const synth::EdgeLabels& labels, const PatchPlace& place) {
   constexpr int kMiddle = 4;  // px
   constexpr int kMargin = (kPatchSide - kMiddle) / 2;

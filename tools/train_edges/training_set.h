@@ -10,20 +10,21 @@
 
 namespace tools {
 
-/// Where a patch lies.
+/// Location of a patch: its view and the top left corner of its edge patch.
 struct PatchPlace {
   std::uint32_t view = 0;
-  std::uint16_t row = 0;     ///< px, of its edges' top left corner
-  std::uint16_t column = 0;  ///< px
+  std::uint16_t row = 0;     ///< row of the corner, px
+  std::uint16_t column = 0;  ///< column of the corner, px
 };
 
-/// Features and exact edges of the patches of some views.
+/// Features and exact edges of the patches of a set of views.
 class TrainingSet {
  public:
   /// The views must outlive the set and be large enough for a patch.
   TrainingSet(const std::vector<LabelledView>& views, const vo::ForestParameters& parameters);
 
-  /// `per_view` of each view, half of them (where there are as many) with an edge in the middle.
+  /// Draws at most `per_view` random patches of each view, at most half of them with an edge in the
+  /// middle and at most half without.
   std::vector<PatchPlace> draw(int per_view, vo::Random& random) const;
 
   float feature(const PatchPlace& place, int id) const;
@@ -34,7 +35,7 @@ class TrainingSet {
  private:
   const std::vector<LabelledView>& views_;
   vo::ForestParameters parameters_;
-  std::vector<vo::ForestFeatures> features_;  ///< of each view
+  std::vector<vo::ForestFeatures> features_;  ///< features of each view
   vo::FeatureIndex index_;
 };
 

@@ -13,11 +13,11 @@
 namespace tools {
 namespace {
 
-/// Patches below the threshold of a feature go one way, the others the other.
+/// A split of patches by the threshold of a feature.
 struct Split {
   int feature = 0;
   float threshold = 0;
-  double gain = 0;  ///< decrease of Gini's impurity, times patches
+  double gain = 0;  ///< decrease of the Gini impurity times the number of patches
 };
 
 struct ClassifiedValue {
@@ -25,18 +25,18 @@ struct ClassifiedValue {
   bool is_second = false;
 };
 
-/// Gini's impurity of `count` patches of which `second` are of the second class, times patches.
+/// Returns `count` times the Gini impurity of patches, `second` of them of the second class.
 double impurity(double count, double second) {
   return count > 0 ? 2 * second * (count - second) / count : 0;
 }
 
-/// Rounded to what the model file keeps in few characters.
+/// Returns the value rounded to 1e-4, to keep the model file small.
 float short_number(float value) {
   constexpr float kUnit = 1e-4F;
   return std::round(value / kUnit) * kUnit;
 }
 
-/// Sorts the values.
+/// Replaces `best` by a split of this feature that gains more, if any; sorts the values.
 void improve(Split& best, int feature, std::vector<ClassifiedValue>& values, std::size_t least) {
   std::sort(values.begin(), values.end(), [](const ClassifiedValue& a, const ClassifiedValue& b) {
     return a.value < b.value || (a.value == b.value && a.is_second < b.is_second);
@@ -122,8 +122,8 @@ class TreeGrower {
     return edges;
   }
 
-  /// One without gain where the patches are too few or alike. The gain is that of all patches,
-  /// estimated from `split_samples` of them.
+  /// Returns the best split found, without gain where the patches are too few or alike. The gain
+  /// for all patches is estimated from `split_samples` of them.
   Split best_split(std::span<const PatchPlace> places) {
     const auto least = static_cast<std::size_t>(options_.min_samples);
     if (places.size() < 2 * least) {
@@ -152,7 +152,7 @@ class TreeGrower {
     return best;
   }
 
-  /// The edges of the patch that is most like the others.
+  /// Returns the edges of the medoid: the patch that is most like the others.
   EdgePatch typical_edges(std::span<const PatchPlace> places) {
     constexpr std::size_t kSamples = 256;
     const std::vector<EdgePatch> edges = edges_of(places.first(std::min(places.size(), kSamples)));

@@ -35,7 +35,7 @@ vo::SE3 to_se3(const cv::Mat_<double>& T) {
   return {Eigen::Quaterniond(R), {T(0, 3), T(1, 3), T(2, 3)}};
 }
 
-/// OpenCV's way to say that a pixel has no depth.
+/// Returns the depth with NaN, as OpenCV expects, where a pixel has none.
 cv::Mat with_nan_holes(const vo::DepthImage& depth) {
   cv::Mat result = depth.clone();
   result.setTo(std::numeric_limits<float>::quiet_NaN(), depth == 0);
@@ -48,7 +48,7 @@ class OpencvTracker {
       : odometry_(make_odometry(kind, camera)) {}
 
   FrameSample track(const vo::RgbdFrame& frame) {
-    const cv::Mat depth = with_nan_holes(frame.depth);  // not timed: a matter of the input's format
+    const cv::Mat depth = with_nan_holes(frame.depth);  // not timed: it only converts the input
     FrameSample sample;
     const vo::CpuStopwatch cpu_watch;
     vo::Stopwatch watch;

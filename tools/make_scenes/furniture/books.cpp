@@ -11,8 +11,8 @@ namespace {
 
 struct Book {
   Eigen::Vector3d size;  ///< thickness, height, depth; m
-  Color color;           ///< linear
-  int spine = 0;         ///< which of the texture's spines
+  Color color;           ///< linear RGB
+  int spine = 0;         ///< index of the spine in the texture
 };
 
 Book random_book(std::uint32_t seed, int i) {
@@ -28,7 +28,7 @@ Book random_book(std::uint32_t seed, int i) {
       static_cast<int>(kBookSpines * random01(seed, i, 7))};
 }
 
-/// An upright book, its spine around the origin in the plane z = 0.
+/// Adds an upright book, its spine around the origin in the plane z = 0.
 void add_book(Mesh& mesh, const Book& book, const Eigen::Isometry3d& T_mesh_book) {
   const Eigen::Vector3d& size = book.size;
   const Eigen::Isometry3d center = T_mesh_book * at(0, 0, -size.z() / 2);

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A leaf from the origin along +z that rises and droops; `size` is its (width, length).
+/// Returns a leaf from the origin along +z that rises and droops; `size` is (width, length), m.
 Shape leaf(const Eigen::Vector2d& size, double droop) {
   const auto blade = [&](double u, double v) {
     const double side = 2 * u - 1;

@@ -4,10 +4,10 @@
 
 namespace scenes {
 
-/// A picture of the given size in a frame, its back at z = 0, centred on the origin.
+/// Returns a framed picture of the given size (m), its back at z = 0, centred on the origin.
 Mesh framed_picture(Finish picture, const Eigen::Vector2d& size, Finish frame);
 
-/// A picture that is pinned to the wall, its corners slightly off it.
+/// Returns a picture pinned to the wall at z = 0, its corners slightly off it.
 Mesh pinned_picture(Finish picture, const Eigen::Vector2d& size);
 
 Mesh wall_clock();  ///< 0.32 m across, its back at z = 0

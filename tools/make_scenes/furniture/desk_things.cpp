@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPageWidth = 0.21;    // m, A4
-constexpr double kPageHeight = 0.297;  // m
+constexpr double kPageWidth = 0.21;    // width of A4, m
+constexpr double kPageHeight = 0.297;  // height of A4, m
 
 Shape pencil() {
   Shape shape = painted(cylinder(0.0038, 0.15, 6), {0.75, 0.5, 0.05});

@@ -2,11 +2,11 @@
 
 #include "tools/make_scenes/model/model.h"
 
-/// What lies on a desk: on y = 0, around the y axis.
+/// Things that lie on a desk: on y = 0, around the y axis.
 namespace scenes {
 
 Mesh worktop();                               ///< 1.8 x 0.8 m, 0.74 m high
-Mesh sheet_of_paper(Finish print, int bent);  ///< A4, one corner up; `bent` chooses how far
+Mesh sheet_of_paper(Finish print, int bent);  ///< A4, one corner up; `bent` selects how far
 Mesh pencil_pot();
 Mesh ruler();  ///< 0.32 m, along x
 Mesh puzzle_cube();

@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 
 constexpr double kWallThickness = 0.22;  // m
 
-/// The wall with the window, seen from inside, in pieces whose texture runs through.
+/// Adds the wall with the window in pieces whose texture is continuous.
 void add_window_wall(Mesh& mesh) {
   const auto piece = [&](double z_left, double z_right, double bottom, double top) {
     add(mesh, Finish::plain_wall,
@@ -79,7 +79,7 @@ Mesh shell() {
 
 Mesh window() {
   Mesh mesh = {"window", {}};
-  constexpr double kPlane = -0.12;  // m, of the frame behind the wall's face
+  constexpr double kPlane = -0.12;  // position of the frame behind the wall's face, m
   const double middle = kWindowHeight / 2;
   for (const double side : {-1.0, 1.0}) {
     add(mesh, Finish::white_paint, box({0.055, kWindowHeight + 0.02, 0.06}, 0.006),

@@ -13,6 +13,6 @@ Mesh parcel(const Eigen::Vector3d& size);
 Mesh basket();
 
 inline constexpr double kBookcaseColumn = 0.39;  ///< m from the centre to a column's centre
-inline constexpr std::array kShelfHeights = {0.102, 0.492, 0.882, 1.272, 1.662};  ///< m, tops
+inline constexpr std::array kShelfHeights = {0.102, 0.492, 0.882, 1.272, 1.662};  ///< m, shelf tops
 
 }  // namespace scenes

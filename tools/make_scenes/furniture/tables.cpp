@@ -11,7 +11,7 @@ void add_legs(Mesh& mesh, Finish finish, const Eigen::Vector3d& leg, double half
   }
 }
 
-/// A drawer's front with its knob, in the plane z = 0 around the origin.
+/// Adds a drawer's front with its knob, in the plane z = 0 around the origin.
 void add_drawer_front(Mesh& mesh, Finish finish, double width, double height) {
   add(mesh, finish, plank({width, height, 0.018}, 0.004));
   add(mesh, Finish::brass, sphere(0.014, 12), at(0, 0, 0.022));

@@ -31,7 +31,8 @@ int write_translations(Document& document, const Motion& motion) {
                       {{"componentType", kFloat}, {"type", "VEC3"}});
 }
 
-/// x, y, z, w; each on the same side as the one before it, so that players go the short way.
+/// Writes quaternions x, y, z, w, each with the sign nearest to the one before, so that players
+/// interpolate along the shorter arc. Returns the accessor.
 int write_rotations(Document& document, const Motion& motion) {
   std::string& bytes = document.views[animation];
   const std::size_t offset = bytes.size();

@@ -19,22 +19,22 @@ inline constexpr int kFloat = 5126;
 inline constexpr int kUnsignedByte = 5121;
 inline constexpr int kUnsignedShort = 5123;
 
-/// The parts of the buffer, one buffer view each unless it is empty, in this order.
+/// The parts of the buffer in order, one buffer view each unless it is empty.
 enum View : std::size_t { positions, normals, texcoords, colors, indices, animation, view_count };
 
-inline constexpr double kGrid = 65536;     ///< per m, and per unit of texture coordinates
-inline constexpr double kUnitGrid = 4096;  ///< per unit, of unit vectors' components
-inline constexpr double kFineGrid = 1e6;   ///< per m or unit, of nodes
+inline constexpr double kGrid = 65536;  ///< grid steps per m, and per unit of texture coordinates
+inline constexpr double kUnitGrid = 4096;  ///< grid steps per unit, for components of unit vectors
+inline constexpr double kFineGrid = 1e6;   ///< grid steps per m or unit, for nodes
 
-/// Rounded to 1 / `grid`, so that no machine's mathematical library shows in the file.
+/// Returns the value rounded to 1 / `grid`, so that mathematical libraries make no difference.
 inline double snapped(double value, double grid) {
   return std::floor(value * grid + 0.5) / grid;
 }
 
-/// The file under construction.
+/// A glTF document under construction.
 struct Document {
   Json json;
-  std::vector<Finish> finishes;  ///< whose materials it holds, in their order
+  std::vector<Finish> finishes;  ///< finishes in the order of the materials
   std::array<std::string, view_count> views;
 };
 
@@ -48,11 +48,11 @@ void write_little_endian(std::string& bytes, Scalar value) {
 
 void write_float(std::string& bytes, double value, double grid);
 
-/// Index of a new accessor of `count` elements that begin at `offset` of the view.
+/// Adds an accessor of `count` elements that begin at `offset` of the view and returns its index.
 int add_accessor(Document& document, View view, std::size_t offset, std::size_t count,
                  const Json& format);
 
-/// Adds the buffer views, as the buffer's parts that the accessors refer to; returns the buffer.
+/// Adds the buffer views that the accessors refer to and returns the buffer's bytes.
 std::string join_views(Document& document);
 
 }  // namespace scenes

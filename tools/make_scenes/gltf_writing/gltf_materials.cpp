@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The place of `value` in the array `gltf[key]`, where it is added unless it is there already.
+/// Returns the index of `value` in the array `gltf[key]`; appends it unless it is there.
 std::size_t index_of(Json& gltf, const std::string& key, const Json& value) {
   Json& array = gltf[key];
   const auto found = std::find(array.begin(), array.end(), value);

@@ -8,7 +8,7 @@
 
 namespace scenes {
 
-/// Adds the materials, in their order, and their textures, samplers and images to a glTF document.
+/// Adds the materials, in order, and their textures, samplers and images to a glTF document.
 void add_materials(nlohmann::ordered_json& gltf, const std::vector<Material>& materials,
                    const std::vector<NamedImage>& images);
 

@@ -186,7 +186,7 @@ Json header(const Model& model, const std::vector<Material>& materials) {
   return json;
 }
 
-/// Those that the model shows, in their order.
+/// Returns the finishes that the model shows, in enumerator order.
 std::vector<Finish> finishes_of(const Model& model) {
   std::set<Finish> finishes;
   for (const Mesh& mesh : model.meshes) {

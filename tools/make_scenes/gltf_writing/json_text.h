@@ -6,7 +6,7 @@
 
 namespace scenes {
 
-/// The document for people: indented by two, but what holds no object in a line of its own.
+/// Returns the JSON indented by two spaces, with every value that holds no object on one line.
 std::string json_text(const nlohmann::ordered_json& document);
 
 }  // namespace scenes

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// One of a box's six sides: `normal` out, `right` and `up` as seen from outside.
+/// One of a box's six sides: outward `normal`, and `right` and `up` as seen from outside.
 struct Side {
   Vector3d normal;
   Vector3d right;
@@ -40,7 +40,8 @@ void add_triangle(Shape& shape, const std::array<int, 3>& corners, const Vector3
   shape.triangles.push_back(normal.dot(outward) > 0 ? corners : std::array<int, 3>{a, c, b});
 }
 
-/// Index of the vertex of the side across `axis` at a corner, whose bits are its signs; see box().
+/// Returns the index of the vertex at a corner of the side across `axis`; the corner's bits are its
+/// signs.
 int vertex_of(int axis, int corner) {
   return axis * 8 + corner;
 }
@@ -70,7 +71,7 @@ void add_box_side(Shape& shape, int axis, int sign_bit) {
            corner_signs(base)[axis] * Vector3d::Unit(axis));
 }
 
-/// The four bevels parallel to `axis`.
+/// Adds the four bevels parallel to `axis`.
 void add_bevels(Shape& shape, int axis) {
   const int b = (axis + 1) % 3;
   const int c = (axis + 2) % 3;
@@ -83,7 +84,7 @@ void add_bevels(Shape& shape, int axis) {
   }
 }
 
-/// A point of the cube's face in -1..1 per side to the rounded box.
+/// Maps a point of a face of the cube -1..1 to the box with rounded edges.
 Vector3d rounded(const Vector3d& cube, const Vector3d& half, double radius, Vector3d* normal) {
   const Vector3d inner = half - Vector3d::Constant(radius);
   const Vector3d core = cube.cwiseMax(-inner).cwiseMin(inner);
@@ -91,7 +92,7 @@ Vector3d rounded(const Vector3d& cube, const Vector3d& half, double radius, Vect
   return core + radius * *normal;
 }
 
-/// Where a soft box's side of half length `half` is divided: closely at its ends.
+/// Returns the divisions of a soft box's side of half length `half`, denser at its ends.
 std::vector<double> soft_divisions(double half, double radius, int segments) {
   std::vector<double> divisions;
   for (int i = segments; i >= 0; --i) {
@@ -162,7 +163,7 @@ Shape plank(const Vector3d& size, double bevel) {
     along_normal[longest] = 2;
     along_normal.minCoeff(&across);
     const Vector3d& p = shape.positions[i];
-    // The last term keeps parts of different sizes from showing the same stretch of wood.
+    // The last term gives parts of different sizes different pieces of the wood texture.
     shape.texcoords[i] = Vector2d(p[longest], p[across] + 7 * size.sum());
   }
   return shape;

@@ -22,7 +22,7 @@ struct Mesh {
   std::vector<MeshPart> parts;
 };
 
-/// Adds a shape in the mesh's frame to its part of that finish.
+/// Adds a shape, placed by T_mesh_shape, to the mesh's part of that finish.
 void add(Mesh& mesh, Finish finish, const Shape& shape,
          const Eigen::Isometry3d& T_mesh_shape = Eigen::Isometry3d::Identity());
 
@@ -31,8 +31,8 @@ enum class LightKind { point, directional };
 struct Light {
   std::string name;
   LightKind kind = LightKind::point;
-  Color color = Color::Ones();  ///< linear
-  double intensity = 1;         ///< cd (point), lx (directional; it shines along the node's -z)
+  Color color = Color::Ones();  ///< linear RGB
+  double intensity = 1;         ///< cd (point), lx (directional, shines along the node's -z)
 };
 
 inline constexpr int kNone = -1;
@@ -46,16 +46,16 @@ struct Node {
   std::vector<int> children = {};
 };
 
-/// The poses a node takes at the times, straight between them.
+/// Poses of a node at given times, interpolated linearly between them.
 struct Motion {
   int node = kNone;
   std::vector<double> times;  ///< s
   std::vector<Eigen::Isometry3d> T_parent_node;
 };
 
-/// A scene as glTF sees it: a tree of nodes that show meshes, several the same one.
+/// A scene in glTF's structure: a tree of nodes that show meshes, which may be shared.
 struct Model {
-  std::string name;  ///< of the scene, its folder and its files
+  std::string name;  ///< name of the scene, its folder and its files
   std::vector<Mesh> meshes;
   std::vector<Light> lights;
   std::vector<Node> nodes;

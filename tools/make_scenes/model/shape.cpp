@@ -22,13 +22,14 @@ int add_vertex(Shape& shape, const Vector3d& position, const Vector3d& normal,
   return static_cast<int>(shape.positions.size()) - 1;
 }
 
-/// Two triangles of a grid cell with the corners a b (top), c d (bottom), seen from outside.
+/// Adds two triangles of a grid cell with the corners a b (top), c d (bottom), seen from outside.
 void add_cell(Shape& shape, int a, int b, int c, int d) {
   shape.triangles.push_back({a, c, b});
   shape.triangles.push_back({b, c, d});
 }
 
-/// Outward unit normal of the profile from point i - 1 to i; zero where there is no such segment.
+/// Returns the outward unit normal of the profile from point i - 1 to i; zero without such a
+/// segment.
 Vector2d segment_normal(const std::vector<Vector2d>& profile, std::size_t i) {
   if (i == 0 || i == profile.size() || profile[i] == profile[i - 1]) {
     return Vector2d::Zero();
@@ -66,7 +67,7 @@ void add_ring(Shape& shape, const std::vector<Vector2d>& profile, std::size_t i,
   }
 }
 
-/// The cells between ring i - 1 and ring i, without those that are a point on the axis.
+/// Adds the cells between ring i - 1 and ring i, except those that degenerate on the axis.
 void add_band(Shape& shape, const std::vector<Vector2d>& profile, std::size_t i, int segments) {
   const int upper = static_cast<int>(i) * (segments + 1);
   const int lower = upper - segments - 1;

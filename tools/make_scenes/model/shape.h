@@ -17,52 +17,52 @@ struct Shape {
   std::vector<Eigen::Vector3d> positions;
   std::vector<Eigen::Vector3d> normals;
   std::vector<Eigen::Vector2d> texcoords;
-  std::vector<Color> colors;  ///< linear; empty = white
+  std::vector<Color> colors;  ///< linear RGB per vertex; empty = white
   std::vector<std::array<int, 3>> triangles;
 };
 
-/// A box around the origin whose edges are bevelled by `bevel` (0 = sharp) and shaded round.
+/// Returns a box around the origin whose edges are bevelled by `bevel` m (0 = sharp), shaded round.
 Shape box(const Eigen::Vector3d& size, double bevel = 0);
 
-/// The same with the texture's u along the longest side, as the grain of a plank.
+/// Returns a bevelled box with the texture's u along its longest side, as the grain of a plank.
 Shape plank(const Eigen::Vector3d& size, double bevel = 0.003);
 
-/// A box around the origin whose edges and corners are parts of cylinders and spheres.
+/// Returns a box around the origin whose edges and corners are parts of cylinders and spheres.
 Shape soft_box(const Eigen::Vector3d& size, double radius, int segments = 3);
 
-/// The surface of revolution about y of a profile of (radius, y), given from the bottom up the
-/// outside (and down the inside). A point given twice makes a sharp edge. It stands where y says.
+/// Returns the surface of revolution about y of a profile of (radius, y), given from the bottom up
+/// the outside (and down the inside). A point given twice makes a sharp edge.
 Shape lathe(const std::vector<Eigen::Vector2d>& profile, int segments = 24);
 
-/// A closed cylinder from y = 0 up.
+/// Returns a closed cylinder from y = 0 up.
 Shape cylinder(double radius, double height, int segments = 16);
 
-/// A sphere around the origin; its texture coordinates span (2 pi r, pi r).
+/// Returns a sphere around the origin; its texture coordinates span (2 pi r, pi r).
 Shape sphere(double radius, int segments = 24);
 
-/// A rectangle from its top left corner; `right` and `down` are its sides. `origin` is the texture
-/// coordinate of that corner.
+/// Returns a rectangle given by its top left corner and its sides `right` and `down`. `origin` is
+/// the texture coordinate of that corner.
 Shape rectangle(const Eigen::Vector3d& corner, const Eigen::Vector3d& right,
                 const Eigen::Vector3d& down, const Eigen::Vector2d& origin = {0, 0});
 
-/// An upright rectangle around the origin facing +z; its texture coordinates span 0..1.
+/// Returns an upright rectangle around the origin facing +z; its texture coordinates span 0..1.
 Shape panel(double width, double height);
 
-/// An upright disc around the origin facing +z; its texture coordinates span 0..1 over the square
-/// around it.
+/// Returns an upright disc around the origin facing +z; its texture coordinates span 0..1 over the
+/// square around it.
 Shape disc(double radius, int segments = 32);
 
-/// How finely a surface is divided, and its size for the texture coordinates.
+/// Subdivision of a surface, and its size for the texture coordinates.
 struct SheetGrid {
   int columns = 8;
   int rows = 8;
   Eigen::Vector2d size = {1, 1};
 };
 
-/// The surface f(u, v), u and v in 0..1, seen with u to the right and v down.
+/// Returns the surface f(u, v), u and v in 0..1, seen with u to the right and v down.
 Shape sheet(const std::function<Eigen::Vector3d(double u, double v)>& f, const SheetGrid& grid);
 
-/// The shape in one vertex colour (linear), which multiplies the material's.
+/// Returns the shape in one vertex colour (linear), which multiplies the material's.
 Shape painted(Shape shape, const Color& linear);
 
 /// Appends `shape`, rotated and moved by T_to_shape, to `to`.

@@ -9,7 +9,7 @@
 
 namespace scenes {
 
-/// What a surface is made of.
+/// The material that a surface is made of.
 enum class Finish {
   floor,
   ceiling,
@@ -78,7 +78,7 @@ enum class Minification {
   linear_mipmap_linear = 9987,
 };
 
-/// glTF's sampler; the values are glTF's.
+/// A glTF texture sampler; the enumerators have glTF's values.
 struct Sampler {
   Wrap wrap = Wrap::repeat;
   Magnification magnification = Magnification::linear;
@@ -89,16 +89,16 @@ struct Sampler {
 
 struct Material {
   std::string name;
-  Color color = Color::Ones();                     ///< linear; multiplies the texture
+  Color color = Color::Ones();                     ///< linear RGB; multiplies the texture
   std::string image;                               ///< name of its texture's image; empty = none
   Eigen::Vector2d tile = Eigen::Vector2d::Ones();  ///< m (or share of 0..1) the image covers
   Sampler sampler;
-  Color emission = Color::Zero();  ///< linear
+  Color emission = Color::Zero();  ///< linear RGB
   bool unlit = false;
   bool double_sided = false;
 };
 
-/// The material of each Finish, in its order.
+/// Returns the material of each Finish, in the enumerators' order.
 std::vector<Material> materials();
 
 struct NamedImage {
@@ -106,7 +106,7 @@ struct NamedImage {
   cv::Mat (*paint)();
 };
 
-/// All images that materials() name.
+/// Returns all images that materials() refers to.
 std::vector<NamedImage> images();
 
 }  // namespace scenes

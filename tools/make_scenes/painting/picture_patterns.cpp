@@ -13,12 +13,12 @@
 namespace scenes {
 namespace {
 
-/// 1 inside the rectangle around (x, y) of the half sizes (a, b), 0 outside.
+/// Returns 1 inside the rectangle around (x, y) with half sizes (a, b), else 0.
 double inside_box(double x, double y, double a, double b) {
   return std::abs(x) < a && std::abs(y) < b ? 1 : 0;
 }
 
-/// The rug's border bands and corner motifs, by the distance to its edge in metres.
+/// Returns the colour of the rug's border at a distance `edge` from its edge, m.
 Color rug_border(double edge, double along) {
   constexpr std::uint32_t kInk = 0x2b3350;
   if (edge < 0.03 || (edge > 0.19 && edge < 0.21)) {
@@ -137,7 +137,7 @@ Color ridges_poster_color(double u, double v) {
   return mix(color, rgb(0xf0e6d2), title);
 }
 
-/// 1 on a bar from the dial's centre pointing `hour` (of 12) hours after noon.
+/// Returns 1 on a bar from the dial's centre pointing `hour` (of 12) hours after noon, else 0.
 double hand(const Eigen::Vector2d& p, double hour, double from, const Eigen::Vector2d& size) {
   const double angle = hour * std::numbers::pi / 6;
   const Eigen::Vector2d direction(std::sin(angle), -std::cos(angle));
@@ -177,7 +177,7 @@ Color screen_color(double u, double v) {
   return mix(line == 12 ? rgb(0x2d3543) : rgb(0x1c2028), rgb(kInks.at(ink)), text);
 }
 
-/// A row of houses with windows; their roofs are at height `top` and below.
+/// Returns the colour of a row of houses with windows in front of the sky.
 Color houses(double u, double v, const Color& sky) {
   constexpr int kHouses = 13;
   const int house = static_cast<int>(u * kHouses);

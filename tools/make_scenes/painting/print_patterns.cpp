@@ -11,14 +11,14 @@
 namespace scenes {
 namespace {
 
-/// Which of the scattered points is nearest: an index into them, and how far the next one is more.
+/// The nearest of the scattered points, and how much farther the second nearest is.
 struct Cell {
   int column = 0;
   int row = 0;
-  double margin = 0;  ///< of squared distances, in lattice units
+  double margin = 0;  ///< difference of squared distances, lattice units squared
 };
 
-/// Of one point at random in each cell of the lattice; x and y in lattice units.
+/// Returns the nearest of the random points, one in each lattice cell; x and y in lattice units.
 Cell nearest_point(double x, double y, std::uint32_t seed) {
   const int column = static_cast<int>(std::floor(x));
   const int row = static_cast<int>(std::floor(y));
@@ -54,7 +54,8 @@ Color palette_color(const Palette& palette, std::uint32_t seed, int i, int j) {
   return rgb(palette.at(static_cast<std::size_t>(8 * random01(seed, i, j))));
 }
 
-/// Large cells, a third of them broken into small ones, and dots. x and y in large cells.
+/// Returns the colour of a mosaic of large cells, a third of them split into small ones, and dots.
+/// x and y are in large cells.
 Color mosaic_color(double x, double y, const Palette& palette, std::uint32_t seed) {
   const Cell large = nearest_point(x, y, seed);
   Color color = palette_color(palette, seed + 2, large.column, large.row);
@@ -96,7 +97,7 @@ double ceiling_panel_grey(double u, double v) {
   return (0.92 - hole) * (joint < 0.012 ? 0.62 : 1);
 }
 
-/// A running figure's worth of blocks, and an arrow.
+/// Returns the colour of an exit sign: four letters and an arrow in a frame.
 Color exit_sign_color(double u, double v) {
   const Color green = rgb(0x12814a);
   const Color white = rgb(0xf2f6ee);
@@ -109,7 +110,7 @@ Color exit_sign_color(double u, double v) {
   return mix(green, white, std::max({letters, shaft, head}));
 }
 
-/// A chart of bars in its frame; 1 = ink.
+/// Returns 1 (ink) or 0 of a framed bar chart on the unit square.
 double chart_ink(double x, double y) {
   if (x < 0 || x > 1 || y < 0 || y > 1) {
     return 0;
@@ -154,7 +155,7 @@ Color cork_color(double u, double v) {
   return mix(rgb(0x7a5230), rgb(0xc79a63), 0.2 + 0.5 * tone + 0.3 * wear);
 }
 
-/// 32 divisions of ten; the long ones carry a blot for their number.
+/// Returns the grey of a ruler of 320 mm whose long marks carry a blot for their number.
 double ruler_grey(double u, double v) {
   const double mm = u * 320;
   const int tick = static_cast<int>(mm + 0.5);

@@ -10,7 +10,7 @@
 namespace scenes {
 namespace {
 
-/// Brightness in 0..1 of wood at x along and y across the grain, in metres.
+/// Returns the brightness in 0..1 of wood at x along and y across the grain, m.
 double wood_grain(double x, double y, std::uint32_t seed) {
   const double u = x / 4;
   const double v = y / 4;

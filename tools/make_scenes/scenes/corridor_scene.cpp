@@ -11,13 +11,13 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kModules = 8;
-constexpr double kModule = 3.0;   // m, along z
+constexpr double kModule = 3.0;   // length of a module along z, m
 constexpr double kHalfX = 1.1;    // m
 constexpr double kCeiling = 2.6;  // m
 constexpr double kDado = 1.05;    // m above the floor
 constexpr double kEnd = kModules * kModule / 2;
 
-/// Three metres of floor, ceiling and walls from z = 0 on.
+/// Returns one module of floor, ceiling and walls from z = 0 on.
 Mesh module_shell() {
   Mesh mesh = {"module_shell", {}};
   const Vector3d x(2 * kHalfX, 0, 0);
@@ -41,7 +41,7 @@ Mesh module_shell() {
   return mesh;
 }
 
-/// Its back at z = 0, y = 0 the floor.
+/// Returns an office door, its back at z = 0, the floor at y = 0.
 Mesh office_door() {
   Mesh mesh = {"office_door", {}};
   add(mesh, Finish::door_paint, box({0.9, 2.05, 0.03}, 0.003), at(0, 1.026, 0.004));
@@ -80,7 +80,7 @@ Mesh end_wall() {
   return mesh;
 }
 
-/// What every three metres show again.
+/// Indices of the meshes that every module repeats.
 struct Repeated {
   int shell, door, lamp, sign, picture, board;
 };
@@ -98,7 +98,7 @@ void add_module(ModelBuilder& scene, int root, const Repeated& meshes, int index
   scene.place(node, name + "_right_board", meshes.board, on_right * at(1.35, 1.6, 0.001));
 }
 
-/// The only places that can be told apart.
+/// Adds the two end walls, the only places that can be distinguished.
 void add_ends(ModelBuilder& scene, int root) {
   const int wall = scene.add_mesh(end_wall());
   const int north = scene.place(root, "north_end", wall, at(0, 0, -kEnd));

@@ -18,7 +18,7 @@ namespace {
 constexpr double kHalfX = 1.7;     // m
 constexpr double kHalfZ = 1.5;     // m
 constexpr double kCeiling = 2.45;  // m
-constexpr double kTop = 0.741;     // m, the worktop
+constexpr double kTop = 0.741;     // height of the worktop, m
 constexpr double kGap = 0.001;     // m
 
 Mesh study_shell() {

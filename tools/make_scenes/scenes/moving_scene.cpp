@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 constexpr double kHalfX = 2.5;        // m
 constexpr double kHalfZ = 2.0;        // m
 constexpr double kCeiling = 2.6;      // m
-constexpr double kDoorX = 1.2;        // m, the middle of the doorway in the wall z = -kHalfZ
+constexpr double kDoorX = 1.2;        // m, centre of the doorway in the wall z = -kHalfZ
 constexpr double kDoorWidth = 0.9;    // m
 constexpr double kDoorHeight = 2.05;  // m
 constexpr double kClosetDepth = 0.8;  // m
@@ -29,7 +29,7 @@ constexpr double kPeriod = 8;         // s
 constexpr double kBallRadius = 0.14;  // m
 constexpr double kGap = 0.001;        // m
 
-/// The wall with the doorway, and the closet behind it.
+/// Adds the wall with the doorway, and the closet behind it.
 void add_doorway_wall(Mesh& mesh) {
   const double left = kDoorX - kDoorWidth / 2;
   const double right = kDoorX + kDoorWidth / 2;
@@ -62,7 +62,7 @@ Mesh hall_shell() {
   return mesh;
 }
 
-/// From its hinges at the origin along +x, its middle in the plane z = 0.
+/// Returns a door leaf from its hinges at the origin along +x, its middle in the plane z = 0.
 Mesh door_leaf() {
   Mesh mesh = {"door_leaf", {}};
   const Isometry3d middle = at(kDoorWidth / 2, kDoorHeight / 2 + 0.004, 0);
@@ -80,7 +80,7 @@ Mesh door_leaf() {
   return mesh;
 }
 
-/// The image goes round it once, from pole to pole.
+/// Returns a ball whose image goes around once and from pole to pole.
 Mesh ball() {
   Mesh mesh = {"ball", {}};
   Shape shape = sphere(kBallRadius, 36);
@@ -91,7 +91,7 @@ Mesh ball() {
   return mesh;
 }
 
-/// On four wheels, which do not turn.
+/// Returns a crate on four wheels, which do not turn.
 Mesh crate() {
   Mesh mesh = {"crate", {}};
   constexpr double kSize = 0.4;
@@ -128,7 +128,7 @@ void add_moving_things(ModelBuilder& scene, int root) {
   const int ball_node = scene.place(root, "ball", scene.add_mesh(ball()), Isometry3d::Identity());
   scene.add_motion(repeated(ball_node, [](double phase) {
     const double x = 1.5 * std::cos(phase);
-    const double turn_deg = -x / kBallRadius * 180 / std::numbers::pi;  // it rolls without sliding
+    const double turn_deg = -x / kBallRadius * 180 / std::numbers::pi;  // rolling without slip
     return at(x, kBallRadius + kGap, 0.1) * about_z(turn_deg);
   }));
   const int crate_node =

@@ -6,7 +6,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A box whose every side shows the whole image.
+/// Returns a box each side of which shows the whole image.
 Shape dice(const Vector3d& size) {
   Shape shape = box(size);
   for (std::size_t i = 0; i < shape.texcoords.size(); ++i) {
@@ -24,7 +24,7 @@ Shape dice(const Vector3d& size) {
 
 }  // namespace
 
-/// Every coordinate is a multiple of 1/8 m: exact in float and in the file.
+/// The coordinates are multiples of 1/8 m, exact as float and in the file.
 Model make_plane_and_box() {
   ModelBuilder scene("plane_and_box");
   const int root = scene.add_group(kNone, "plane_and_box", Eigen::Isometry3d::Identity());

@@ -16,16 +16,16 @@
 namespace scenes {
 namespace {
 
-constexpr double kGap = 0.001;  // m between what stands and what it stands on
+constexpr double kGap = 0.001;  // m, between a thing and the surface below it
 
-/// Meshes that several places show.
+/// Indices of the meshes that are placed several times.
 struct SharedMeshes {
   int chair, short_row, long_row, other_row, stack, low_stack, small_plant, white_cup, blue_cup;
   int bottle, vase, table_lamp, plate, poster, landscape;
 };
 
-/// The groups that everything hangs from. A wall's x runs along it to the right as seen from
-/// inside, y up from the floor and z into the room.
+/// The groups of the scene graph. A wall's x runs along it to the right as seen from inside, y up
+/// from the floor and z into the room.
 struct Groups {
   int building, north_wall, east_wall, south_wall, west_wall, dining, lounge, lights;
 };

@@ -9,7 +9,7 @@ namespace {
 constexpr double kHalfX = 2.0;       // m
 constexpr double kHalfZ = 1.75;      // m
 constexpr double kCeiling = 2.5;     // m
-constexpr double kDoorWidth = 0.95;  // m, with its frame
+constexpr double kDoorWidth = 0.95;  // m, including the frame
 
 Mesh white_shell() {
   return plain_shell({2 * kHalfX, kCeiling, 2 * kHalfZ},
