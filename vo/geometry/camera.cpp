@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "vo/core/error.h"
+#include "vo/geometry/projection.h"
 
 namespace vo {
 namespace {
@@ -64,12 +65,9 @@ PinholeCamera PinholeCamera::from_horizontal_fov(int width, int height, double f
 }
 
 Eigen::Vector2d PinholeCamera::project(const Eigen::Vector3d& p_camera) const {
-  Eigen::Vector2d image = p_camera.head<2>() / p_camera.z();
-  if (!distortion.is_zero()) {
-    const DistortedPoint<double> imaged = distort(distortion, image.x(), image.y());
-    image = {imaged.x, imaged.y};
-  }
-  return {fx * image.x() + cx, fy * image.y() + cy};
+  const ImagedDirection<double> imaged = image_direction(
+      Projection<double>(*this), p_camera.x() / p_camera.z(), p_camera.y() / p_camera.z());
+  return {imaged.u, imaged.v};
 }
 
 Eigen::Vector3d PinholeCamera::unproject(const Eigen::Vector2d& pixel, double depth) const {

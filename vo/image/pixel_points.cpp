@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "vo/core/instruction_set.h"
-#include "vo/geometry/lens_dispatch.h"
+#include "vo/geometry/projection.h"
 #include "vo/image/edge_points.h"
 
 namespace vo {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "vo/core/hash.h"
+#include "vo/geometry/projection.h"
 #include "vo/image/depth_span.h"
 #include "vo/mapping/chains.h"
 #include "vo/mapping/fuse.h"
@@ -82,6 +83,8 @@ bool DepthMap::view_has_changed(const FramePyramid& current, const SE3& T_cur_ho
   const HostOptions& options = options_.host;
   constexpr std::size_t kStride = 8;  // every eighth edge is enough
   const StereoPair pair(host_.levels.front(), current.levels.front(), {T_cur_host});
+  const Projection<float> projection(pair.current.camera);
+  const SeenBounds bounds(pair.current.camera.width, pair.current.camera.height);
   double asked = 0;
   double seen = 0;
   double flow = 0;
@@ -89,12 +92,12 @@ bool DepthMap::view_has_changed(const FramePyramid& current, const SE3& T_cur_ho
     const cv::Vec2f& ray = hypotheses_.ray[i];
     const MovedDepth moved =
         moved_depth(pair, {ray[0], ray[1]}, hypotheses_.inverse_depth[i], 0, 0);
-    const Eigen::Vector2f pixel = image_ray(pair.current.camera, moved.ray).pixel;
+    const ImagedDirection<float> imaged = image_direction(projection, moved.ray.x(), moved.ray.y());
     asked += 1;
-    if (moved.inverse_depth > 0 && can_be_sampled(pair.current.intensity, pixel)) {
+    if (moved.inverse_depth > 0 && bounds.holds(imaged.u, imaged.v)) {
       seen += 1;
-      flow += std::hypot(pixel.x() - static_cast<float>(hypotheses_.pixel[i].x),
-                         pixel.y() - static_cast<float>(hypotheses_.pixel[i].y));
+      flow += std::hypot(imaged.u - static_cast<float>(hypotheses_.pixel[i].x),
+                         imaged.v - static_cast<float>(hypotheses_.pixel[i].y));
     }
   }
   return seen < options.min_overlap * asked ||

@@ -30,7 +30,7 @@ constexpr std::int32_t code(SearchOutcome outcome) {
 struct SearchView {
   const StereoPair& pair;
   const EpipolarOptions& options;
-  LaneCamera host_camera, current_camera;
+  Projection<float> host_camera, current_camera;
   LaneImage host, current;
   Eigen::Matrix3f R;  // cur_host
   Eigen::Vector3f t;  // cur_host, m
@@ -193,7 +193,8 @@ EDVO_INLINE void sample_host(const SearchView& view, LineBlock& block) {
     sample_lanes(view.host, at_u, at_v, 0, intensity);
     for (std::size_t i = 0; i < kLines; ++i) {
       intensity[i] = view.pair.gain * intensity[i] + view.pair.offset;
-      rule_out(!view.host.holds(at_u[i], at_v[i]), SearchOutcome::out_of_view, block.outcome[i]);
+      rule_out(!view.host.bounds.holds(at_u[i], at_v[i]), SearchOutcome::out_of_view,
+               block.outcome[i]);
     }
   }
 }

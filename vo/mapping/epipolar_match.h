@@ -223,7 +223,7 @@ EDVO_INLINE void sample_lines(const SearchView& view, const LineBlock& block,
     }
     sample_lanes(view.current, u, v, 0, seen.intensity[k]);
     for (std::size_t i = 0; i < kLines; ++i) {
-      seen.inside[i] = view.current.holds(u[i], v[i]) ? seen.inside[i] : 0;
+      seen.inside[i] = view.current.bounds.holds(u[i], v[i]) ? seen.inside[i] : 0;
     }
   }
 }

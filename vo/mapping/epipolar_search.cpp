@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "vo/geometry/projection.h"
 #include "vo/mapping/epipolar_block.h"
 #include "vo/mapping/epipolar_match.h"
 #include "vo/mapping/inverse_depth_variance.h"
@@ -94,7 +95,11 @@ float epipolar_cos2(const StereoPair& pair, cv::Point pixel, const cv::Vec2f& gr
   const Eigen::Vector2f ray(at[0], at[1]);
   const Eigen::Vector3f& c = pair.p_host_cur;
   const Eigen::Vector2f towards(c.x() - c.z() * ray.x(), c.y() - c.z() * ray.y());
-  const Eigen::Vector2f line = image_ray(pair.host.camera, ray).J * towards;
+  const ImagedDirection<float> imaged =
+      image_direction(Projection<float>(pair.host.camera), ray.x(), ray.y());
+  Eigen::Matrix2f J;
+  J << imaged.du_dx, imaged.du_dy, imaged.dv_dx, imaged.dv_dy;
+  const Eigen::Vector2f line = J * towards;
   const float along = gradient[0] * line.x() + gradient[1] * line.y();
   const float norm2 = line.squaredNorm() * (gradient[0] * gradient[0] + gradient[1] * gradient[1]);
   return norm2 > 0 ? along * along / norm2 : 0;

@@ -21,10 +21,10 @@ constexpr int kBorder = 4;  // px; leaves room for the samples along a line
 float offset_of_edge(const GrayImage& image, cv::Point pixel, cv::Vec2f direction) {
   constexpr float kMaxOffset = 0.7F;
   std::array<float, 5> along{};
-  for (int k = -2; k <= 2; ++k) {
-    along[static_cast<std::size_t>(k + 2)] = sample_bilinear(
-        image, {static_cast<float>(pixel.x) + static_cast<float>(k) * direction[0],
-                static_cast<float>(pixel.y) + static_cast<float>(k) * direction[1]});
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    const float step = static_cast<float>(i) - 2;
+    along[i] = sample_bilinear(image, {static_cast<float>(pixel.x) + step * direction[0],
+                                       static_cast<float>(pixel.y) + step * direction[1]});
   }
   const float before = along[2] - along[0];
   const float at = along[3] - along[1];
@@ -36,7 +36,8 @@ float offset_of_edge(const GrayImage& image, cv::Point pixel, cv::Vec2f directio
 /// Returns whether a pixel is in the share that is kept: whole blocks, so that chains stay whole.
 bool is_kept(cv::Point pixel, double share, std::uint64_t seed) {
   constexpr int kBlock = 8;  // px
-  const auto block = static_cast<std::uint64_t>((pixel.y / kBlock) * 65536 + pixel.x / kBlock);
+  const auto block = static_cast<std::uint64_t>(pixel.y / kBlock) * 65536 +
+                     static_cast<std::uint64_t>(pixel.x / kBlock);
   return mixed_uniform(mixed(seed) + block) < share;
 }
 

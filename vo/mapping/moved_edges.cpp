@@ -14,7 +14,6 @@ namespace {
 constexpr std::size_t kEdges = 32;
 
 using detail::ImagedLanes;
-using detail::LaneCamera;
 using detail::LaneImage;
 using detail::sample_lanes;
 using Row = detail::Lanes<kEdges>;
@@ -24,7 +23,7 @@ struct MoveView {
   const StereoPair& pair;
   const Hypotheses& hypotheses;
   float relative_noise;
-  LaneCamera camera;
+  Projection<float> camera;
   LaneImage host, current;
   Eigen::Matrix3f R;  // cur_host
   Eigen::Vector3f t;  // cur_host, m
@@ -143,7 +142,7 @@ EDVO_INLINE void move_block(const MoveView& view, Block& block) {
     const float v = beside.imaged.v[i] - edge.imaged.v[i];
     const float length = std::sqrt(u * u + v * v);
     const bool is_ahead = (z > kMinDepthRatio) & (beside.z[i] > kMinDepthRatio);
-    const bool is_inside = view.current.holds(edge.imaged.u[i], edge.imaged.v[i]);
+    const bool is_inside = view.current.bounds.holds(edge.imaged.u[i], edge.imaged.v[i]);
     block.moved_depth[i] = d;
     block.moved_variance[i] = growth * growth * block.variance[i] + noise * noise;
     block.position_u[i] = edge.imaged.u[i];

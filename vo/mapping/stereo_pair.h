@@ -40,35 +40,6 @@ struct StereoPair {
         offset(static_cast<float>(relation.offset)) {}
 };
 
-/// The pixel where a camera images the direction (x, y, 1), px, and its derivative by (x, y).
-struct ImagedRay {
-  Eigen::Vector2f pixel;
-  Eigen::Matrix2f J;
-};
-
-inline ImagedRay image_ray(const PinholeCamera& camera, const Eigen::Vector2f& ray) {
-  const auto fx = static_cast<float>(camera.fx);
-  const auto fy = static_cast<float>(camera.fy);
-  const auto cx = static_cast<float>(camera.cx);
-  const auto cy = static_cast<float>(camera.cy);
-  ImagedRay imaged;
-  if (camera.distortion.is_zero()) {
-    imaged.pixel = {fx * ray.x() + cx, fy * ray.y() + cy};
-    imaged.J << fx, 0, 0, fy;
-    return imaged;
-  }
-  const DistortedPoint<float> point = distort(camera.distortion, ray.x(), ray.y());
-  imaged.pixel = {fx * point.x + cx, fy * point.y + cy};
-  imaged.J << fx * point.dx_dx, fx * point.dx_dy, fy * point.dx_dy, fy * point.dy_dy;
-  return imaged;
-}
-
-/// Returns whether a position is at least 1 px inside of the outermost pixel centres.
-inline bool can_be_sampled(const GrayImage& image, const Eigen::Vector2f& pixel) {
-  return pixel.x() >= 1 && pixel.y() >= 1 && pixel.x() < static_cast<float>(image.cols - 2) &&
-         pixel.y() < static_cast<float>(image.rows - 2);
-}
-
 inline float sample_bilinear(const GrayImage& image, const Eigen::Vector2f& pixel) {
   const int u = static_cast<int>(pixel.x());
   const int v = static_cast<int>(pixel.y());

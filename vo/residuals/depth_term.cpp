@@ -186,7 +186,7 @@ double depth_agreement(const DepthView& view) {
   int agreeing = 0;
   for (const Eigen::Vector3f& position : view.surface.position) {
     const WarpedPoint<float> point = warp_point<float>(warp, position);
-    if (!is_seen(point, camera)) {
+    if (!is_in_view(point, camera)) {
       continue;
     }
     const float depth = view.image.depth(cvRound(point.v), cvRound(point.u));

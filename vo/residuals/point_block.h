@@ -7,13 +7,12 @@
 #include <cstring>
 #include <vector>
 
-#include "vo/geometry/lens_dispatch.h"
+#include "vo/geometry/projection.h"
 #include "vo/residuals/point_pass.h"
 
 /// The steps of point_pass.cpp for 64 points at a time, inlined into it once per instruction set.
 namespace vo::detail {
 
-inline constexpr float kMinDepth = 0.05F;  // m; nearer points are taken to be behind the camera
 inline constexpr std::size_t kBlock = 64;  // points
 
 using BlockRow = std::array<float, kBlock>;
@@ -35,9 +34,8 @@ struct alignas(64) Block {
 struct PassWarp {
   std::array<float, 9> R;
   std::array<float, 3> t;
-  float fx, fy, cx, cy;
-  Distortion lens;
-  float max_u, max_v;  // px, bounds that keep the 4x4 neighbourhood inside the image
+  Projection<float> projection;
+  SeenBounds bounds;
   RowMotion ref_motion, cur_motion;
   float inverse_height;  // 1/px
 
@@ -47,13 +45,8 @@ struct PassWarp {
   }
 
   PassWarp(const PinholeCamera& camera, const SE3& T_cur_ref)
-      : fx(static_cast<float>(camera.fx)),
-        fy(static_cast<float>(camera.fy)),
-        cx(static_cast<float>(camera.cx)),
-        cy(static_cast<float>(camera.cy)),
-        lens(camera.distortion),
-        max_u(static_cast<float>(camera.width - 2)),
-        max_v(static_cast<float>(camera.height - 2)),
+      : projection(camera),
+        bounds(camera.width, camera.height),
         inverse_height(1 / static_cast<float>(camera.height)) {
     const Eigen::Matrix3d R_cur_ref = T_cur_ref.rotation_matrix();
     Eigen::Map<Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(R.data()) = R_cur_ref.cast<float>();
@@ -95,14 +88,14 @@ EDVO_INLINE void load_points(const EdgePointLevel& points, std::size_t first, st
 template <typename Distort>
 EDVO_INLINE void distort_block(const PassWarp& warp, const Distort& distort, Block& block) {
   for (std::size_t i = 0; i < kBlock; ++i) {
-    const DistortedPoint<float> imaged =
-        distort(warp.lens, block.x[i] * block.inverse_z[i], block.y[i] * block.inverse_z[i]);
-    block.u[i] = warp.fx * imaged.x + warp.cx;
-    block.v[i] = warp.fy * imaged.y + warp.cy;
-    block.du_dx[i] = warp.fx * imaged.dx_dx;
-    block.du_dy[i] = warp.fx * imaged.dx_dy;
-    block.dv_dx[i] = warp.fy * imaged.dx_dy;
-    block.dv_dy[i] = warp.fy * imaged.dy_dy;
+    const ImagedDirection<float> imaged = image_direction(
+        warp.projection, distort, block.x[i] * block.inverse_z[i], block.y[i] * block.inverse_z[i]);
+    block.u[i] = imaged.u;
+    block.v[i] = imaged.v;
+    block.du_dx[i] = imaged.du_dx;
+    block.du_dy[i] = imaged.du_dy;
+    block.dv_dx[i] = imaged.dv_dx;
+    block.dv_dy[i] = imaged.dv_dy;
   }
 }
 
@@ -116,7 +109,7 @@ EDVO_INLINE void roll_points(const PassWarp& warp, const RowMotion& motion, floa
     const float x = xs[i];
     const float y = ys[i];
     const float z = zs[i];
-    const float row = warp.fy * (y / z) + warp.cy;
+    const float row = warp.projection.fy * (y / z) + warp.projection.cy;
     const float below = share * below_middle(row, warp.inverse_height);
     xs[i] = x + below * (w[1] * z - w[2] * y + v[0]);
     ys[i] = y + below * (w[2] * x - w[0] * z + v[1]);
@@ -134,7 +127,7 @@ EDVO_INLINE void warp_block(const PassWarp& warp, std::size_t count, Block& bloc
     const float y = block.y_ref[i];
     const float z = block.z_ref[i];
     const float z_cur = warp.R[6] * x + warp.R[7] * y + warp.R[8] * z + warp.t[2];
-    const bool in_front = z_cur > kMinDepth;
+    const bool in_front = z_cur > kMinVisibleDepth;
     block.x[i] = warp.R[0] * x + warp.R[1] * y + warp.R[2] * z + warp.t[0];
     block.y[i] = warp.R[3] * x + warp.R[4] * y + warp.R[5] * z + warp.t[1];
     block.z[i] = in_front ? z_cur : 1;
@@ -146,13 +139,12 @@ EDVO_INLINE void warp_block(const PassWarp& warp, std::size_t count, Block& bloc
   for (std::size_t i = 0; i < kBlock; ++i) {
     block.inverse_z[i] = 1 / block.z[i];
   }
-  dispatch_lens(warp.lens, [&](const auto& distort) { distort_block(warp, distort, block); });
+  dispatch_lens(warp.projection.lens,
+                [&](const auto& distort) { distort_block(warp, distort, block); });
   for (std::size_t i = 0; i < kBlock; ++i) {
     const float u = block.u[i];
     const float v = block.v[i];
-    const float inside_u = u >= 1 && u < warp.max_u ? 1 : 0;
-    const float inside_v = v >= 1 && v < warp.max_v ? 1 : 0;
-    const float seen = front[i] * inside_u * inside_v;
+    const float seen = warp.bounds.holds(u, v) ? front[i] : 0;
     block.seen[i] = seen;
     block.u[i] = seen > 0 ? u : 1;
     block.v[i] = seen > 0 ? v : 1;

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "vo/geometry/camera.h"
+#include "vo/geometry/projection.h"
 #include "vo/geometry/se3.h"
 
 namespace vo {
@@ -13,19 +14,12 @@ template <typename Scalar>
 struct Warp {
   Eigen::Matrix<Scalar, 3, 3> R_cur_ref;
   Eigen::Matrix<Scalar, 3, 1> t_cur_ref;  ///< m
-  Scalar fx, fy, cx, cy;                  ///< px
-  Distortion lens;
-  bool distorted;
+  Projection<Scalar> projection;
 
   Warp(const PinholeCamera& camera, const SE3& T_cur_ref)
       : R_cur_ref(T_cur_ref.rotation_matrix().cast<Scalar>()),
         t_cur_ref(T_cur_ref.translation().cast<Scalar>()),
-        fx(Scalar(camera.fx)),
-        fy(Scalar(camera.fy)),
-        cx(Scalar(camera.cx)),
-        cy(Scalar(camera.cy)),
-        lens(camera.distortion),
-        distorted(!camera.distortion.is_zero()) {}
+        projection(camera) {}
 };
 
 /// The position of a reference point in the current camera's frame and image.
@@ -42,24 +36,18 @@ inline WarpedPoint<Scalar> warp_point(const Warp<Scalar>& warp,
   WarpedPoint<Scalar> point;
   point.p_cur = warp.R_cur_ref * p_ref + warp.t_cur_ref;
   const Scalar inverse_z = 1 / point.p_cur.z();
-  Scalar x = point.p_cur.x() * inverse_z;
-  Scalar y = point.p_cur.y() * inverse_z;
-  point.J_pixel_image << warp.fx, 0, 0, warp.fy;
-  if (warp.distorted) {
-    const DistortedPoint<Scalar> imaged = distort(warp.lens, x, y);
-    point.J_pixel_image << warp.fx * imaged.dx_dx, warp.fx * imaged.dx_dy, warp.fy * imaged.dx_dy,
-        warp.fy * imaged.dy_dy;
-    x = imaged.x;
-    y = imaged.y;
-  }
-  point.u = warp.fx * x + warp.cx;
-  point.v = warp.fy * y + warp.cy;
+  const ImagedDirection<Scalar> imaged = image_direction(
+      warp.projection, Scalar(point.p_cur.x() * inverse_z), Scalar(point.p_cur.y() * inverse_z));
+  point.u = imaged.u;
+  point.v = imaged.v;
+  point.J_pixel_image << imaged.du_dx, imaged.du_dy, imaged.dv_dx, imaged.dv_dy;
   return point;
 }
 
-/// Returns whether a warped point is in front of the camera and inside its image.
+/// Returns whether a warped point is in view: in front of the camera and inside its image. Not all that
+/// is in view is seen (`SeenBounds`).
 template <typename Scalar>
-inline bool is_seen(const WarpedPoint<Scalar>& point, const PinholeCamera& camera) {
+inline bool is_in_view(const WarpedPoint<Scalar>& point, const PinholeCamera& camera) {
   return point.p_cur.z() > 0 && camera.contains({point.u, point.v});
 }
 

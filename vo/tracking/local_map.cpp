@@ -59,7 +59,7 @@ ImageMotion image_motion(const EdgePoints& points, const FramePyramid& frame,
   for (std::size_t i = 0; i < level.size(); ++i) {
     const WarpedPoint<float> point =
         warp_point<float>(warp, {level.x_ref[i], level.y_ref[i], level.z_ref[i]});
-    if (is_seen(point, camera)) {
+    if (is_in_view(point, camera)) {
       seen += 1;
       motion.flow_px += std::hypot(point.u - static_cast<float>(level.pixel[i].x),
                                    point.v - static_cast<float>(level.pixel[i].y));

@@ -30,7 +30,7 @@ double contrast_ratio(const PointedImage& image, const PointedImage& other,
   for (std::size_t i = 0; i < image.points.size(); ++i) {
     const WarpedPoint<float> point = warp_point<float>(
         warp, {image.points.x_ref[i], image.points.y_ref[i], image.points.z_ref[i]});
-    if (is_seen(point, other.level.camera)) {
+    if (is_in_view(point, other.level.camera)) {
       own.add(image.level.intensity, image.points.pixel[i]);
       others.add(other.level.intensity, {cvRound(point.u), cvRound(point.v)});
     }

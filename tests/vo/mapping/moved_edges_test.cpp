@@ -4,6 +4,7 @@
 
 #include "tests/support/instruction_sets.h"
 #include "tests/support/plane_map.h"
+#include "vo/geometry/projection.h"
 #include "vo/mapping/propagate.h"
 
 namespace {
@@ -68,7 +69,8 @@ TEST(MovedEdges, AreWhereTheCameraImagesThem) {
                           views.hypotheses.inverse_depth[i], views.hypotheses.variance[i], kNoise);
       EXPECT_NEAR(edge.inverse_depth, expected.inverse_depth, 1e-5 * expected.inverse_depth);
       EXPECT_NEAR(edge.variance, expected.variance, 1e-4 * expected.variance);
-      EXPECT_EQ(edge.is_visible, vo::can_be_sampled(pair.current.intensity, edge.position));
+      const vo::SeenBounds bounds(camera.width, camera.height);
+      EXPECT_EQ(edge.is_visible, bounds.holds(edge.position.x(), edge.position.y()));
       visible += edge.is_visible ? 1 : 0;
       changed += edge.is_visible && edge.is_changed ? 1 : 0;
     }
