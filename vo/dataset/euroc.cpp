@@ -187,7 +187,7 @@ std::string format_list(const std::vector<double>& timestamps) {
   std::string text = "#timestamp [ns],filename\n";
   for (const double timestamp : timestamps) {
     const std::string ns = std::to_string(to_nanoseconds(timestamp));
-    text += ns + "," + ns + ".png\n";
+    text += concat(ns, ",", ns, ".png\n");
   }
   return text;
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <future>
 #include <optional>
 #include <string>
@@ -14,16 +15,20 @@
 
 namespace vo {
 
+struct SequenceSource;
+
 /// The images of a sequence that are read.
 enum class SequenceContent {
   colour_and_depth,
   colour,  ///< depth.txt and its images are not touched; frames have no depth
 };
 
-/// An RGB-D sequence on disk, in the layout of the TUM RGB-D benchmark:
+/// An RGB-D sequence on disk, the one source of frames of everything that tracks. The layout is
+/// that of the TUM RGB-D benchmark:
 ///     rgb/*.png (8 bit)  depth/*.png (16 bit)  rgb.txt  depth.txt  groundtruth.txt  camera.toml
 /// The lists hold `timestamp path` a line, seconds, in increasing time. groundtruth.txt and
-/// camera.toml may be absent.
+/// camera.toml may be absent. A folder without rgb.txt is read as `detect_format` recognises it:
+/// EuRoC or either form of ICL-NUIM.
 class SequenceReader {
  public:
   /// `camera` takes precedence over the folder's camera.toml; throws Error if there is neither.
@@ -44,6 +49,10 @@ class SequenceReader {
   RgbdFrame read(std::size_t index) const;
 
  private:
+  void read_lists(const std::filesystem::path& folder, double max_time_difference,
+                  SequenceContent content);
+  void adopt(SequenceSource source, const std::filesystem::path& folder);
+
   struct Entry {
     double timestamp;
     std::filesystem::path image;
@@ -53,6 +62,7 @@ class SequenceReader {
   RgbdCamera camera_;
   Trajectory ground_truth_;
   std::vector<Entry> entries_;
+  std::function<RgbdFrame(std::size_t index)> read_;  ///< of a format other than TUM's
 };
 
 /// Reads the frames of a sequence in order, each decoded in a second thread while the one before

@@ -1,9 +1,11 @@
+#include <optional>
 #include <utility>
 
 #include "vo/core/error.h"
 #include "vo/dataset/camera_file.h"
 #include "vo/dataset/depth_units.h"
 #include "vo/dataset/sequence.h"
+#include "vo/dataset/sequence_source.h"
 #include "vo/dataset/trajectory_file.h"
 #include "vo/files/png.h"
 #include "vo/files/text_lines.h"
@@ -51,7 +53,22 @@ SequenceReader::SequenceReader(const fs::path& folder, std::optional<RgbdCamera>
                                double max_time_difference, SequenceContent content) {
   require(fs::is_directory(folder), folder.string(),
           ": there is no such folder, expected a sequence (rgb.txt, depth.txt and their images)");
+  const SequenceFormat format = known_format(folder).value_or(SequenceFormat::tum);
+  if (format != SequenceFormat::tum) {
+    adopt(open_sequence(folder, format, camera), folder);
+    require(content == SequenceContent::colour || !read(0).depth.empty(), folder.string(),
+            ": its frames have no depth, expected some or --mode mono");
+    return;
+  }
   camera_ = camera_of(folder, camera);
+  read_lists(folder, max_time_difference, content);
+  if (fs::exists(folder / "groundtruth.txt")) {
+    ground_truth_ = read_trajectory(folder / "groundtruth.txt");
+  }
+}
+
+void SequenceReader::read_lists(const fs::path& folder, double max_time_difference,
+                                SequenceContent content) {
   const ImageList images = read_image_list(folder, "rgb.txt");
   if (content == SequenceContent::colour) {
     for (std::size_t i = 0; i < images.paths.size(); ++i) {
@@ -66,13 +83,23 @@ SequenceReader::SequenceReader(const fs::path& folder, std::optional<RgbdCamera>
     require(!entries_.empty(), folder.string(), ": no colour and depth image lie within ",
             max_time_difference, " s of each other");
   }
-  if (fs::exists(folder / "groundtruth.txt")) {
-    ground_truth_ = read_trajectory(folder / "groundtruth.txt");
+}
+
+void SequenceReader::adopt(SequenceSource source, const fs::path& folder) {
+  camera_ = source.camera;
+  ground_truth_ = std::move(source.truth);
+  for (std::size_t i = 0; i < source.timestamps.size(); ++i) {
+    entries_.push_back({source.timestamps[i], folder, {}});
   }
+  require(!entries_.empty(), folder.string(), ": holds no frames, expected one or more");
+  read_ = std::move(source.read);
 }
 
 RgbdFrame SequenceReader::read(std::size_t index) const {
   const Entry& entry = entries_.at(index);
+  if (read_) {
+    return read_(index);
+  }
   RgbdFrame frame;
   frame.timestamp = entry.timestamp;
   frame.image = read_png(entry.image);

@@ -36,9 +36,7 @@ SequenceSource open_tum(const fs::path& folder, const std::optional<RgbdCamera>&
 
 }  // namespace
 
-SequenceFormat detect_format(const fs::path& folder) {
-  require(fs::is_directory(folder), folder.string(),
-          ": there is no such folder, expected a sequence");
+std::optional<SequenceFormat> known_format(const fs::path& folder) {
   if (fs::exists(folder / "mav0/cam0/data.csv")) {
     return SequenceFormat::euroc;
   }
@@ -48,10 +46,20 @@ SequenceFormat detect_format(const fs::path& folder) {
   if (fs::exists(folder / "rgb.txt")) {
     return SequenceFormat::tum;
   }
-  require(fs::exists(folder / "associations.txt"), folder.string(),
+  if (fs::exists(folder / "associations.txt")) {
+    return SequenceFormat::icl_tum;
+  }
+  return std::nullopt;
+}
+
+SequenceFormat detect_format(const fs::path& folder) {
+  require(fs::is_directory(folder), folder.string(),
+          ": there is no such folder, expected a sequence");
+  const std::optional<SequenceFormat> format = known_format(folder);
+  require(format.has_value(), folder.string(),
           ": holds no sequence that is known, expected rgb.txt (TUM), mav0/cam0/data.csv (EuRoC), "
           "scene_00_0000.png (ICL-NUIM) or associations.txt (ICL-NUIM, TUM compatible)");
-  return SequenceFormat::icl_tum;
+  return *format;
 }
 
 SequenceSource open_sequence(const fs::path& folder, SequenceFormat format,

@@ -40,6 +40,9 @@ struct SequenceSource {
   SE3 T_body_camera;
 };
 
+/// Returns the format whose files a folder holds; none where they are of no known format.
+std::optional<SequenceFormat> known_format(const std::filesystem::path& folder);
+
 /// Returns the format of the sequence in a folder; throws Error unless it is a known one.
 SequenceFormat detect_format(const std::filesystem::path& folder);
 

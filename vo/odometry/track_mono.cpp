@@ -6,8 +6,8 @@
 
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
+#include "vo/dataset/depth_units.h"
 #include "vo/files/npy.h"
-#include "vo/files/png.h"
 
 namespace vo {
 namespace {
@@ -16,25 +16,18 @@ namespace fs = std::filesystem;
 
 DepthImage read_depth_file(const fs::path& path, const RgbdCamera& camera) {
   if (path.extension() == ".npy") {
-    const cv::Mat depth = read_npy(path);
+    cv::Mat depth = read_npy(path);
     require(depth.type() == CV_32FC1, path.string(), ": expected one channel, metres");
+    require_size(depth, camera.pinhole, path);
     return depth;
   }
-  const cv::Mat image = read_png(path);
-  require(image.type() == CV_16UC1, path.string(),
-          ": expected depth of 16 bits in one channel, or a .npy file in metres");
-  DepthImage depth;
-  image.convertTo(depth, CV_32F, 1 / camera.depth_units_per_m);
-  return depth;
+  return read_depth_png(path, camera);
 }
 
-/// Throws Error where a depth image's size or median shows another camera or unit than expected.
-void check_depth(const fs::path& path, const DepthImage& depth, const PinholeCamera& camera) {
+/// Throws Error where a depth image's median shows another unit than expected.
+void check_depth(const fs::path& path, const DepthImage& depth) {
   constexpr double kNearest = 0.05;  // m
   constexpr double kFarthest = 200;  // m
-  require(depth.cols == camera.width && depth.rows == camera.height, path.string(), ": is ",
-          depth.cols, "x", depth.rows, " px, expected the camera's ", camera.width, "x",
-          camera.height);
   std::vector<double> values;
   for (const float value : depth) {
     if (std::isfinite(value) && has_depth(value)) {
@@ -66,7 +59,7 @@ MonoFrames::MonoFrames(const MonoInput& input, MonoBootstrap bootstrap)
   if (bootstrap == MonoBootstrap::file) {
     require(!input.depth_file.empty(), "mono: expected --depth-file FILE with --bootstrap file");
     first_depth_ = read_depth_file(input.depth_file, sequence_.camera());
-    check_depth(input.depth_file, first_depth_, sequence_.camera().pinhole);
+    check_depth(input.depth_file, first_depth_);
   } else if (bootstrap == MonoBootstrap::rgbd) {
     const SequenceReader paired(input.folder, input.camera, input.max_time_difference);
     const RgbdFrame first = paired.read(0);

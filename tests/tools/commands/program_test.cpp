@@ -7,8 +7,8 @@
 #include "tests/support/instruction_sets.h"
 #include "tests/support/plane_sequence.h"
 #include "tests/support/temp_folder.h"
-#include "vo/dataset/trajectory_file.h"
 #include "vo/core/fields.h"
+#include "vo/dataset/trajectory_file.h"
 #include "vo/files/png.h"
 
 namespace {
@@ -88,6 +88,27 @@ TEST_F(Program, TwoRunsGiveTheSameBytesOnAnyNumberOfThreads) {
   ASSERT_EQ(track("--threads 1 --out " + path("one.txt")).exit_code, 0);
   ASSERT_EQ(track("--threads 2 --out " + path("two.txt")).exit_code, 0);
   EXPECT_EQ(vo::read_file(folder().path() / "one.txt"), vo::read_file(folder().path() / "two.txt"));
+}
+
+TEST_F(Program, TracksWhatConvertWrites) {
+  ASSERT_EQ(track("--force --out " + path("tum.txt")).exit_code, 0);
+  const vo::Trajectory expected = vo::read_trajectory(folder().path() / "tum.txt");
+  for (const std::string format : {"euroc", "icl-nuim", "icl-tum"}) {
+    ASSERT_EQ(run_program("convert " + path("sequence") + " " + path(format) +
+                          " --quiet --format " + format)
+                  .exit_code,
+              0);
+    const ProgramResult result =
+        run_program("track " + path(format) + " --quiet --out " + path(format + ".txt"));
+    ASSERT_EQ(result.exit_code, 0) << format << ": " << result.err;
+    const vo::Trajectory poses = vo::read_trajectory(folder().path() / (format + ".txt"));
+    ASSERT_EQ(poses.size(), expected.size()) << format;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const double distance =
+          (poses[i].T_world_camera.translation() - expected[i].T_world_camera.translation()).norm();
+      EXPECT_LT(distance, 1e-4) << format << ", frame " << i;  // m; depth is rounded to 0.2 mm
+    }
+  }
 }
 
 TEST_F(Program, AConfigurationRepeatsARunToTheByte) {
