@@ -1,4 +1,4 @@
-#include "synth/camera/rgbd_camera.h"
+#include "synth/camera/sequence_camera.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,9 +33,9 @@ CameraPath path_through(const vo::Trajectory& poses) {
   return spline(poses);
 }
 
-RgbdSensor::RgbdSensor(const Scene& scene, const RenderersOverTime& renderers,
-                       const vo::PinholeCamera& camera, const SensorMotion& motion,
-                       const SensorOptions& options)
+SequenceCamera::SequenceCamera(const Scene& scene, const RenderersOverTime& renderers,
+                               const vo::PinholeCamera& camera, const CameraTruth& motion,
+                               const SensorOptions& options)
     : renderers_(renderers),
       camera_(camera),
       motion_(motion),
@@ -57,7 +57,7 @@ RgbdSensor::RgbdSensor(const Scene& scene, const RenderersOverTime& renderers,
   }
 }
 
-std::vector<Metering> RgbdSensor::meter_frames() const {
+std::vector<Metering> SequenceCamera::meter_frames() const {
   std::vector<Metering> metered(motion_.truth.size());
   tbb::parallel_for(std::size_t{0}, metered.size(), [&](std::size_t i) {
     metered[i] = meter(*renderer_at(i), camera_, motion_.truth[i].T_world_camera);
@@ -65,11 +65,11 @@ std::vector<Metering> RgbdSensor::meter_frames() const {
   return metered;
 }
 
-std::shared_ptr<const Renderer> RgbdSensor::renderer_at(std::size_t index) const {
+std::shared_ptr<const Renderer> SequenceCamera::renderer_at(std::size_t index) const {
   return renderers_.at(scene_time(motion_.truth, motion_.truth[index].timestamp));
 }
 
-std::vector<double> RgbdSensor::stamps() const {
+std::vector<double> SequenceCamera::stamps() const {
   std::vector<double> times;
   for (const vo::StampedPose& pose : motion_.truth) {
     times.push_back(pose.timestamp);
@@ -79,7 +79,7 @@ std::vector<double> RgbdSensor::stamps() const {
 
 /// Follows the exposure metered for each frame. The exposure metered for the whole sequence is
 /// reached with the shutter's own exposure time and no amplification.
-void RgbdSensor::follow_exposure(const std::vector<Metering>& metered) {
+void SequenceCamera::follow_exposure(const std::vector<Metering>& metered) {
   const AutoExposureOptions& control = options_.auto_exposure;
   if (!control.enabled) {
     return;
@@ -104,7 +104,7 @@ void RgbdSensor::follow_exposure(const std::vector<Metering>& metered) {
   }
 }
 
-void RgbdSensor::follow_balance(const std::vector<Metering>& metered) {
+void SequenceCamera::follow_balance(const std::vector<Metering>& metered) {
   const WhiteBalanceOptions& control = options_.white_balance;
   if (!control.enabled) {
     return;
@@ -125,7 +125,7 @@ void RgbdSensor::follow_balance(const std::vector<Metering>& metered) {
   }
 }
 
-Capture RgbdSensor::color_capture(std::size_t index) const {
+Capture SequenceCamera::color_capture(std::size_t index) const {
   const auto& [stamp, T_world_camera] = motion_.truth[index];
   Capture capture = still(camera_, T_world_camera);
   capture.shutter = options_.shutter;
@@ -138,7 +138,7 @@ Capture RgbdSensor::color_capture(std::size_t index) const {
   return capture;
 }
 
-Capture RgbdSensor::depth_capture(std::size_t index) const {
+Capture SequenceCamera::depth_capture(std::size_t index) const {
   const DepthSensorOptions& depth = options_.depth;
   Capture capture = color_capture(index);
   capture.channels = {.color = false, .depth = true, .normal = true};
@@ -158,13 +158,13 @@ Capture RgbdSensor::depth_capture(std::size_t index) const {
   return capture;
 }
 
-TimeSpan RgbdSensor::span(std::size_t index) const {
+TimeSpan SequenceCamera::span(std::size_t index) const {
   const TimeSpan color = span_of(color_capture(index));
   const TimeSpan depth = span_of(depth_capture(index));
   return {std::min(color.begin, depth.begin), std::max(color.end, depth.end)};
 }
 
-vo::RgbdFrame RgbdSensor::take(std::size_t index, const Renderer& now) const {
+vo::RgbdFrame SequenceCamera::take(std::size_t index, const Renderer& now) const {
   const bool apart = options_.depth.is_apart();
   Capture capture = color_capture(index);
   capture.channels = {.color = true, .depth = !apart, .normal = !apart};

@@ -17,7 +17,7 @@
 namespace synth {
 
 /// The motion of a sensor during a sequence.
-struct SensorMotion {
+struct CameraTruth {
   vo::Trajectory truth;  ///< T_world_camera at the stamp of each frame
   CameraPath path;       ///< T_world_camera at any time between the stamps
 };
@@ -27,13 +27,13 @@ CameraPath path_through(const vo::Trajectory& poses);
 
 /// Takes the frames of a sequence, from any thread and in any order: each depends only on its index
 /// and the constructor's arguments. `renderers`, `camera` and `motion` must outlive the sensor.
-class RgbdSensor {
+class SequenceCamera {
  public:
   /// Meters the scene where `options.exposure` is 0, and every frame where exposure or white
   /// balance are automatic.
-  RgbdSensor(const Scene& scene, const RenderersOverTime& renderers,
-             const vo::PinholeCamera& camera, const SensorMotion& motion,
-             const SensorOptions& options);
+  SequenceCamera(const Scene& scene, const RenderersOverTime& renderers,
+                 const vo::PinholeCamera& camera, const CameraTruth& motion,
+                 const SensorOptions& options);
 
   /// Takes a frame, stamped with the colour image's time; depth is `options.depth.delay` later.
   vo::RgbdFrame take(std::size_t index) const { return take(index, *renderer_at(index)); }
@@ -57,7 +57,7 @@ class RgbdSensor {
 
   const RenderersOverTime& renderers_;
   const vo::PinholeCamera& camera_;
-  const SensorMotion& motion_;
+  const CameraTruth& motion_;
   SensorOptions options_;
   std::vector<FrameSetting> settings_;
 };

@@ -67,8 +67,8 @@ FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe)
   recipe.camera.validate();
   recipe.sensor.validate();
   renderers_ = std::make_unique<const RenderersOverTime>(scene, recipe.render);
-  sensor_ = std::make_unique<RgbdSensor>(scene, *renderers_, recipe.camera.pinhole, motion_,
-                                         recipe.sensor);
+  sensor_ = std::make_unique<SequenceCamera>(scene, *renderers_, recipe.camera.pinhole, motion_,
+                                             recipe.sensor);
   if (!recipe.channels.channels.empty()) {
     truth_ = std::make_unique<const TruthGenerator>(
         TruthSubject{scene, recipe.camera.pinhole, recipe.truth, recipe.render.ambient},

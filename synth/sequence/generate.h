@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "synth/camera/rgbd_camera.h"
+#include "synth/camera/sequence_camera.h"
 #include "synth/rendering/renderer.h"
 #include "synth/scene/scene.h"
 #include "synth/sensor/sensor.h"
@@ -53,10 +53,10 @@ class FrameGenerator {
 
   const Scene& scene_;
   const SequenceRecipe& recipe_;
-  SensorMotion motion_;
+  CameraTruth motion_;
   bool moves_;  ///< whether the scene moves, so that each frame has its own renderer
   std::unique_ptr<const RenderersOverTime> renderers_;
-  std::unique_ptr<const RgbdSensor> sensor_;
+  std::unique_ptr<const SequenceCamera> sensor_;
   std::unique_ptr<const TruthGenerator> truth_;  ///< null where no channel is asked for
 };
 

@@ -127,7 +127,7 @@ std::string with_advice(const vo::Error& error, const fs::path& staging) {
 
 std::vector<std::size_t> frames_to_render(const RenderJob& job, const Scene& scene,
                                           const fs::path& folder) {
-  const std::vector<std::size_t> share = share_of(job);
+  std::vector<std::size_t> share = share_of(job);
   const std::string manifest = format_manifest(job, scene);
   if (folder.empty()) {
     return share;

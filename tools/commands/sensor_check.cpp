@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 
-#include "synth/camera/rgbd_camera.h"
+#include "synth/camera/sequence_camera.h"
 #include "synth/gltf/gltf.h"
 #include "synth/path_planning/path_options.h"
 #include "tools/cli/options.h"
@@ -68,7 +68,7 @@ std::string contact_sheet(const SensorCheckArguments& arguments) {
   const synth::RenderersOverTime renderers(scene, {.samples = arguments.samples});
   const auto [width, height] = parse_size(arguments.size);
   const synth::TimedPath timed = synth::make_path(arguments.path, file);
-  const synth::SensorMotion motion{synth::sample(timed.path, timed.times), timed.path};
+  const synth::CameraTruth motion{synth::sample(timed.path, timed.times), timed.path};
   const auto camera = vo::PinholeCamera::from_horizontal_fov(width, height, arguments.fov_deg);
   constexpr double kQuality = 88;  // of 100; noise makes lossless files five times as large
   return encode_webp(draw_contact_sheet(scene, renderers, camera, motion, motion.truth.size() / 2),

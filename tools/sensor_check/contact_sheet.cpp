@@ -88,11 +88,12 @@ std::vector<Picture> row_of(std::string_view name, const vo::RgbdFrame& frame,
 cv::Mat_<cv::Vec3b> draw_contact_sheet(const synth::Scene& scene,
                                        const synth::RenderersOverTime& renderers,
                                        const vo::PinholeCamera& camera,
-                                       const synth::SensorMotion& motion, std::size_t frame) {
+                                       const synth::CameraTruth& motion, std::size_t frame) {
   std::vector<std::vector<Picture>> rows;
   vo::DepthImage exact;
   for (const auto& [preset, name] : enum_names(synth::SensorPreset{})) {
-    const synth::RgbdSensor sensor(scene, renderers, camera, motion, synth::preset_options(preset));
+    const synth::SequenceCamera sensor(scene, renderers, camera, motion,
+                                       synth::preset_options(preset));
     const vo::RgbdFrame taken = sensor.take(frame);
     exact = exact.empty() ? taken.depth : exact;
     rows.push_back(row_of(name, taken, camera, exact));

@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 
 #include "synth/camera/renderers_over_time.h"
-#include "synth/camera/rgbd_camera.h"
+#include "synth/camera/sequence_camera.h"
 #include "synth/scene/scene.h"
 #include "vo/geometry/camera.h"
 
@@ -17,6 +17,6 @@ namespace tools {
 cv::Mat_<cv::Vec3b> draw_contact_sheet(const synth::Scene& scene,
                                        const synth::RenderersOverTime& renderers,
                                        const vo::PinholeCamera& camera,
-                                       const synth::SensorMotion& motion, std::size_t frame);
+                                       const synth::CameraTruth& motion, std::size_t frame);
 
 }  // namespace tools

@@ -1,4 +1,4 @@
-#include "synth/camera/rgbd_camera.h"
+#include "synth/camera/sequence_camera.h"
 
 #include <cmath>
 
@@ -29,8 +29,8 @@ vo::SE3 drift(double time) {
   return {Eigen::Quaterniond::Identity(), Vector3d(0.4 * time, 0, 0.3 * time)};
 }
 
-SensorMotion drifting(int frames) {
-  SensorMotion motion{.path = drift};
+CameraTruth drifting(int frames) {
+  CameraTruth motion{.path = drift};
   for (int i = 0; i < frames; ++i) {
     motion.truth.push_back({i / 30.0, drift(i / 30.0)});
   }
@@ -46,23 +46,23 @@ class Recorder {
         sensor_(scene_, renderers_, camera_, motion_, options) {}
 
   vo::RgbdFrame take(std::size_t index) const { return sensor_.take(index); }
-  const RgbdSensor& sensor() const { return sensor_; }
+  const SequenceCamera& sensor() const { return sensor_; }
   const Renderer& renderer() const { return *renderers_.at(0); }
   const vo::PinholeCamera& camera() const { return camera_; }
 
  private:
   Scene scene_ = lit_room();
   vo::PinholeCamera camera_ = wide_camera();
-  SensorMotion motion_;
+  CameraTruth motion_;
   RenderersOverTime renderers_;
-  RgbdSensor sensor_;
+  SequenceCamera sensor_;
 };
 
 double max_difference(const cv::Mat& a, const cv::Mat& b) {
   return cv::norm(a, b, cv::NORM_INF);
 }
 
-TEST(RgbdSensor, ThatIsPerfectMeasuresWhatIsThere) {
+TEST(SequenceCamera, ThatIsPerfectMeasuresWhatIsThere) {
   const Recorder recorder({.exposure = 0.3});
   const vo::RgbdFrame frame = recorder.take(2);
   const vo::RgbdFrame expected = measure(
@@ -72,7 +72,7 @@ TEST(RgbdSensor, ThatIsPerfectMeasuresWhatIsThere) {
   EXPECT_EQ(frame.timestamp, expected.timestamp);
 }
 
-TEST(RgbdSensor, TakesTheSameFrameInAnyOrder) {
+TEST(SequenceCamera, TakesTheSameFrameInAnyOrder) {
   for (const auto& [preset, name] : enum_names(SensorPreset{})) {
     const Recorder forwards(preset_options(preset));
     const Recorder backwards(preset_options(preset));
@@ -83,7 +83,7 @@ TEST(RgbdSensor, TakesTheSameFrameInAnyOrder) {
   }
 }
 
-TEST(RgbdSensor, HasOtherNoiseWithAnotherSeedAndInAnotherFrame) {
+TEST(SequenceCamera, HasOtherNoiseWithAnotherSeedAndInAnotherFrame) {
   SensorOptions options{.exposure = 0.3};
   options.noise.full_well = {500, 500, 500};
   options.depth.axial.constant = 0.01;
@@ -98,7 +98,7 @@ TEST(RgbdSensor, HasOtherNoiseWithAnotherSeedAndInAnotherFrame) {
   EXPECT_GT(max_difference(second.take(0).depth, third.take(0).depth), 0);
 }
 
-TEST(RgbdSensor, MeasuresDepthAtItsOwnStampAndPlace) {
+TEST(SequenceCamera, MeasuresDepthAtItsOwnStampAndPlace) {
   SensorOptions options{.exposure = 0.3};
   options.depth.delay = 0.02;
   const Recorder late(options);
@@ -111,7 +111,7 @@ TEST(RgbdSensor, MeasuresDepthAtItsOwnStampAndPlace) {
   EXPECT_NEAR(behind.take(0).depth(24, 1), 3, 1e-5) << "registered to the colour camera";
 }
 
-TEST(RgbdSensor, MeasuresDepthAllAtOnceWithAGlobalShutter) {
+TEST(SequenceCamera, MeasuresDepthAllAtOnceWithAGlobalShutter) {
   SensorOptions options{.exposure = 0.3, .shutter = {.readout_time = 0.03}};
   const Recorder rolling(options);
   options.depth.shutter = DepthShutter::global;
@@ -121,7 +121,7 @@ TEST(RgbdSensor, MeasuresDepthAllAtOnceWithAGlobalShutter) {
   EXPECT_GT(max_difference(rolling.take(1).depth, at_once), 0.003);
 }
 
-TEST(RgbdSensor, FollowsTheLightWithItsExposure) {
+TEST(SequenceCamera, FollowsTheLightWithItsExposure) {
   SensorOptions options;
   options.auto_exposure = {.enabled = true, .time_constant = 0, .delay = 0};
   const Recorder recorder(options, 20);
@@ -133,7 +133,7 @@ TEST(RgbdSensor, FollowsTheLightWithItsExposure) {
   EXPECT_NEAR(first.exposure / first.amplification, last.exposure / last.amplification, 1e-9);
 }
 
-TEST(RgbdSensor, StretchesItsExposureTimeBeforeItAmplifies) {
+TEST(SequenceCamera, StretchesItsExposureTimeBeforeItAmplifies) {
   SensorOptions options{.shutter = {.exposure_time = 0.01}};
   options.auto_exposure = {.enabled = true, .by = ExposureBy::time, .max_exposure_time = 0.0101};
   const Recorder recorder(options, 20);
@@ -147,7 +147,7 @@ TEST(RgbdSensor, StretchesItsExposureTimeBeforeItAmplifies) {
   }
 }
 
-TEST(RgbdSensor, BalancesTheMeanToGrey) {
+TEST(SequenceCamera, BalancesTheMeanToGrey) {
   SensorOptions options{.exposure = 0.3};
   options.white_balance = {.enabled = true, .time_constant = 0};
   const Recorder recorder(options);
