@@ -139,7 +139,8 @@ void read_attributes(GltfReading& reading, const tinygltf::Primitive& primitive,
     const std::string name = "TEXCOORD_" + std::to_string(set);
     const int texcoords = find_attribute(primitive, name);
     if (texcoords != kNone) {
-      mesh.texcoords[set] = read_vectors<Eigen::Vector2f>(model, texcoords, place + ": " + name);
+      mesh.texcoords[set] =
+          read_vectors<Eigen::Vector2f>(model, texcoords, vo::concat(place, ": ", name));
     }
   }
 }

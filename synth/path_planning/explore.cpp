@@ -53,7 +53,7 @@ std::vector<Vector3d> resampled(const std::vector<Vector3d>& polyline, double sp
   for (std::size_t i = 1; i < polyline.size(); ++i) {
     const Vector3d segment = polyline[i] - polyline[i - 1];
     for (; ahead <= segment.norm() && points.size() < count; ahead += spacing) {
-      points.push_back(polyline[i - 1] + segment.normalized() * ahead);
+      points.emplace_back(polyline[i - 1] + segment.normalized() * ahead);
     }
     ahead -= segment.norm();
   }

@@ -74,6 +74,7 @@ struct GlFunctions {
   /// Looks all functions up; `find` returns an address by name. Throws vo::Error if one is missing.
   explicit GlFunctions(const std::function<void*(const char*)>& find);
 
+// NOLINTNEXTLINE(bugprone-macro-parentheses): the name of a member
 #define EDVO_GL_MEMBER(name) decltype(&::gl##name) name;
   EDVO_GL_FUNCTIONS(EDVO_GL_MEMBER)
 #undef EDVO_GL_MEMBER

@@ -242,11 +242,11 @@ View::View(const WorldGeometry& world, const Capture& capture)
   if (!capture.camera.distortion.is_zero()) {
     return;
   }
-  const Eigen::Matrix3d inverse_K = inverse_of_intrinsics(capture.camera);
+  const Eigen::Matrix3d K_inverse = inverse_of_intrinsics(capture.camera);
   const int rows = is_at_rest() ? 1 : capture.camera.height;
   for (int v = 0; v < rows; ++v) {
     const CameraPose& camera_pose = poses_.of_row(v);
-    ray_generators_.push_back({camera_pose.R_world_camera * inverse_K,
+    ray_generators_.push_back({camera_pose.R_world_camera * K_inverse,
                                (camera_pose.position - world.origin).cast<float>(),
                                share_of_row(v)});
   }

@@ -40,6 +40,18 @@ Tile::Tile(const cv::Point& corner, const cv::Size& image) {
   }
 }
 
+/// Returns the depth of a packet's hit at a pixel's centre; `last` keeps the last hit's plane.
+float depth_of_hit(const View& view, const cv::Point& pixel, const HitPacket& packet, int lane,
+                   HitCache<DepthPlane>& last) {
+  const auto make = [&](int mesh, int triangle) { return view.plane_of(mesh, triangle, pixel.y); };
+  if (!view.is_at_rest()) {
+    last = {};
+  }
+  const DepthPlane& plane = last.get(packet.mesh(lane), packet.triangle(lane), make);
+  const std::optional<double> exact = view.depth_of(plane, pixel);
+  return exact ? static_cast<float>(*exact) : packet.lanes.ray.tfar[lane];
+}
+
 class RayTracer final : public Renderer {
  public:
   RayTracer(WorldGeometry world, const RenderOptions& options);
@@ -108,15 +120,7 @@ void RayTracer::render_surface(const View& view, const Tile& tile, const Surface
         continue;
       }
       if (!frame.depth.empty()) {
-        const auto make = [&](int mesh, int triangle) {
-          return view.plane_of(mesh, triangle, pixels[i].y);
-        };
-        if (!view.is_at_rest()) {
-          last = {};
-        }
-        const DepthPlane& plane = last.get(packet.mesh(i), packet.triangle(i), make);
-        const std::optional<double> exact = view.depth_of(plane, pixels[i]);
-        frame.depth(pixels[i]) = exact ? static_cast<float>(*exact) : packet.lanes.ray.tfar[i];
+        frame.depth(pixels[i]) = depth_of_hit(view, pixels[i], packet, i, last);
       }
       if (!frame.normal.empty()) {
         frame.normal(pixels[i]) = view.normal(pixels[i], packet, i);

@@ -48,7 +48,8 @@ float ggx_density(const SurfacePoint& point, float alpha, const Eigen::Vector3f&
 }  // namespace
 
 /// Completes the frame after Duff et al., Building an orthonormal basis, revisited, 2017.
-Frame::Frame(const Eigen::Vector3f& normal) : z(normal) {
+Frame::Frame(const Eigen::Vector3f& normal) {
+  z = normal;
   const float sign = std::copysign(1.0F, z.z());
   const float a = -1 / (sign + z.z());
   const float b = z.x() * z.y() * a;

@@ -10,7 +10,7 @@
 namespace synth {
 namespace {
 
-enum Purpose : std::uint64_t { kGyroNoise = 0x6701, kGyroWalk, kAccelNoise, kAccelWalk };
+enum Purpose : std::uint64_t { gyro_noise = 0x6701, gyro_walk, accel_noise, accel_walk };
 
 /// Returns independent standard normal numbers for the three axes of a sample.
 Eigen::Vector3d normals(const ImuOptions& options, Purpose purpose, std::size_t sample) {
@@ -53,7 +53,7 @@ PathMotion path_motion(const CameraPath& path, const TimeSpan& span, double time
     return {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   }
   const double near = std::clamp(time, span.begin + step, span.end - step);
-  const PathMotion motion = central_differences(path, near, step);
+  PathMotion motion = central_differences(path, near, step);
   if (near == time) {
     return motion;
   }
@@ -83,12 +83,12 @@ vo::ImuRecord measure_imu(const CameraPath& path, const TimeSpan& span, const Im
     record.samples.push_back(
         {state.timestamp,
          motion.angular_velocity + state.gyro_bias +
-             noise.gyro_noise * noise_scale * normals(options, kGyroNoise, i),
+             noise.gyro_noise * noise_scale * normals(options, gyro_noise, i),
          state.T_world_body.rotation().conjugate() * (motion.acceleration - gravity) +
              state.accel_bias +
-             noise.accel_noise * noise_scale * normals(options, kAccelNoise, i)});
-    state.gyro_bias += noise.gyro_bias_walk / noise_scale * normals(options, kGyroWalk, i);
-    state.accel_bias += noise.accel_bias_walk / noise_scale * normals(options, kAccelWalk, i);
+             noise.accel_noise * noise_scale * normals(options, accel_noise, i)});
+    state.gyro_bias += noise.gyro_bias_walk / noise_scale * normals(options, gyro_walk, i);
+    state.accel_bias += noise.accel_bias_walk / noise_scale * normals(options, accel_walk, i);
   }
   return record;
 }

@@ -66,7 +66,7 @@ Options assigned(const DepthArguments& arguments, Options options) {
 }
 
 MappingOptions mapping_options(const DepthArguments& arguments) {
-  const MappingOptions options = assigned(arguments, MappingOptions());
+  MappingOptions options = assigned(arguments, MappingOptions());
   check_usage([&] { options.validate(); });
   return options;
 }

@@ -58,7 +58,7 @@ std::vector<SweptOption> swept_options(const std::vector<std::string>& assignmen
   std::vector<SweptOption> options;
   for (const std::string& assignment : assignments) {
     const auto [key, list] = split_assignment(assignment);
-    options.push_back({key, split_values(list)});
+    options.emplace_back(key, split_values(list));
     if (options.back().second.empty()) {
       vo::fail_as(vo::ErrorKind::usage, "--set ", assignment, ": expected key=value,value,...");
     }

@@ -76,6 +76,12 @@ double median_ratio(const std::vector<DepthSample>& samples) {
   return ratios.empty() ? 1 : vo::percentile(ratios, 0.5);
 }
 
+/// Returns which of two inverse depths is nearer to the estimate; a first one of 0 is none.
+double nearer(double first, double second, double estimate) {
+  const bool is_second = first == 0 || std::abs(second - estimate) < std::abs(first - estimate);
+  return is_second ? second : first;
+}
+
 }  // namespace
 
 double nearest_true_inverse_depth(const vo::DepthImage& depth, cv::Point pixel, double estimate) {
@@ -83,10 +89,7 @@ double nearest_true_inverse_depth(const vo::DepthImage& depth, cv::Point pixel, 
   for (int v = std::max(0, pixel.y - 1); v <= std::min(depth.rows - 1, pixel.y + 1); ++v) {
     for (int u = std::max(0, pixel.x - 1); u <= std::min(depth.cols - 1, pixel.x + 1); ++u) {
       if (vo::has_depth(depth(v, u))) {
-        const double truth = 1 / static_cast<double>(depth(v, u));
-        if (nearest == 0 || std::abs(truth - estimate) < std::abs(nearest - estimate)) {
-          nearest = truth;
-        }
+        nearest = nearer(nearest, 1 / static_cast<double>(depth(v, u)), estimate);
       }
     }
   }

@@ -14,7 +14,7 @@ synth::EdgeLabels true_edges(const vo::SequenceReader& sequence, std::size_t fra
   if (!std::filesystem::exists(file)) {
     return {};
   }
-  const cv::Mat labels = vo::read_png(file);
+  cv::Mat labels = vo::read_png(file);
   const vo::PinholeCamera& camera = sequence.camera().pinhole;
   vo::require(labels.type() == CV_8UC1 && labels.size() == cv::Size(camera.width, camera.height),
               file, ": expected 8 bit labels of ", camera.width, "x", camera.height, " px");

@@ -13,10 +13,16 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
+double log_gamma(double x) {
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): it writes the global signgam, which nothing reads
+  return std::lgamma(x);
+}
+
 /// Returns the d-th coefficient of the continued fraction of the incomplete beta function
 /// (Abramowitz and Stegun, 26.5.8).
 double beta_coefficient(int d, double a, double b, double x) {
-  const auto m = static_cast<double>(d / 2);
+  const int half = d / 2;
+  const auto m = static_cast<double>(half);
   if (d % 2 == 0) {
     return m * (b - m) * x / ((a + 2 * m - 1) * (a + 2 * m));
   }
@@ -48,8 +54,8 @@ double incomplete_beta(double a, double b, double x) {
   if (x <= 0 || x >= 1) {
     return x <= 0 ? 0 : 1;
   }
-  const double front = std::exp(std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) +
-                                a * std::log(x) + b * std::log1p(-x));
+  const double front = std::exp(log_gamma(a + b) - log_gamma(a) - log_gamma(b) + a * std::log(x) +
+                                b * std::log1p(-x));
   return x < (a + 1) / (a + b + 2) ? front * beta_fraction(a, b, x) / a
                                    : 1 - front * beta_fraction(b, a, 1 - x) / b;
 }
@@ -60,7 +66,7 @@ double squared_error_of_mean(std::span<const double> values) {
 }
 
 double log_binomial(int n, int k) {
-  return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0);
+  return log_gamma(n + 1.0) - log_gamma(k + 1.0) - log_gamma(n - k + 1.0);
 }
 
 /// Returns whether a deviation is within floating-point rounding of the mean.
@@ -113,8 +119,7 @@ Estimate estimate_mean(std::span<const double> values, double confidence) {
 
 double paired_p_value(std::span<const double> before, std::span<const double> after) {
   std::vector<double> differences(before.size());
-  std::transform(after.begin(), after.end(), before.begin(), differences.begin(),
-                 std::minus<double>());
+  std::transform(after.begin(), after.end(), before.begin(), differences.begin(), std::minus<>());
   const Spread difference = spread(differences);
   if (differences.size() < 2 || is_rounding(difference.deviation, difference.mean)) {
     return difference.mean == 0 ? 1 : 0;

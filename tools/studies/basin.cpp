@@ -138,7 +138,7 @@ double reach(const std::vector<BasinCell>& cells, int steps, int stride,
   constexpr double kEnough = 90;
   double greatest = 0;
   for (int i = 0; i < steps; ++i) {
-    const BasinCell& cell = cells[static_cast<std::size_t>(i * stride)];
+    const BasinCell& cell = cells[static_cast<std::size_t>(i) * static_cast<std::size_t>(stride)];
     if (percent(cell) < kEnough) {
       break;
     }

@@ -208,10 +208,23 @@ std::vector<std::string> problems_of(const std::vector<Combination>& rows) {
       for (const auto& [key, value] : row.values) {
         name += vo::concat(" ", last_part(key), "=", value);
       }
-      sentences.push_back(name + ": " + complaint);
+      sentences.push_back(vo::concat(name, ": ", complaint));
     }
   }
   return sentences;
+}
+
+/// Returns the metric's values with one combination of the options, over all scenarios and seeds.
+std::vector<double> values_over_all(const std::vector<Combination>& rows, const Assignments& values,
+                                    const SweptMetric& swept) {
+  std::vector<double> trials;
+  for (const Combination& row : rows) {
+    if (row.values == values) {
+      const std::vector<double> more = measured_values(row, swept);
+      trials.insert(trials.end(), more.begin(), more.end());
+    }
+  }
+  return trials;
 }
 
 /// Returns a sentence per combination with medians over all scenarios and seeds.
@@ -224,13 +237,7 @@ std::vector<std::string> medians_of(const std::vector<Combination>& rows,
       sentence += vo::concat(" ", last_part(key), "=", value);
     }
     for (const SweptMetric& swept : shown_metrics(rows)) {
-      std::vector<double> trials;
-      for (const Combination& row : rows) {
-        if (row.values == values) {
-          const std::vector<double> more = measured_values(row, swept);
-          trials.insert(trials.end(), more.begin(), more.end());
-        }
-      }
+      const std::vector<double> trials = values_over_all(rows, values, swept);
       if (!trials.empty()) {
         sentence +=
             vo::concat("; ", swept.title, " ", format_decimals(median(trials), swept.decimals));

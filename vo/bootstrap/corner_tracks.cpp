@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include <Eigen/LU>
 
@@ -126,28 +127,34 @@ float follow_patch(const Patch& patch, const GrayImage& image, Eigen::Vector2f& 
   return holds_patch(image, centre) ? std::sqrt(squares / kPixels) : -1;
 }
 
+/// Returns the strongest corner of a cell of the image, if any is strong enough to be followed.
+std::optional<cv::Point> strongest_corner(const GrayImage& image, const cv::Rect& cell) {
+  constexpr float kMinStrength = 2e-3F;
+  std::optional<cv::Point> best;
+  float strongest = kMinStrength;
+  for (int v = cell.y; v < cell.y + cell.height; ++v) {
+    for (int u = cell.x; u < cell.x + cell.width; ++u) {
+      const float strength = corner_strength(image, {u, v});
+      if (strength > strongest) {
+        strongest = strength;
+        best = cv::Point(u, v);
+      }
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 CornerTracks::CornerTracks(const FramePyramid& first, int count) : first_(first) {
-  constexpr float kMinStrength = 2e-3F;
   const GrayImage& image = first.levels.front().intensity;
   const int cell =
       std::max(4, static_cast<int>(std::sqrt(static_cast<double>(image.total()) / count)));
   for (int top = kBorder; top + cell + kBorder <= image.rows; top += cell) {
     for (int left = kBorder; left + cell + kBorder <= image.cols; left += cell) {
-      cv::Point best;
-      float strongest = kMinStrength;
-      for (int v = top; v < top + cell; ++v) {
-        for (int u = left; u < left + cell; ++u) {
-          const float strength = corner_strength(image, {u, v});
-          if (strength > strongest) {
-            strongest = strength;
-            best = {u, v};
-          }
-        }
-      }
-      if (strongest > kMinStrength) {
-        start_.emplace_back(best.x, best.y);
+      if (const std::optional<cv::Point> corner =
+              strongest_corner(image, {left, top, cell, cell})) {
+        start_.emplace_back(corner->x, corner->y);
       }
     }
   }

@@ -152,7 +152,8 @@ TwoViewFit fit_two_views(const std::vector<RayPair>& pairs, const SE3& T_rotatio
   MotionAndDepths found;
   double least = 1e300;
   for (int code = 0; code < 27; ++code) {
-    const Eigen::Vector3d direction(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
+    const Eigen::Vector3d direction =
+        Eigen::Vector3i(code % 3, code / 3 % 3, code / 9).cast<double>() - Eigen::Vector3d::Ones();
     if (direction.isZero()) {
       continue;
     }

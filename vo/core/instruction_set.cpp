@@ -26,18 +26,21 @@ InstructionSet widest_of_this_machine() {
 #endif
 }
 
+InstructionSet named(const char* name) {
+  try {
+    return parse_enum<InstructionSet>(name);
+  } catch (const Error& error) {
+    fail_as(ErrorKind::usage, kVariable, ": ", error.what());
+  }
+}
+
 InstructionSet chosen() {
   const InstructionSet widest = widest_of_this_machine();
   const char* name = std::getenv(kVariable);  // NOLINT(concurrency-mt-unsafe): nothing sets it
   if (name == nullptr) {
     return widest;
   }
-  InstructionSet wanted = widest;
-  try {
-    wanted = parse_enum<InstructionSet>(name);
-  } catch (const Error& error) {
-    fail_as(ErrorKind::usage, kVariable, ": ", error.what());
-  }
+  const InstructionSet wanted = named(name);
   if (wanted > widest) {
     fail_as(ErrorKind::usage, kVariable, ": this machine has no ", name, ", expected at most ",
             to_string(widest));

@@ -107,10 +107,12 @@ Mesh puzzle_cube() {
   for (int side = 0; side < 6; ++side) {
     for (int cell = 0; cell < 9; ++cell) {
       const auto color = static_cast<std::size_t>(6 * random01(611, side, cell));
+      const int column = cell % 3 - 1;
+      const int row = cell / 3 - 1;
       Shape sticker = panel(0.016, 0.016);
       add(mesh, Finish::paint, painted(sticker, stickers.at(color)),
           centre * sides.at(static_cast<std::size_t>(side)) *
-              at(kCell * (cell % 3 - 1), kCell * (cell / 3 - 1), 1.5 * kCell + 0.0004));
+              at(kCell * column, kCell * row, 1.5 * kCell + 0.0004));
     }
   }
   return mesh;

@@ -100,7 +100,7 @@ double ceiling_panel_grey(double u, double v) {
 /// Returns the colour of an exit sign: four letters and an arrow in a frame.
 Color exit_sign_color(double u, double v) {
   const Color green = rgb(0x12814a);
-  const Color white = rgb(0xf2f6ee);
+  Color white = rgb(0xf2f6ee);
   if (std::min({u, (1 - u), v / 2, (1 - v) / 2}) < 0.02) {
     return white;
   }
@@ -158,11 +158,14 @@ Color cork_color(double u, double v) {
 /// Returns the grey of a ruler of 320 mm whose long marks carry a blot for their number.
 double ruler_grey(double u, double v) {
   const double mm = u * 320;
+  // NOLINTNEXTLINE(bugprone-incorrect-roundings): mm is at or above 0
   const int tick = static_cast<int>(mm + 0.5);
   const double length = tick % 10 == 0 ? 0.5 : tick % 5 == 0 ? 0.38 : 0.25;
   const bool on_tick = std::abs(mm - tick) < 0.16 && v < length;
-  const double number = print_ink(fraction(u * 32 + 0.5) * 2 - 0.5, (v - 0.58) / 0.28, {2, 1},
-                                  461U + static_cast<std::uint32_t>(u * 32 + 0.5));
+  // NOLINTNEXTLINE(bugprone-incorrect-roundings): u is at or above 0
+  const auto centimetre = static_cast<std::uint32_t>(u * 32 + 0.5);
+  const double number =
+      print_ink(fraction(u * 32 + 0.5) * 2 - 0.5, (v - 0.58) / 0.28, {2, 1}, 461U + centimetre);
   return on_tick || number > 0 ? 0.08 : 0.82;
 }
 
