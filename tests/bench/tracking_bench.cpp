@@ -4,7 +4,9 @@
 
 #include "tests/support/textured_plane.h"
 #include "tools/bench/opencv_peer.h"
+#include "vo/alignment/align.h"
 #include "vo/odometry/rgbd_odometry.h"
+#include "vo/residuals/linearize.h"
 
 namespace {
 

@@ -100,7 +100,7 @@ TEST(RgbdOdometry, ImagesTakeNoNewMemoryButAfterAKeyframe) {
 }
 
 TEST(RgbdOdometry, ACoveredLensIsLostAndThenFoundAgain) {
-  vo::RgbdOdometry odometry(small_camera(), {}, sway(0));
+  vo::RgbdOdometry odometry(small_camera(), vo::TrackerOptions(), sway(0));
   odometry.track(frame_at(sway(0), 0));
   odometry.track(frame_at(sway(1), 1));
   for (int i = 2; i < 5; ++i) {
@@ -115,7 +115,7 @@ TEST(RgbdOdometry, ACoveredLensIsLostAndThenFoundAgain) {
 }
 
 TEST(RgbdOdometry, AFrameWithoutDepthIsTrackedButIsNoReference) {
-  vo::RgbdOdometry odometry(small_camera(), {}, sway(1));
+  vo::RgbdOdometry odometry(small_camera(), vo::TrackerOptions(), sway(1));
   vo::RgbdFrame dark = frame_at(sway(0), 0);
   dark.depth.setTo(0);
   EXPECT_EQ(odometry.track(dark).status, TrackingStatus::lost) << "nothing to start from";
@@ -224,6 +224,17 @@ TEST(RgbdOdometry, TracksThroughAFisheye) {
   const double with_model = error_through_lens(camera, vo::LensModel::distortion);
   EXPECT_LT(with_model, 2e-3);
   EXPECT_GT(error_through_lens(camera, vo::LensModel::ignore), 2 * with_model);
+}
+
+TEST(RgbdOdometry, IsTheBestPresetWithoutOptions) {
+  vo::RgbdOdometry plain(small_camera());
+  vo::RgbdOdometry best(small_camera(), vo::preset_options(TrackerPreset::best_measured));
+  for (int i = 0; i < 4; ++i) {
+    const vo::TrackingResult a = plain.track(frame_at(sway(i), i));
+    const vo::TrackingResult b = best.track(frame_at(sway(i), i));
+    EXPECT_EQ(a.T_world_camera.translation(), b.T_world_camera.translation());
+    EXPECT_EQ(a.alignment.iterations, b.alignment.iterations);
+  }
 }
 
 }  // namespace
