@@ -23,10 +23,10 @@ double share_received(const Eigen::AlignedBox3d& box, double surface,
 /// Returns the solid angle into which a light with a position shines, sr; of a spot light, the mean
 /// of its inner and its outer cone.
 double solid_angle(const Light& light) {
-  constexpr double kPi = std::numbers::pi;
+  constexpr double pi = std::numbers::pi;
   return light.kind == LightKind::spot
-             ? kPi * (2 - std::cos(light.inner_cone) - std::cos(light.outer_cone))
-             : 4 * kPi;
+             ? pi * (2 - std::cos(light.inner_cone) - std::cos(light.outer_cone))
+             : 4 * pi;
 }
 
 /// Returns the irradiance, lx, if the flux that enters the box spread evenly over its surface.

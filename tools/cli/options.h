@@ -14,6 +14,8 @@
 
 namespace tools {
 
+inline constexpr double kBytesPerMegabyte = 1e6;
+
 /// Options that every command takes.
 struct CommonOptions {
   bool json = false;

@@ -20,8 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMegabyte = 1e6;
-
 constexpr const char* kCacheHelp =
     "The sequences that `edvo test` has rendered and keeps. Any number of programs may use one\n"
     "cache at once; nothing in use is removed, and what is removed is rendered again when needed.";
@@ -54,11 +52,11 @@ void print(const std::vector<CacheEntry>& entries, const std::string& what) {
   for (const CacheEntry& entry : entries) {
     bytes += static_cast<double>(entry.bytes);
     table.add_row({entry.key, entry.scene, static_cast<double>(entry.frames),
-                   static_cast<double>(entry.bytes) / kMegabyte,
+                   static_cast<double>(entry.bytes) / kBytesPerMegabyte,
                    entry.problem.empty() ? "ok" : entry.problem});
   }
   std::cout << (entries.empty() ? "" : as_text(table)) << entries.size() << " " << what << ", "
-            << format_decimals(bytes / kMegabyte, 1) << " MB\n";
+            << format_decimals(bytes / kBytesPerMegabyte, 1) << " MB\n";
 }
 
 void list(const CacheArguments& arguments) {

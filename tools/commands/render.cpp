@@ -119,11 +119,10 @@ void print(const RenderArguments& arguments, const synth::RenderPlan& plan) {
     std::cout << result.dump(2) << "\n";
     return;
   }
-  constexpr double kMegabyte = 1e6;
   std::cout << "frames    " << plan.frames << ", of which " << plan.there << " are there\n"
             << "files     " << plan.files << "\n"
             << std::fixed << std::setprecision(1)  //
-            << "size      " << plan.bytes / kMegabyte << " MB\n"
+            << "size      " << plan.bytes / kBytesPerMegabyte << " MB\n"
             << "CPU time  " << plan.processor_s << " s, as " << plan.measured
             << " of the frames take\n";
 }

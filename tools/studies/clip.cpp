@@ -44,7 +44,6 @@ Clip load_clip(const vo::SequenceReader& sequence, const std::string& name, std:
 }
 
 ClipScore score(const Clip& clip, const vo::TrackerOptions& options) {
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   constexpr std::size_t kMinPoses = 3;
   vo::RgbdOdometry odometry(clip.camera, options);
   std::vector<double> times_ms;

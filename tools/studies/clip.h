@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,8 @@
 namespace tools {
 
 inline constexpr double kMmPerM = 1000;
+inline constexpr double kUnknown =
+    std::numeric_limits<double>::quiet_NaN();  ///< a value that could not be measured
 
 /// A sequence with known poses, held in memory because a study tracks it many times.
 struct Clip {

@@ -15,8 +15,6 @@
 namespace tools {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
 /// Returns variants that each change one option of the default.
 std::vector<Variant> mono_variants() {
   return {{"default", {}},

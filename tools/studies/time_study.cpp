@@ -37,7 +37,6 @@ struct Selection {
       points.push_back(sample.points);
       times.push_back(sample.*value);
     }
-    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     return fit_line(points, times).value_or(LinearFit{kUnknown, kUnknown, kUnknown});
   }
 };

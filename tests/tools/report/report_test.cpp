@@ -52,12 +52,12 @@ TEST(Report, TableShowsEveryMetricItsBoundAndTheVerdict) {
 }
 
 TEST(Report, JsonHasMetricsBoundsAndOptions) {
-  const auto json = tools::report_json(small_scenario(), small_outcome());
-  EXPECT_EQ(json["passed"], false);
-  EXPECT_EQ(json["metrics"]["ate_rmse_m"], 0.0025);
-  EXPECT_TRUE(json["metrics"]["drift_percent"].is_null()) << "JSON has no NaN";
-  EXPECT_TRUE(json["bounds"]["ate_rmse_m"]["min"].is_null());
-  EXPECT_EQ(json["options"]["odometry.tracker.pyramid.levels"], 3);
+  const auto document = tools::report_json(small_scenario(), small_outcome());
+  EXPECT_EQ(document["passed"], false);
+  EXPECT_EQ(document["metrics"]["ate_rmse_m"], 0.0025);
+  EXPECT_TRUE(document["metrics"]["drift_percent"].is_null()) << "JSON has no NaN";
+  EXPECT_TRUE(document["bounds"]["ate_rmse_m"]["min"].is_null());
+  EXPECT_EQ(document["options"]["odometry.tracker.pyramid.levels"], 3);
 }
 
 TEST(Report, MarkdownNamesTheFileNotItsPlace) {

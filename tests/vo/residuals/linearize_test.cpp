@@ -12,7 +12,7 @@ namespace {
 using vo::SE3;
 using vo::Vector6d;
 
-constexpr double kStep = 1e-6;  // m and rad
+constexpr double kPoseStep = 1e-6;  // m and rad
 constexpr double kRelativeTolerance = 1e-5;
 
 /// A smooth image and its derivative, everywhere.
@@ -51,10 +51,10 @@ Vector6d numeric(const vo::PinholeCamera& camera, const Eigen::Vector3d& p_ref,
                  const Perturbation& perturbed) {
   Vector6d J;
   for (int i = 0; i < 6; ++i) {
-    const Vector6d delta = kStep * Vector6d::Unit(i);
+    const Vector6d delta = kPoseStep * Vector6d::Unit(i);
     J(i) =
         (intensity(camera, perturbed(delta), p_ref) - intensity(camera, perturbed(-delta), p_ref)) /
-        (2 * kStep);
+        (2 * kPoseStep);
   }
   return J;
 }
