@@ -29,7 +29,7 @@ inline std::vector<double> relative_errors(const vo::DepthMap& map, const vo::Pi
   const vo::Hypotheses& hypotheses = map.hypotheses();
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
     if (hypotheses.state[i] == vo::DepthState::known &&
-        hypotheses.relative_sigma(i) < map.options().confident_sigma) {
+        hypotheses.relative_sigma(i) < vo::kConfidentSigma) {
       const cv::Point pixel = hypotheses.pixel[i];
       errors.push_back(hypotheses.inverse_depth[i] /
                            true_inverse_depth(camera, T_world_host, pixel.x, pixel.y) -

@@ -112,7 +112,7 @@ std::vector<DepthSample> depth_samples(const vo::DepthMap& map, const TrueView& 
     const double cos2 = vo::epipolar_cos2(pair, hypotheses.pixel[i], hypotheses.gradient[i]);
     samples.push_back({estimate / expected, (estimate - expected) / sigma,
                        std::acos(std::sqrt(std::min(cos2, 1.0))) * 180 / std::numbers::pi,
-                       hypotheses.is_confident(i, map.options().confident_sigma),
+                       hypotheses.is_confident(i, vo::kConfidentSigma),
                        kind_at(truth.depth, hypotheses.pixel[i]),
                        causes_at(truth.causes, hypotheses.pixel[i])});
   }

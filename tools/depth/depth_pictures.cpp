@@ -80,7 +80,7 @@ std::vector<std::size_t> confident_hypotheses(const vo::DepthMap& map) {
   std::vector<std::size_t> chosen;
   const vo::Hypotheses& hypotheses = map.hypotheses();
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
-    if (hypotheses.is_confident(i, map.options().confident_sigma)) {
+    if (hypotheses.is_confident(i, vo::kConfidentSigma)) {
       chosen.push_back(i);
     }
   }

@@ -11,6 +11,9 @@
 namespace tools {
 namespace {
 
+constexpr double kFlatDepth = 2;     ///< m, depth of a flat start
+constexpr double kRgbdSigma = 0.01;  ///< relative standard deviation of depths of an RGB-D start
+
 /// Returns a standard normal variate (Box & Muller) that is a function of seed and index.
 double normal(std::uint64_t seed, std::uint64_t index) {
   const auto uniform = [&](std::uint64_t stream) {
@@ -88,11 +91,11 @@ class MappingRun {
 
  private:
   void start(const vo::FramePyramid& pyramid, const vo::DepthImage& depth) {
-    map_.start(pyramid, options_.flat_depth);
+    map_.start(pyramid, kFlatDepth);
     if (options_.start == DepthStart::random) {
       map_.guess_random(options_.seed);
     } else if (options_.start == DepthStart::rgbd) {
-      map_.take_depth(depth, options_.rgbd_sigma);
+      map_.take_depth(depth, kRgbdSigma);
     }
   }
 
@@ -114,9 +117,6 @@ class MappingRun {
 }  // namespace
 
 void MappingOptions::validate() const {
-  vo::require(flat_depth > 0 && rgbd_sigma > 0,
-              "depth: expected flat_depth and rgbd_sigma above 0, got ", flat_depth, " and ",
-              rgbd_sigma);
   vo::require(pose_noise_m >= 0 && pose_noise_deg >= 0, "depth: expected pose noise of at least 0");
   vo::require(frames >= 0, "depth.frames: expected at least 0, got ", frames);
   edges.validate();

@@ -29,8 +29,6 @@ constexpr auto enum_names(DepthStart) {
 /// Options of mapping with given poses.
 struct MappingOptions {
   DepthStart start = DepthStart::random;
-  double flat_depth = 2;      ///< depth of start = flat, m
-  double rgbd_sigma = 0.01;   ///< relative standard deviation of depths of start = rgbd
   double pose_noise_m = 0;    ///< standard deviation of translation per axis
   double pose_noise_deg = 0;  ///< standard deviation of rotation per axis
   std::uint64_t seed = 0;     ///< seed of random depths and pose noise
@@ -44,8 +42,6 @@ struct MappingOptions {
 template <typename Visitor>
 void visit_fields(Visitor& visit, MappingOptions& options) {
   visit("start", options.start, "the first host keyframe's depths");
-  visit("flat_depth", options.flat_depth, "of start=flat, m");
-  visit("rgbd_sigma", options.rgbd_sigma, "of start=rgbd, relative");
   visit("pose_noise_m", options.pose_noise_m, "standard deviation per axis of every pose, m");
   visit("pose_noise_deg", options.pose_noise_deg, "likewise, deg");
   visit("seed", options.seed, "of random depths and pose noise");

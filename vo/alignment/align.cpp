@@ -42,13 +42,6 @@ bool is_small(const Vector6d& delta, std::size_t level, const AlignOptions& opti
          degrees(delta.tail<3>().norm()) < growth * options.min_rotation_deg;
 }
 
-/// Returns the step of the normal equations, shortened by `damping` times the diagonal of H.
-Vector6d damped_step(const JointSystem& system, double damping) {
-  Matrix6d H = system.H;
-  H.diagonal() *= 1 + damping;
-  return -H.ldlt().solve(system.b);
-}
-
 /// Gauss-Newton on one pyramid level.
 class LevelAlignment {
  public:
@@ -78,19 +71,13 @@ class LevelAlignment {
  private:
   /// Takes a step and returns true, or says in the result why there is none and returns false.
   bool step() {
-    constexpr double kFirstDamping = 0.5;
-    constexpr double kDampingFactor = 8;
-    double damping = 0;
-    for (int retry = 0; retry <= options_.step_retries; ++retry) {
-      const Vector6d delta = damped_step(system_, damping);
-      if (is_small(delta, problem_.level(), options_)) {
-        result_.termination = Termination::converged;
-        return false;
-      }
-      if (accept(delta)) {
-        return true;
-      }
-      damping = damping == 0 ? kFirstDamping : damping * kDampingFactor;
+    const Vector6d delta = -system_.H.ldlt().solve(system_.b);
+    if (is_small(delta, problem_.level(), options_)) {
+      result_.termination = Termination::converged;
+      return false;
+    }
+    if (accept(delta)) {
+      return true;
     }
     result_.termination = Termination::no_better_step;
     return false;
@@ -156,8 +143,6 @@ void AlignOptions::validate() const {
   require(step_limit_growth >= 1, "align.step_limit_growth: expected at least 1, got ",
           step_limit_growth);
   require(depth_term >= 0, "align.depth_term: expected at least 0, got ", depth_term);
-  require(step_retries >= 0, "align.step_retries: expected at least 0, got ", step_retries);
-  require(min_loss_scale > 0, "align.min_loss_scale: expected above 0, got ", min_loss_scale);
   require(depth_noise >= 0, "align.depth_noise: expected at least 0, got ", depth_noise);
   require(max_depth_ratio == 0 || max_depth_ratio > 1,
           "align.max_depth_ratio: expected 0 or above 1, got ", max_depth_ratio);

@@ -6,10 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "vo/mapping/depth_map_options.h"
+
 namespace vo {
 namespace {
 
-constexpr int kMaxReach = 5;  // px along the chain to either side
+constexpr int kMaxReach = 5;         // px along the chain to either side
+constexpr double kFillSigma = 0.05;  // relative, of a pixel filled from its neighbours
 
 /// The trusted neighbours of a pixel along its edge.
 struct ChainNeighbours {
@@ -109,7 +112,7 @@ bool is_lonely(const Hypotheses& hypotheses, std::size_t i) {
 }
 
 /// Returns the mean inverse depth of confident pixels in 5x5 if at least two and all agree, else 0.
-float mean_around(const Hypotheses& hypotheses, cv::Point pixel, double confident_sigma) {
+float mean_around(const Hypotheses& hypotheses, cv::Point pixel) {
   constexpr int kRadius = 2;
   constexpr float kSpread = 1.1F;
   float sum = 0;
@@ -121,7 +124,7 @@ float mean_around(const Hypotheses& hypotheses, cv::Point pixel, double confiden
       const int other = hypotheses.index(pixel + cv::Point(du, dv));
       const auto j = static_cast<std::size_t>(std::max(other, 0));
       if (other < 0 || hypotheses.state[j] != DepthState::known ||
-          hypotheses.relative_sigma(j) > confident_sigma) {
+          hypotheses.relative_sigma(j) > kConfidentSigma) {
         continue;
       }
       const float d = hypotheses.inverse_depth[j];
@@ -151,11 +154,11 @@ void smooth_along_chains(Hypotheses& hypotheses) {
   }
 }
 
-std::size_t forget_lonely(const DepthMapOptions& options, float guess, Hypotheses& hypotheses) {
+std::size_t forget_lonely(float guess, Hypotheses& hypotheses) {
   std::vector<std::size_t> lonely;
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
     if (hypotheses.state[i] == DepthState::known &&
-        hypotheses.relative_sigma(i) <= options.confident_sigma && is_lonely(hypotheses, i)) {
+        hypotheses.relative_sigma(i) <= kConfidentSigma && is_lonely(hypotheses, i)) {
       lonely.push_back(i);
     }
   }
@@ -165,18 +168,18 @@ std::size_t forget_lonely(const DepthMapOptions& options, float guess, Hypothese
   return lonely.size();
 }
 
-std::size_t fill_from_neighbours(const DepthMapOptions& options, Hypotheses& hypotheses) {
+std::size_t fill_from_neighbours(Hypotheses& hypotheses) {
   std::vector<std::pair<std::size_t, float>> filled;
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
     if (hypotheses.state[i] == DepthState::none) {
-      const float mean = mean_around(hypotheses, hypotheses.pixel[i], options.confident_sigma);
+      const float mean = mean_around(hypotheses, hypotheses.pixel[i]);
       if (mean > 0) {
         filled.emplace_back(i, mean);
       }
     }
   }
   for (const auto& [i, mean] : filled) {
-    const float sigma = static_cast<float>(options.fill_sigma) * mean;
+    const float sigma = static_cast<float>(kFillSigma) * mean;
     hypotheses.set(i, mean, sigma * sigma);
     hypotheses.state[i] = DepthState::filled;
   }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "vo/mapping/depth_map_options.h"
 #include "vo/mapping/hypotheses.h"
 
 namespace vo {
@@ -11,10 +10,10 @@ namespace vo {
 void smooth_along_chains(Hypotheses& hypotheses);
 
 /// Forgets confident hypotheses that disagree with neighbours that agree; returns their number.
-std::size_t forget_lonely(const DepthMapOptions& options, float guess, Hypotheses& hypotheses);
+std::size_t forget_lonely(float guess, Hypotheses& hypotheses);
 
 /// Gives edge pixels of unknown depth the mean of the known, confident pixels within two pixels if
 /// there are at least two and all agree within 10 %; returns their number.
-std::size_t fill_from_neighbours(const DepthMapOptions& options, Hypotheses& hypotheses);
+std::size_t fill_from_neighbours(Hypotheses& hypotheses);
 
 }  // namespace vo

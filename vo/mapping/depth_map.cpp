@@ -15,6 +15,9 @@
 namespace vo {
 namespace {
 
+constexpr double kMinHostOverlap = 0.7;  ///< least share of the host's edges in view
+constexpr double kSearchSigmas = 2;      ///< standard deviations, half the searched interval
+
 /// The depth of an edge pixel in a depth image, m, and its relative standard deviation.
 struct EdgeDepth {
   float depth = 0;
@@ -100,7 +103,7 @@ bool DepthMap::view_has_changed(const FramePyramid& current, const SE3& T_cur_ho
                          imaged.v - static_cast<float>(hypotheses_.pixel[i].y));
     }
   }
-  return seen < options.min_overlap * asked ||
+  return seen < kMinHostOverlap * asked ||
          flow > seen * options.max_flow * pair.current.camera.width;
 }
 
@@ -113,8 +116,7 @@ SearchTarget DepthMap::target(std::size_t i) const {
                       static_cast<float>(1 / options_.min_depth),
                       static_cast<float>(1 / options_.max_depth)};
   if (hypotheses_.state[i] != DepthState::none) {
-    const float reach =
-        static_cast<float>(options_.epipolar.search_sigmas) * std::sqrt(hypotheses_.variance[i]);
+    const float reach = static_cast<float>(kSearchSigmas) * std::sqrt(hypotheses_.variance[i]);
     target.nearest = d + reach;
     target.farthest = std::max(d - reach, 0.0F);
   }
@@ -184,7 +186,7 @@ void DepthMap::regularise() {
     return;
   }
   const float guess = median_inverse_depth(hypotheses_, static_cast<float>(2 / options_.max_depth));
-  forget_lonely(options_, guess, hypotheses_);
+  forget_lonely(guess, hypotheses_);
   smooth_along_chains(hypotheses_);
 }
 
@@ -192,8 +194,8 @@ PropagationCounts DepthMap::propagate(const FramePyramid& current, const FrameRe
   const float guess = median_inverse_depth(hypotheses_, static_cast<float>(2 / options_.max_depth));
   Hypotheses next = edge_hypotheses(current.levels.front(), options_, guess);
   const StereoPair pair(host_.levels.front(), current.levels.front(), relation);
-  const PropagationCounts counts = vo::propagate(pair, hypotheses_, options_, next);
-  fill_from_neighbours(options_, next);
+  const PropagationCounts counts = vo::propagate(pair, hypotheses_, next);
+  fill_from_neighbours(next);
   hypotheses_ = std::move(next);
   FramePyramid last_host = std::exchange(host_, current);
   cells_ = point_cells(host_, hypotheses_);
@@ -224,13 +226,13 @@ void DepthMap::look_back(FramePyramid last_host, const FrameRelation& relation) 
 }
 
 EdgePoints DepthMap::points(const EdgePointOptions& options, Guesses guesses) const {
-  return map_points(host_, cells_, hypotheses_, options, options_.confident_sigma, guesses);
+  return map_points(host_, cells_, hypotheses_, options, kConfidentSigma, guesses);
 }
 
 std::size_t DepthMap::confident() const {
   std::size_t count = 0;
   for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
-    count += hypotheses_.is_confident(i, options_.confident_sigma) ? 1 : 0;
+    count += hypotheses_.is_confident(i, kConfidentSigma) ? 1 : 0;
   }
   return count;
 }

@@ -66,7 +66,6 @@ class DepthMap {
   bool empty() const { return host_.levels.empty(); }
   const FramePyramid& host() const { return host_; }
   const Hypotheses& hypotheses() const { return hypotheses_; }
-  const DepthMapOptions& options() const { return options_; }
   std::size_t confident() const;  ///< number of confident hypotheses
 
  private:

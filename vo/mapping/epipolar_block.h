@@ -16,7 +16,12 @@ inline constexpr int kReach = 2;  // samples compared on either side of the edge
 inline constexpr std::size_t kCompared = 2 * kReach + 1;
 inline constexpr std::size_t kSampled = kCompared + 2;  // samples, one more at either end
 inline constexpr float kGreyLevel = 1.0F / 255;
-inline constexpr float kMinDepthRatio = 0.1F;  // depth in the current frame over that in the host
+inline constexpr float kMinDepthRatio = 0.1F;   // depth in the current frame over that in the host
+inline constexpr double kMaxSearchPx = 60;      // px, longest line that is searched
+inline constexpr double kMinParallaxPx = 0.3;   // px, least parallax at the expected depth
+inline constexpr double kMinGradient = 2;       // grey levels per 2 px, along the line
+inline constexpr double kMinCos2 = 0.3;         // least squared cosine of gradient and line
+inline constexpr double kMaxScaleChange = 1.5;  // of the neighbourhood, either way
 
 using LineRow = Lanes<kLines>;
 using LineFlags = std::array<std::int32_t, kLines>;     // 0 or 1
@@ -98,9 +103,9 @@ EDVO_INLINE void load_targets(const TargetOf& target_of, LineBlock& block) {
 /// Computes the lines in the host. An edge with too little parallax or too little gradient along
 /// its line is unobservable.
 EDVO_INLINE void aim_lines(const SearchView& view, LineBlock& block) {
-  const auto min_parallax = static_cast<float>(view.options.min_parallax_px);
-  const auto min_gradient = static_cast<float>(view.options.min_gradient) * kGreyLevel;
-  const auto min_cos2 = static_cast<float>(view.options.min_cos2);
+  const auto min_parallax = static_cast<float>(kMinParallaxPx);
+  const auto min_gradient = static_cast<float>(kMinGradient) * kGreyLevel;
+  const auto min_cos2 = static_cast<float>(kMinCos2);
   ImagedLanes<kLines> imaged;
   image_lanes(view.host_camera, block.ray_x, block.ray_y, imaged);
   for (std::size_t i = 0; i < kLines; ++i) {
@@ -164,7 +169,7 @@ EDVO_INLINE void project_lines(const SearchView& view, LineBlock& block) {
   turn_lines(view, block, next_x, next_y);
   image_lanes(view.current_camera, block.q_x, block.q_y, block.imaged);
   const ImagedLanes<kLines>& imaged = block.imaged;
-  const auto limit = static_cast<float>(view.options.max_scale_change);
+  const auto limit = static_cast<float>(kMaxScaleChange);
   for (std::size_t i = 0; i < kLines; ++i) {
     const float x = next_x[i] - block.q_x[i];
     const float y = next_y[i] - block.q_y[i];
@@ -212,7 +217,7 @@ EDVO_INLINE float place_of(const SearchView& view, const LineBlock& block, std::
 /// Computes the ends of the searched interval.
 EDVO_INLINE void bound_lines(const SearchView& view, LineBlock& block) {
   constexpr float kMargin = 0.5F;  // px
-  const float half = 0.5F * static_cast<float>(view.options.max_search_px);
+  const float half = 0.5F * static_cast<float>(kMaxSearchPx);
   for (std::size_t i = 0; i < kLines; ++i) {
     const float near = place_of(view, block, i, block.nearest[i]);
     const float far = place_of(view, block, i, block.farthest[i]);

@@ -26,6 +26,8 @@ struct LineSamples {
 
 inline constexpr std::size_t kChunk = 16;  // samples of one line that are placed at a time
 inline constexpr float kUnseen = 1e9F;     // squared difference outside of the image
+inline constexpr double kAmbiguity = 1.5;  // least second best over best difference, long lines
+inline constexpr double kMaxMatchResidual = 16;  // grey levels, RMS of five samples of a match
 
 /// Decides which lines are searched and returns the number of samples they need. Short intervals
 /// need no search, because Gauss-Newton leads to the match from anywhere in them.
@@ -129,8 +131,8 @@ EDVO_INLINE void compare_line(const LineBlock& block, std::size_t i, LineSamples
 inline bool is_ambiguous(const EpipolarOptions& options, const float* difference,
                          std::size_t shifts, std::size_t best) {
   const float noise = static_cast<float>(options.sigma_grey) * kGreyLevel;
-  const float limit = static_cast<float>(options.ambiguity) *
-                      std::max(difference[best], 2 * kCompared * noise * noise);
+  const float limit =
+      static_cast<float>(kAmbiguity) * std::max(difference[best], 2 * kCompared * noise * noise);
   for (std::size_t i = 0; i < shifts; ++i) {
     const bool is_apart = i + 1 < best || i > best + 1;
     const bool is_least = (i == 0 || difference[i] <= difference[i - 1]) &&
@@ -285,7 +287,7 @@ EDVO_INLINE void refine_lines(const SearchView& view, LineBlock& block) {
     sample_lines(view, block, pixels, seen);
     left = step_lines(seen, block, moving);
   }
-  const float limit = static_cast<float>(view.options.max_residual) * kGreyLevel;
+  const float limit = static_cast<float>(kMaxMatchResidual) * kGreyLevel;
   constexpr float kMisplaced2 = 0.1F;  // px^2, displacement by interpolation on strong edges
   for (std::size_t i = 0; i < kLines; ++i) {
     const float limit2 = static_cast<float>(kCompared) * limit * limit;

@@ -12,15 +12,16 @@ constexpr float kFailureGrowth = 1.1F;  // factor of the variance at each failur
 constexpr float kLeastShare = 0.3F;     // least share of an inverse depth after one update
 constexpr double kBetaPrior = 10;       // a and b before the first measurement
 constexpr double kMinInlierShare = 0.4;
+constexpr double kMinSigma = 0.001;  // least relative standard deviation of an inverse depth
+constexpr int kMaxFailures = 3;      // surplus of failures over successes that deletes
 
-float least_variance(float inverse_depth, const DepthMapOptions& options) {
-  const float sigma = static_cast<float>(options.min_sigma) * inverse_depth;
+float least_variance(float inverse_depth) {
+  const float sigma = static_cast<float>(kMinSigma) * inverse_depth;
   return sigma * sigma;
 }
 
 /// Updates inverse depth d and offset by Kalman's equations: the observation is d + k offset.
-void fuse_gaussian(const Observation& observation, const DepthMapOptions& options, std::size_t i,
-                   Hypotheses& hypotheses) {
+void fuse_gaussian(const Observation& observation, std::size_t i, Hypotheses& hypotheses) {
   const Innovation step = innovation(observation, i, hypotheses);
   const float k = observation.offset_slope;
   const float depth_share = hypotheses.variance[i] + k * hypotheses.offset_covariance[i];
@@ -31,7 +32,7 @@ void fuse_gaussian(const Observation& observation, const DepthMapOptions& option
   hypotheses.offset[i] += offset_share / step.variance * step.difference;
   hypotheses.variance[i] =
       std::max(hypotheses.variance[i] - depth_share * depth_share / step.variance,
-               least_variance(hypotheses.inverse_depth[i], options));
+               least_variance(hypotheses.inverse_depth[i]));
   hypotheses.offset_covariance[i] -= depth_share * offset_share / step.variance;
   hypotheses.offset_variance[i] =
       std::max(hypotheses.offset_variance[i] - offset_share * offset_share / step.variance, 0.0F);
@@ -47,8 +48,8 @@ void fuse_beta(const Observation& observation, const DepthMapOptions& options, s
               observation.variance + observation.offset_slope * observation.offset_slope,
               1 / options.min_depth);
   hypotheses.inverse_depth[i] = static_cast<float>(filter.mean);
-  hypotheses.variance[i] = std::max(static_cast<float>(filter.variance),
-                                    least_variance(hypotheses.inverse_depth[i], options));
+  hypotheses.variance[i] =
+      std::max(static_cast<float>(filter.variance), least_variance(hypotheses.inverse_depth[i]));
   hypotheses.inliers[i] = static_cast<float>(filter.a - kBetaPrior);
   hypotheses.outliers[i] = static_cast<float>(filter.b - kBetaPrior);
 }
@@ -57,7 +58,7 @@ bool is_hopeless(const DepthMapOptions& options, float inliers, float outliers) 
   if (options.fusion == Fusion::gaussian_beta) {
     return kBetaPrior + inliers < kMinInlierShare * (2 * kBetaPrior + inliers + outliers);
   }
-  return outliers - inliers >= static_cast<float>(options.max_failures);
+  return outliers - inliers >= static_cast<float>(kMaxFailures);
 }
 
 double normal_density(double x, double mean, double variance) {
@@ -109,7 +110,7 @@ void fuse(const Observation& observation, const DepthMapOptions& options, std::s
   if (options.fusion == Fusion::gaussian_beta) {
     fuse_beta(observation, options, i, hypotheses);
   } else {
-    fuse_gaussian(observation, options, i, hypotheses);
+    fuse_gaussian(observation, i, hypotheses);
     hypotheses.inliers[i] = std::min(hypotheses.inliers[i] + 1, kMaxInliers);
     hypotheses.outliers[i] = std::max(hypotheses.outliers[i] - 1, 0.0F);
   }

@@ -8,8 +8,9 @@
 namespace vo {
 namespace {
 
-constexpr float kSnapDistance = 1;   // px, distance across the edge
-constexpr float kMaxTurn = 0.7071F;  // least cosine of the gradients in both images
+constexpr double kPropagationSigma = 0.002;  // relative, added when the host changes
+constexpr float kSnapDistance = 1;           // px, distance across the edge
+constexpr float kMaxTurn = 0.7071F;          // least cosine of the gradients in both images
 
 /// Returns the nearest edge pixel of a similar direction within reach across its edge, or -1.
 int nearest_edge(const Hypotheses& next, const MovedEdge& moved) {
@@ -92,9 +93,9 @@ MovedDepth moved_depth(const StereoPair& pair, const Eigen::Vector2f& ray, float
 }
 
 PropagationCounts propagate(const StereoPair& pair, const Hypotheses& hypotheses,
-                            const DepthMapOptions& options, Hypotheses& next) {
+                            Hypotheses& next) {
   PropagationCounts counts;
-  const auto noise = static_cast<float>(options.propagation_sigma);
+  const auto noise = static_cast<float>(kPropagationSigma);
   for (const MovedEdge& moved : move_edges(pair, hypotheses, noise, available_instruction_set())) {
     if (!moved.is_visible) {
       ++counts.out_of_view;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "vo/mapping/depth_map_options.h"
 #include "vo/mapping/hypotheses.h"
 #include "vo/mapping/stereo_pair.h"
 
@@ -28,7 +27,6 @@ MovedDepth moved_depth(const StereoPair& pair, const Eigen::Vector2f& ray, float
 
 /// Carries the known depths to the edges of the pair's current image, whose fresh hypotheses are
 /// `next`. Each hypothesis snaps to the nearest edge of a similar direction.
-PropagationCounts propagate(const StereoPair& pair, const Hypotheses& hypotheses,
-                            const DepthMapOptions& options, Hypotheses& next);
+PropagationCounts propagate(const StereoPair& pair, const Hypotheses& hypotheses, Hypotheses& next);
 
 }  // namespace vo

@@ -13,6 +13,15 @@ namespace {
 /// Relative standard deviation of a start's depths, which are interpolated between corners.
 constexpr double kInterpolatedSigma = 0.25;
 
+/// Relative standard deviation of given depths.
+constexpr double kStartSigma = 0.01;
+
+/// Least number of confident hypotheses; with fewer the map is lost.
+constexpr std::size_t kMinConfident = 150;
+
+/// Least median parallax of an unknown start, px at 640 px width.
+constexpr double kMinStartParallaxPx = 4;
+
 bool needs_depth(MonoBootstrap bootstrap) {
   return bootstrap == MonoBootstrap::rgbd || bootstrap == MonoBootstrap::file;
 }
@@ -24,15 +33,10 @@ bool is_guess(MonoBootstrap bootstrap) {
 }  // namespace
 
 void MonoOptions::validate() const {
-  require(start_depth > 0 && start_sigma > 0,
-          "mono: expected start_depth and start_sigma above 0, got ", start_depth, " and ",
-          start_sigma);
-  require(min_confident >= 1, "mono.min_confident: expected at least 1, got ", min_confident);
+  require(start_depth > 0, "mono.start_depth: expected above 0, got ", start_depth);
   require(max_lost_frames >= 1, "mono.max_lost_frames: expected at least 1, got ", max_lost_frames);
-  require(parallax_px > 0, "mono.parallax_px: expected above 0, got ", parallax_px);
-  require(wanted_parallax_px >= parallax_px,
-          "mono.wanted_parallax_px: expected at least parallax_px, ", parallax_px, ", got ",
-          wanted_parallax_px);
+  require(wanted_parallax_px >= kMinStartParallaxPx, "mono.wanted_parallax_px: expected at least ",
+          kMinStartParallaxPx, ", got ", wanted_parallax_px);
   require(!tracker.symmetric,
           "mono.symmetric: expected false, the current frame's points have no depth of their own");
   require(tracker.points.source == EdgeSource::reference &&
@@ -146,8 +150,8 @@ void MonoOdometry::start_from_depth(const DepthImage& depth, MonoResult& result)
           "mono: expected the first frame's depth image with the camera's ", camera_.width, "x",
           camera_.height, " px for the bootstrap, got ", depth.cols, "x", depth.rows, " px");
   map_.start(current_, options_.start_depth);
-  map_.take_depth(depth, options_.start_sigma);
-  if (map_.confident() < static_cast<std::size_t>(options_.min_confident)) {
+  map_.take_depth(depth, kStartSigma);
+  if (map_.confident() < kMinConfident) {
     result.tracking.reason = LostReason::too_few_points;
     return;
   }
@@ -160,7 +164,7 @@ void MonoOdometry::start_from_guesses(MonoResult& result) {
   if (options_.bootstrap == MonoBootstrap::random) {
     map_.guess_random(options_.seed);
   }
-  if (map_.hypotheses().size() < static_cast<std::size_t>(options_.min_confident)) {
+  if (map_.hypotheses().size() < kMinConfident) {
     result.tracking.reason = LostReason::too_few_points;
     return;
   }
@@ -171,7 +175,7 @@ void MonoOdometry::start_from_guesses(MonoResult& result) {
 void MonoOdometry::initialise(MonoResult& result) {
   if (initialiser_ == nullptr || initialiser_->is_exhausted()) {
     const double scale = camera_.width / 640.0;
-    const StartParallax parallax{scale * options_.parallax_px, scale * options_.wanted_parallax_px};
+    const StartParallax parallax{scale * kMinStartParallaxPx, scale * options_.wanted_parallax_px};
     initialiser_ = std::make_unique<MonoInitialiser>(current_, parallax, start_depth_);
     result.tracking.reason = LostReason::undetermined;
     return;
@@ -186,7 +190,7 @@ void MonoOdometry::initialise(MonoResult& result) {
 
 void MonoOdometry::start_from(const MonoInitialiser& solved, MonoResult& result) {
   map_first_frame(solved);
-  if (map_.confident() < static_cast<std::size_t>(options_.min_confident)) {
+  if (map_.confident() < kMinConfident) {
     result.tracking.reason = LostReason::too_few_points;
     return;
   }
@@ -262,8 +266,7 @@ void MonoOdometry::update_map(MonoResult& result) {
   } else {
     tracker_->update_keyframe(tracked_points());
   }
-  if (guesses_ == Guesses::left_out &&
-      map_.confident() < static_cast<std::size_t>(options_.min_confident)) {
+  if (guesses_ == Guesses::left_out && map_.confident() < kMinConfident) {
     state_ = MonoState::lost;
     reinitialise();
   }

@@ -27,13 +27,10 @@ constexpr auto enum_names(MonoBootstrap) {
 
 struct MonoOptions {
   MonoBootstrap bootstrap = MonoBootstrap::automatic;
-  double start_depth = 1;     ///< m, depth of a flat start; median depth of an unknown one
-  double start_sigma = 0.01;  ///< relative standard deviation of given depths
-  std::uint64_t seed = 0;     ///< seed of random depths
-  int min_confident = 150;    ///< least number of confident hypotheses; with fewer the map is lost
-  int max_lost_frames = 15;   ///< consecutive lost frames after which a new map is started
-  double parallax_px = 4;     ///< least median parallax of an unknown start, px at 640 px width
-  double wanted_parallax_px = 12;  ///< wanted while corners are in view, px at 640 px width
+  double start_depth = 1;          ///< m, depth of a flat start; median depth of an unknown one
+  std::uint64_t seed = 0;          ///< seed of random depths
+  int max_lost_frames = 15;        ///< consecutive lost frames after which a new map is started
+  double wanted_parallax_px = 12;  ///< median that an unknown start waits for, px at 640 px width
   TrackerOptions tracker;
   DepthMapOptions map;
 
@@ -44,14 +41,10 @@ template <typename Visitor>
 void visit_fields(Visitor& visit, MonoOptions& options) {
   visit("bootstrap", options.bootstrap, "where the first depths come from");
   visit("start_depth", options.start_depth, "flat start; median of an unknown one, m");
-  visit("start_sigma", options.start_sigma, "of given depths, relative");
   visit("seed", options.seed, "of random depths");
-  visit("min_confident", options.min_confident, "fewer confident hypotheses are a lost map");
   visit("max_lost_frames", options.max_lost_frames, "in a row, then a new map is started");
-  visit("parallax_px", options.parallax_px,
-        "median parallax that an unknown start needs, px at 640 px width");
   visit("wanted_parallax_px", options.wanted_parallax_px,
-        "that it waits for while corners are in view, px at 640 px width");
+        "median that an unknown start waits for while corners are in view, px at 640 px width");
   visit_fields(visit, options.tracker);
   visit("depth_map", options.map, "");
 }

@@ -50,7 +50,7 @@ TrackerOptions best_options() {
   options.align.scale = LossScale::residuals;
   options.align.brightness = BrightnessModel::affine;
   options.align.depth_term = 0.4;
-  options.keyframes = {.every = 0, .max_flow = 0.06, .min_overlap = 0.75, .min_sharpness = 0.85};
+  options.keyframes = {.every = 0, .max_flow = 0.06, .min_sharpness = 0.85};
   options.map.references = 4;
   options.lost = {.min_depth_agreement = 0.45, .recover = true};
   options.symmetric = true;

@@ -47,14 +47,12 @@ struct AlignOptions {
   double min_translation = 1e-5;   ///< m; converged when a step is below this and min_rotation_deg
   double min_rotation_deg = 5e-4;  ///< deg; converged when a step is below this and min_translation
   double step_limit_growth = 1;    ///< factor of both step limits per coarser level
-  int step_retries = 0;            ///< shorter steps tried after one that raised the cost
   bool keep_worse_step = false;    ///< whether a step that raised the cost is kept
   Formulation formulation = Formulation::forward;
   RobustLoss loss = RobustLoss::huber;
   LossScale scale = LossScale::fixed;
-  double loss_scale = 5.0 / 255;      ///< intensity, for `fixed`; five grey levels as in the paper
-  double min_loss_scale = 1.5 / 255;  ///< intensity, least scale for `residuals`: less is noise
-  bool squared_weights = false;       ///< whether weights enter squared (paper's authors)
+  double loss_scale = 5.0 / 255;  ///< intensity, for `fixed`; five grey levels as in the paper
+  bool squared_weights = false;   ///< whether weights enter squared (paper's authors)
   BrightnessModel brightness = BrightnessModel::same;
   double depth_noise = 0;      ///< factor of the points' depth_sigma in the weights; 0 is off
   double readout = 0;          ///< s, rolling-shutter read-out time from the first to the last row
@@ -73,14 +71,12 @@ void visit_fields(Visitor& visit, AlignOptions& options) {
         "a smaller step is not taken: converged, deg");
   visit("step_limit_growth", options.step_limit_growth,
         "factor of both limits with each coarser level");
-  visit("step_retries", options.step_retries, "shorter steps tried after one that raised the cost");
   visit("keep_worse_step", options.keep_worse_step,
         "whether a step that raised the cost is kept, as the paper's authors do");
   visit("formulation", options.formulation, "whose gradient the Jacobian is made of");
   visit("loss", options.loss, "robust loss of a residual");
   visit("scale", options.scale, "where the scale of the robust loss comes from");
   visit("loss_scale", options.loss_scale, "of the robust loss, intensity 0..1 (fixed)");
-  visit("min_loss_scale", options.min_loss_scale, "least scale, intensity 0..1 (residuals)");
   visit("squared_weights", options.squared_weights,
         "whether weights enter squared, as the paper's authors have it");
   visit("brightness", options.brightness, "how the brightness of two images may differ");

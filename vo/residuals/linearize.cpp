@@ -9,6 +9,8 @@
 namespace vo {
 namespace {
 
+constexpr double kMinLossScale = 1.5 / 255;  ///< intensity; a smaller spread of residuals is noise
+
 PassOptions pass_options(const AlignOptions& options, const ResidualModel& model) {
   const float reference_share = options.formulation == Formulation::forward   ? 0.0F
                                 : options.formulation == Formulation::inverse ? 1.0F
@@ -138,8 +140,7 @@ Brightness matched_brightness(const PointView& view) {
 
 double shown_scale(const PointView& view, const Brightness& brightness,
                    const AlignOptions& options) {
-  return std::max(efficient_scale(options.loss) * residual_spread(view, brightness),
-                  options.min_loss_scale);
+  return std::max(efficient_scale(options.loss) * residual_spread(view, brightness), kMinLossScale);
 }
 
 }  // namespace vo

@@ -14,6 +14,15 @@ namespace {
 constexpr double kRecognisedCorrelation = 0.7;
 constexpr double kRecognisedDepthAgreement = 0.8;
 
+/// Share of the reference's edge points in view; with less the frame is lost.
+constexpr double kMinVisibleFraction = 0.4;
+
+/// Share of the last or the nearest keyframe's points in view; with less a keyframe is due.
+constexpr double kKeyframeOverlap = 0.75;
+
+/// Correlation of an alignment; with less a keyframe waits.
+constexpr double kKeyframeCorrelation = 0;
+
 /// Returns a finder of points at a frame's own edges, whatever else chooses points while tracking.
 EdgePointFinder own_point_finder(EdgePointOptions options) {
   options.source = EdgeSource::reference;
@@ -209,7 +218,7 @@ LostReason Tracker::judge(const AlignResult& alignment, Start start) const {
   if (alignment.termination == Termination::singular) {
     return LostReason::undetermined;
   }
-  if (!(alignment.visible_fraction >= options_.lost.min_visible_fraction)) {
+  if (!(alignment.visible_fraction >= kMinVisibleFraction)) {
     return LostReason::out_of_view;
   }
   LostOptions least = options_.lost;
@@ -259,13 +268,13 @@ bool Tracker::needs_keyframe(const FramePyramid& current, const TrackingResult& 
   const ImageMotion motion = image_motion(*map_.last()->points, current, T_cur_last);
   const double flow = motion.flow_px / current.levels.front().camera.width;
   const double overlap = std::min(motion.overlap, result.alignment.visible_fraction);
-  if (flow <= options.max_flow && overlap >= options.min_overlap) {
+  if (flow <= options.max_flow && overlap >= kKeyframeOverlap) {
     return false;
   }
   constexpr double kLongestWait = 2;  // times the due keyframe's flow, for a sharp frame
   const bool urgent = flow > kLongestWait * options.max_flow || overlap < options_.map.min_overlap;
-  return urgent || (result.alignment.correlation >= options.min_correlation &&
-                    !is_blurred(current, T_cur_last));
+  return urgent ||
+         (result.alignment.correlation >= kKeyframeCorrelation && !is_blurred(current, T_cur_last));
 }
 
 /// Returns whether the frame is too blurred relative to the last keyframe.

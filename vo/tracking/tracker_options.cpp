@@ -7,17 +7,11 @@ namespace vo {
 void KeyframeOptions::validate() const {
   require(every >= 0, "keyframes.every: expected at least 0, got ", every);
   require(max_flow > 0, "keyframes.max_flow: expected above 0, got ", max_flow);
-  require(min_overlap >= 0 && min_overlap <= 1, "keyframes.min_overlap: expected 0 to 1, got ",
-          min_overlap);
   require(min_sharpness >= 0 && min_sharpness <= 1,
           "keyframes.min_sharpness: expected 0 to 1, got ", min_sharpness);
-  require(min_correlation >= 0 && min_correlation <= 1,
-          "keyframes.min_correlation: expected 0 to 1, got ", min_correlation);
 }
 
 void LostOptions::validate() const {
-  require(min_visible_fraction >= 0 && min_visible_fraction <= 1,
-          "lost.min_visible_fraction: expected 0 to 1, got ", min_visible_fraction);
   require(min_correlation >= -1 && min_correlation <= 1,
           "lost.min_correlation: expected -1 to 1, got ", min_correlation);
   require(min_depth_agreement >= 0 && min_depth_agreement <= 1,

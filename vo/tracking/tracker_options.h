@@ -49,11 +49,9 @@ constexpr auto enum_names(ShutterModel) {
 
 /// The conditions under which a frame becomes a keyframe.
 struct KeyframeOptions {
-  int every = 1;               ///< frames from keyframe to keyframe; 1 is frame to frame, 0 by view
-  double max_flow = 0.04;      ///< mean displacement since the last keyframe, image widths
-  double min_overlap = 0.75;   ///< share of the last or the nearest keyframe's points in view
-  double min_sharpness = 0;    ///< sharpness relative to the last keyframe; blurred frames wait
-  double min_correlation = 0;  ///< correlation of an alignment that makes a keyframe
+  int every = 1;             ///< frames from keyframe to keyframe; 1 is frame to frame, 0 by view
+  double max_flow = 0.04;    ///< mean displacement since the last keyframe, image widths
+  double min_sharpness = 0;  ///< sharpness relative to the last keyframe; blurred frames wait
 
   void validate() const;  ///< throws Error if an option is invalid
 };
@@ -62,27 +60,21 @@ template <typename Visitor>
 void visit_fields(Visitor& visit, KeyframeOptions& options) {
   visit("every", options.every, "frames from keyframe to keyframe; 1 is frame to frame, 0 by view");
   visit("max_flow", options.max_flow, "a new one beyond this mean displacement, image widths");
-  visit("min_overlap", options.min_overlap,
-        "a new one below this share of the last or the nearest one's points in view");
   visit("min_sharpness", options.min_sharpness,
         "not yet where edges are weaker than this share of what they are in the last one");
-  visit("min_correlation", options.min_correlation, "not yet where images agree less");
 }
 
 /// The conditions under which an alignment is rejected.
 struct LostOptions {
-  double min_visible_fraction = 0.4;  ///< share of the reference's edge points in view
-  double min_correlation = 0.5;       ///< correlation of the intensities at visible points
-  double min_depth_agreement = 0;     ///< share of the reference's surfaces measured in place
-  bool recover = false;               ///< whether other starting points are tried
+  double min_correlation = 0.5;    ///< correlation of the intensities at visible points
+  double min_depth_agreement = 0;  ///< share of the reference's surfaces measured in place
+  bool recover = false;            ///< whether other starting points are tried
 
   void validate() const;  ///< throws Error if an option is invalid
 };
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, LostOptions& options) {
-  visit("min_visible_fraction", options.min_visible_fraction,
-        "lost below this share of the reference's points in view");
   visit("min_correlation", options.min_correlation,
         "lost below this correlation of the intensities at the visible points");
   visit("min_depth_agreement", options.min_depth_agreement,

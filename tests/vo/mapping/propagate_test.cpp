@@ -60,7 +60,7 @@ TEST(Propagate, SnapsToEdgesOfTheNewFrame) {
         1e-6F);
   }
   vo::Hypotheses next = vo::edge_hypotheses(current, {}, 0.5F);
-  const vo::PropagationCounts counts = vo::propagate(pair, from, {}, next);
+  const vo::PropagationCounts counts = vo::propagate(pair, from, next);
   EXPECT_GT(counts.moved, from.size() * 7 / 10);
   EXPECT_LT(counts.occluded, from.size() / 100);
   for (std::size_t j = 0; j < next.size(); ++j) {
@@ -82,13 +82,13 @@ TEST(Propagate, TheNearerOfTwoSurfacesHidesTheOther) {
   from.set(i, 0.4F, 1e-6F);
   vo::Hypotheses next = vo::edge_hypotheses(level, {}, 0.5F);
   next.set(i, 0.6F, 1e-6F);
-  vo::propagate(pair, from, {}, next);
+  vo::propagate(pair, from, next);
   EXPECT_FLOAT_EQ(next.inverse_depth[i], 0.6F);
   next.set(i, 0.2F, 1e-6F);
-  vo::propagate(pair, from, {}, next);
+  vo::propagate(pair, from, next);
   EXPECT_FLOAT_EQ(next.inverse_depth[i], 0.4F);
   next.set(i, 0.4002F, 1e-6F);
-  vo::propagate(pair, from, {}, next);
+  vo::propagate(pair, from, next);
   EXPECT_GT(next.inverse_depth[i], 0.4F);
   EXPECT_LT(next.inverse_depth[i], 0.4002F);
 }
