@@ -88,8 +88,8 @@ void SequenceReader::read_lists(const fs::path& folder, double max_time_differen
 void SequenceReader::adopt(SequenceSource source, const fs::path& folder) {
   camera_ = source.camera;
   ground_truth_ = std::move(source.truth);
-  for (std::size_t i = 0; i < source.timestamps.size(); ++i) {
-    entries_.push_back({source.timestamps[i], folder, {}});
+  for (const double timestamp : source.timestamps) {
+    entries_.push_back({timestamp, folder, {}});
   }
   require(!entries_.empty(), folder.string(), ": holds no frames, expected one or more");
   read_ = std::move(source.read);
