@@ -27,7 +27,7 @@ TimeSpan span_of(const Capture& capture) {
 
 CameraPath path_through(const vo::Trajectory& poses) {
   if (poses.size() < 2) {
-    const vo::SE3 only = poses.empty() ? vo::SE3() : poses[0].T_world_camera;
+    vo::SE3 only = poses.empty() ? vo::SE3() : poses[0].T_world_camera;
     return [only](double) { return only; };
   }
   return spline(poses);
