@@ -48,11 +48,13 @@ struct StageTimes {
 /// RGB-D edge-direct odometry: one call per frame.
 class RgbdOdometry {
  public:
-  /// Starts at T_world_first. Without options they are those of the best preset, which the program has
-  /// by default, too; TrackerOptions{} are the paper's. Throws Error for options that cannot be used.
-  explicit RgbdOdometry(const PinholeCamera& camera,
-                        const TrackerOptions& options = preset_options(TrackerPreset::best_measured),
-                        const SE3& T_world_first = {});
+  /// Starts at T_world_first. Without options they are those of the best preset, which the program
+  /// has by default, too; TrackerOptions{} are the paper's. Throws Error for options that cannot be
+  /// used.
+  explicit RgbdOdometry(
+      const PinholeCamera& camera,
+      const TrackerOptions& options = preset_options(TrackerPreset::best_measured),
+      const SE3& T_world_first = {});
   RgbdOdometry(RgbdOdometry&& other) noexcept;
   RgbdOdometry& operator=(RgbdOdometry&& other) noexcept;
   ~RgbdOdometry();

@@ -44,8 +44,8 @@ inline WarpedPoint<Scalar> warp_point(const Warp<Scalar>& warp,
   return point;
 }
 
-/// Returns whether a warped point is in view: in front of the camera and inside its image. Not all that
-/// is in view is seen (`SeenBounds`).
+/// Returns whether a warped point is in view: in front of the camera and inside its image. Not all
+/// that is in view is seen (`SeenBounds`).
 template <typename Scalar>
 inline bool is_in_view(const WarpedPoint<Scalar>& point, const PinholeCamera& camera) {
   return point.p_cur.z() > 0 && camera.contains({point.u, point.v});
