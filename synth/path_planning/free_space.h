@@ -25,10 +25,10 @@ class FreeSpace {
   /// Returns the distance to the nearest surface, m, or `reach` where that is less.
   double clearance(const Eigen::Vector3d& p_world, double reach) const;
 
-  /// Whether a ball of this radius, m, can move straight from one position to another.
+  /// Returns whether a ball of this radius, m, can move straight from one position to another.
   bool is_free(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius) const;
 
-  /// Whether a surface crosses the line segment between two positions.
+  /// Returns whether a surface crosses the line segment between two positions.
   bool is_crossed(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
   /// Returns the distance along a unit direction to the first surface, m; 0 = there is none.

@@ -13,7 +13,7 @@
 namespace synth {
 namespace {
 
-/// Whether a step crosses a triangle (Moller & Trumbore, Fast, minimum storage ray/triangle
+/// Returns whether a step crosses a triangle (Moller & Trumbore, Fast, minimum storage ray/triangle
 /// intersection, 1997).
 bool crosses(const TimedStep& step, const std::array<Eigen::Vector3d, 3>& corners) {
   const Eigen::Vector3d way = step.to - step.from;

@@ -19,8 +19,9 @@ struct TimedStep {
   Eigen::Vector3d to;
 };
 
-/// Whether a moving instance hits a point that takes the step while the scene goes from `before` to
-/// `after`. The point is taken to move straight in each mesh's frame; deformation is ignored.
+/// Returns whether a moving instance hits a point that takes the step while the scene goes from
+/// `before` to `after`. The point is taken to move straight in each mesh's frame; deformation is
+/// ignored.
 bool is_struck(const Scene& before, const Scene& after, const std::vector<bool>& moving,
                const TimedStep& step);
 

@@ -30,8 +30,8 @@ Vector3d random_place(const Eigen::AlignedBox3d& box, const Eigen::Vector4d& sha
   return box.min() + shares.head<3>().cwiseProduct(box.sizes());
 }
 
-/// Whether a position is indoors: hardly a ray escapes to the sides and below (models may be open
-/// above), and most hits are fronts, unlike within a closed solid.
+/// Returns whether a position is indoors: hardly a ray escapes to the sides and below (models may
+/// be open above), and most hits are fronts, unlike within a closed solid.
 bool is_inside(const Surroundings& around) {
   return around.level_share > 0.9 && around.front_share > 0.5;
 }
@@ -46,7 +46,7 @@ bool belongs(const Surroundings& around, const ExploredRegion& region) {
                           : is_outside(around);
 }
 
-/// Whether a position indoors is neither close to the ceiling nor to the floor.
+/// Returns whether a position indoors is neither close to the ceiling nor to the floor.
 bool is_at_eye_level(const FreeSpace& space, const Vector3d& place, const ExploredRegion& region) {
   const double down = space.distance_along(place, -Vector3d::UnitY());
   const double up = space.distance_along(place, Vector3d::UnitY());

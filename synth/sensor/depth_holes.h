@@ -54,7 +54,7 @@ struct DepthSpan {
   float nearest = 0;
   float farthest = 0;
 
-  /// Whether the farthest depth exceeds the nearest by more than a tenth.
+  /// Returns whether the farthest depth exceeds the nearest by more than a tenth.
   bool is_edge() const { return farthest > 1.1F * nearest; }
 };
 

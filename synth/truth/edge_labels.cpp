@@ -75,8 +75,8 @@ class Labeller {
     }
   }
 
-  /// Whether the colour changes most between a and b, and enough from one pixel before to one
-  /// after.
+  /// Returns whether the colour changes most between a and b, and enough from one pixel before to
+  /// one after.
   bool has_albedo_edge(const cv::Point& a, const cv::Point& b, const cv::Point& step) const {
     const double contrast = color_step(a, b);
     if (contrast < color_step(a - step, a) || contrast <= color_step(b, b + step)) {
@@ -86,7 +86,7 @@ class Labeller {
            options_.albedo_step;
   }
 
-  /// Whether neither pixel's surface, continued as a plane, explains the other's depth.
+  /// Returns whether neither pixel's surface, continued as a plane, explains the other's depth.
   bool has_depth_edge(const cv::Point& a, const cv::Point& b) const {
     const float depth_a = view_.depth(a);
     const float depth_b = view_.depth(b);

@@ -19,7 +19,7 @@ bool is_of_frames(TruthChannel channel) {
   return channel != TruthChannel::velocity && channel != TruthChannel::imu;
 }
 
-/// Whether a channel requires a next frame, which the last frame lacks.
+/// Returns whether a channel requires a next frame, which the last frame lacks.
 bool needs_next(TruthChannel channel) {
   return channel == TruthChannel::flow || channel == TruthChannel::occlusion;
 }

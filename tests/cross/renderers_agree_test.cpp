@@ -41,7 +41,7 @@ Pair render_both(const Scene& scene, RenderOptions options, const vo::SE3& T_wor
   return pair;
 }
 
-/// Whether depth and normal hardly change around a pixel.
+/// Returns whether depth and normal hardly change around a pixel.
 bool is_inside_a_surface(const RenderedFrame& frame, int v, int u) {
   if (v < kEdge || u < kEdge || v >= kSize - kEdge || u >= kSize - kEdge) {
     return false;

@@ -30,7 +30,7 @@ inline ProgramResult run_program(const std::string& arguments, const std::string
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, vo::read_file(out), vo::read_file(err)};
 }
 
-/// Whether something unfinished lies in a folder.
+/// Returns whether something unfinished lies in a folder.
 inline bool has_leftovers(const std::filesystem::path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().filename().string().find(".partial") != std::string::npos) {

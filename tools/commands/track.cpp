@@ -32,10 +32,9 @@ constexpr const char* kTrackHelp =
     "T_world_camera of every tracked frame in TUM format; the world is the first camera's frame.\n"
     "With --mode mono only the images are read, and the depth of the first for --bootstrap rgbd;\n"
     "--preset and --debug-images are for --mode rgbd.\n"
-    "Frames that are lost have no pose in the file, and the exit code is then 5. All options that "
-    "a\n"
-    "trajectory was tracked with are written beside it (e_config.toml for e.txt); --config reads "
-    "them.";
+    "Frames that are lost have no pose in the file, and the exit code is then 5.\n"
+    "All options that a trajectory was tracked with are written beside it (e_config.toml for\n"
+    "e.txt); --config reads them.";
 
 std::string track_examples() {
   std::string text =

@@ -10,7 +10,7 @@
 
 namespace tools {
 
-/// Whether a map is metric or of arbitrary scale, which is removed before it is drawn.
+/// States whether a map is metric or of arbitrary scale, which is removed before it is drawn.
 enum class MapScale { metric, arbitrary };
 
 /// Returns the scale that a map is divided by before it is compared with the truth.

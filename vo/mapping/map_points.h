@@ -7,7 +7,7 @@
 
 namespace vo {
 
-/// Whether hypotheses whose depth is only a guess become points.
+/// States whether hypotheses whose depth is only a guess become points.
 enum class Guesses { left_out, included };
 
 /// A pixel of one level that has hypotheses in or below it.

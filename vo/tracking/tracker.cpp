@@ -40,15 +40,15 @@ bool is_more_credible(const TrackingResult& found, const TrackingResult& best) {
          found.alignment.depth_agreement >= best.alignment.depth_agreement - kWorse;
 }
 
-/// Whether other starting points are tried.
+/// Returns whether other starting points are tried.
 bool is_doubtful(const TrackingResult& result) {
   constexpr double kDoubtfulCorrelation = 0.8;
   return result.status == TrackingStatus::lost ||
          result.alignment.correlation < kDoubtfulCorrelation;
 }
 
-/// Whether the time between two frames says how fast the camera moved: a clock that stands still,
-/// or stamps out of order, say nothing.
+/// Returns whether the time between two frames says how fast the camera moved: a clock that stands
+/// still, or stamps out of order, say nothing.
 bool tells_velocity(double seconds) {
   constexpr double kMinSeconds = 1e-3;
   return seconds >= kMinSeconds;
@@ -170,7 +170,7 @@ Tracker::Attempt Tracker::aligned_from(const FramePyramid& current, const SE3& T
   return attempt;
 }
 
-/// Whether the camera was aligned where its motion since the last tracked frame leads it.
+/// Returns whether the camera was aligned where its motion since the last tracked frame leads it.
 bool Tracker::follows_motion(const Attempt& attempt) const {
   return !is_lost_ && attempt.start == Start::expected;
 }

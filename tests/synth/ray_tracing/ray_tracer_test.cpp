@@ -112,7 +112,7 @@ TEST(RayTracer, MirroredAndStretchedInstancesAreWhereTheirVerticesAre) {
   EXPECT_LT(max_depth_error(frame, wide_camera(), depth_along), kRounding);
 }
 
-/// Whether a pixel lies inside a convex polygon, clockwise in the image; by how many px.
+/// Returns whether a pixel lies inside a convex polygon, clockwise in the image; by how many px.
 double inside_by(const std::vector<Vector2d>& polygon, const Vector2d& pixel) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
