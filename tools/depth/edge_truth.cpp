@@ -9,6 +9,9 @@ namespace tools {
 
 synth::EdgeLabels true_edges(const vo::SequenceReader& sequence, std::size_t frame) {
   const std::filesystem::path& image = sequence.image_file(frame);
+  if (image.empty()) {
+    return {};
+  }
   const std::filesystem::path file =
       image.parent_path().parent_path() / "truth/edges" / image.stem().concat(".png");
   if (!std::filesystem::exists(file)) {

@@ -89,7 +89,7 @@ void SequenceReader::adopt(SequenceSource source, const fs::path& folder) {
   camera_ = source.camera;
   ground_truth_ = std::move(source.truth);
   for (const double timestamp : source.timestamps) {
-    entries_.push_back({timestamp, folder, {}});
+    entries_.push_back({timestamp, {}, {}});
   }
   require(!entries_.empty(), folder.string(), ": holds no frames, expected one or more");
   read_ = std::move(source.read);
