@@ -76,6 +76,20 @@ struct alignas(64) FirstLanes {
   LaneMask mask;
 };
 
+/// Turns the rays that are not active into ones that end before they begin. Embree 3.13 ignores the
+/// mask on processors without AVX-512: it traces all lanes and aborts where one holds no numbers.
+/// The origins must be numbers.
+void retire_inactive(const LaneMask& active, RTCRay16& rays) {
+  for (std::size_t lane = 0; lane < active.size(); ++lane) {
+    if (active[lane] == 0) {
+      rays.dir_x[lane] = 0;
+      rays.dir_y[lane] = 0;
+      rays.dir_z[lane] = 1;
+      rays.tfar[lane] = -kInfinity;
+    }
+  }
+}
+
 /// Returns the coherence flag of shadow rays: Embree 3.13 can hang in those through instances if
 /// they are flagged as coherent.
 RTCIntersectContextFlags shadow_coherence(const WorldGeometry& world) {
@@ -155,12 +169,17 @@ void EmbreeScene::occlude(std::vector<RTCRay>& rays) const {
 void EmbreeScene::intersect(HitPacket& packet, Sight sight) const {
   EmbreeQuery query = coherent_query(sight);
   const FirstLanes first(packet.size);
+  for (int lane = packet.size; lane < kPacketSize; ++lane) {
+    set_lane(packet.lanes.ray, lane, {Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ()});
+  }
+  retire_inactive(first.mask, packet.lanes.ray);
   rtcIntersect16(first.mask.data(), hierarchy_.get(), &query.context, &packet.lanes);
 }
 
 void EmbreeScene::occlude(ShadowPacket& packet, ShadowHit& occluder) const {
   EmbreeQuery query = query_for(Sight::solid, shadow_coherence_);
   query.occluder = &occluder;
+  retire_inactive(packet.active, packet.lanes);
   rtcOccluded16(packet.active.data(), hierarchy_.get(), &query.context, &packet.lanes);
   const float* const left = packet.lanes.tfar;
   std::transform(packet.active.begin(), packet.active.end(), left, packet.active.begin(),
@@ -199,13 +218,12 @@ void aim_at_light(RTCRay& ray, const SurfacePoint& point, const DirectLight& dir
 }
 
 ShadowPacket shadow_rays(const LitLanes& lit) {
-  ShadowPacket packet;
+  ShadowPacket packet{};
   RTCRay16& rays = packet.lanes;
-  std::copy(lit.start.x.begin(), lit.start.x.end(), rays.org_x);
-  std::copy(lit.start.y.begin(), lit.start.y.end(), rays.org_y);
-  std::copy(lit.start.z.begin(), lit.start.z.end(), rays.org_z);
-  std::fill_n(rays.tnear, kPacketSize, 0.0F);
-  std::copy(lit.scene_share.begin(), lit.scene_share.end(), rays.time);
+  std::copy_n(lit.start.x.begin(), lit.size, rays.org_x);
+  std::copy_n(lit.start.y.begin(), lit.size, rays.org_y);
+  std::copy_n(lit.start.z.begin(), lit.size, rays.org_z);
+  std::copy_n(lit.scene_share.begin(), lit.size, rays.time);
   std::fill_n(rays.mask, kPacketSize, std::numeric_limits<unsigned>::max());
   return packet;
 }

@@ -1,5 +1,8 @@
 #include "synth/ray_tracing/occluder.h"
 
+#include <algorithm>
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "synth/ray_tracing/embree_scene.h"
@@ -95,6 +98,50 @@ TEST(EmbreeScene, NamesTheTriangleThatCastAShadow) {
   embree.occlude(rays, hit);
   EXPECT_EQ(hit.mesh, 0);
   EXPECT_TRUE(hit.triangle == 0 || hit.triangle == 1);
+}
+
+/// Sets all numbers of a packet's lanes from `first` on to NaN.
+void poison(RTCRay16& rays, int first) {
+  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+  for (auto* values : {&rays.org_x, &rays.org_y, &rays.org_z, &rays.dir_x, &rays.dir_y, &rays.dir_z,
+                       &rays.tnear, &rays.tfar, &rays.time}) {
+    std::fill(*values + first, *values + kPacketSize, kNaN);
+  }
+}
+
+TEST(EmbreeScene, TracesTheRaysOfAPacketThatIsNotFull) {
+  const Stage stage;
+  const EmbreeScene embree(stage.world);
+  for (int size = 1; size < kPacketSize; ++size) {
+    HitPacket packet;
+    poison(packet.lanes.ray, 0);
+    const Eigen::Vector3f from = (-stage.world.origin).cast<float>();
+    for (int lane = 0; lane < size; ++lane) {
+      add_ray(packet, {from, Eigen::Vector3f(0.01F * static_cast<float>(lane), 0, 1)});
+    }
+    embree.intersect(packet, Sight::solid);
+    for (int lane = 0; lane < size; ++lane) {
+      EXPECT_TRUE(packet.has_hit(lane)) << size << " rays, lane " << lane;
+      EXPECT_NEAR(packet.lanes.ray.tfar[lane], 2, 1e-5);
+    }
+  }
+}
+
+TEST(EmbreeScene, LeavesTheShadowRaysThatAreNotActive) {
+  const Stage stage;
+  const EmbreeScene embree(stage.world);
+  ShadowPacket all = stage.rays(0);
+  ShadowPacket some = all;
+  for (std::size_t lane = 0; lane < kPacketSize; lane += 2) {
+    some.active[lane] = 0;
+    some.lanes.dir_x[lane] = std::numeric_limits<float>::quiet_NaN();
+  }
+  ShadowHit hit;
+  embree.occlude(all, hit);
+  embree.occlude(some, hit);
+  for (std::size_t lane = 0; lane < kPacketSize; ++lane) {
+    EXPECT_EQ(some.active[lane], lane % 2 == 0 ? 0 : all.active[lane]) << lane;
+  }
 }
 
 }  // namespace
