@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
-#include <numeric>
 #include <utility>
 
 #include <tbb/parallel_for.h>
@@ -127,14 +126,11 @@ std::size_t generate_frames(const Scene& scene, const SequenceRecipe& recipe,
     return 0;
   }
   const FrameGenerator generator(scene, recipe);
-  vo::make_folders_of(folder, frame_files(recipe, 0));
   FrameCounter counter(progress, frames.size());
   std::atomic<std::size_t> depth_beyond_16_bit = 0;
   tbb::parallel_for(std::size_t{0}, frames.size(), [&](std::size_t i) {
     const MadeFrame made = generator.make(frames[i]);
-    for (const auto& [name, bytes] : made.files) {
-      vo::write_file(folder / name, bytes, vo::ExistingOutput::replace);
-    }
+    vo::write_files(folder, made.files, vo::ExistingOutput::replace);
     depth_beyond_16_bit += made.depth_beyond_16_bit;
     counter.add_one();
   });
@@ -146,24 +142,10 @@ void finish_sequence(const SequenceRecipe& recipe, const std::filesystem::path& 
   for (vo::NamedBytes& file : encode_motion(recipe.channels, recipe.path, recipe.truth)) {
     files.push_back(std::move(file));
   }
-  for (const auto& [name, bytes] : files) {
-    vo::make_folders_of(folder, {name});
-    vo::write_file(folder / name, bytes, vo::ExistingOutput::replace);
-  }
   if (recipe.sensor.depth.delay != 0) {
-    vo::write_file(folder / "groundtruth_depth.txt", vo::format_trajectory(depth_truth(recipe)),
-                   vo::ExistingOutput::replace);
+    files.push_back({"groundtruth_depth.txt", vo::format_trajectory(depth_truth(recipe))});
   }
-}
-
-void generate_sequence(const Scene& scene, const SequenceRecipe& recipe,
-                       const std::filesystem::path& folder, const vo::Progress& progress) {
-  vo::require(!recipe.truth.empty(), folder.string(),
-              ": no poses to render, expected at least one");
-  std::vector<std::size_t> all(recipe.truth.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  generate_frames(scene, recipe, all, folder, progress);
-  finish_sequence(recipe, folder);
+  vo::write_files(folder, files, vo::ExistingOutput::replace);
 }
 
 }  // namespace synth

@@ -79,8 +79,4 @@ std::size_t generate_frames(const Scene& scene, const SequenceRecipe& recipe,
 /// channels.
 void finish_sequence(const SequenceRecipe& recipe, const std::filesystem::path& folder);
 
-/// Writes all frames of a sequence and the files that belong to no single frame.
-void generate_sequence(const Scene& scene, const SequenceRecipe& recipe,
-                       const std::filesystem::path& folder, const vo::Progress& progress);
-
 }  // namespace synth

@@ -93,13 +93,6 @@ std::vector<NamedBytes> encode_lists(const SequenceSource& source, SequenceForma
   return {};
 }
 
-void write(const std::filesystem::path& folder, const std::vector<NamedBytes>& files) {
-  for (const auto& [name, bytes] : files) {
-    make_folders_of(folder, {name});
-    write_file(folder / name, bytes);
-  }
-}
-
 }  // namespace
 
 ConvertOutcome convert_sequence(const ConvertJob& job, ExistingOutput existing,
@@ -118,10 +111,10 @@ ConvertOutcome convert_sequence(const ConvertJob& job, ExistingOutput existing,
       outcome.depth_beyond_16_bit +=
           count_beyond_16_bit(frame.depth, source.camera.depth_units_per_m);
     }
-    write(output.partial(), encode_frame(source, job.to, i, frame));
+    write_files(output.partial(), encode_frame(source, job.to, i, frame));
     progress(i + 1, source.timestamps.size());
   }
-  write(output.partial(), encode_lists(source, job.to, has_depth));
+  write_files(output.partial(), encode_lists(source, job.to, has_depth));
   output.commit();
   outcome.frames = source.timestamps.size();
   outcome.poses = source.truth.size();

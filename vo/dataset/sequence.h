@@ -108,23 +108,6 @@ std::vector<NamedBytes> encode_frame(const SequenceLayout& layout, std::size_t i
 /// Encodes the lists, groundtruth.txt and camera.toml for frames 0 to truth.size() - 1.
 std::vector<NamedBytes> encode_lists(const SequenceLayout& layout, const Trajectory& truth);
 
-/// Writes a sequence in the TUM layout. Frames may be written in any order and from several
-/// threads.
-class SequenceWriter {
- public:
-  /// Makes the sub-folders of `folder`, which must exist.
-  SequenceWriter(std::filesystem::path folder, const RgbdCamera& camera,
-                 FloatDepth float_depth = FloatDepth::none);
-
-  void write_frame(std::size_t index, const RgbdFrame& frame) const;
-
-  void finish(const Trajectory& truth) const;  ///< writes the files of `encode_lists`
-
- private:
-  std::filesystem::path folder_;
-  SequenceLayout layout_;
-};
-
 /// Returns a stamp, s, as every list of a sequence writes it: `0.033333`.
 std::string format_timestamp(double timestamp);
 

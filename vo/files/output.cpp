@@ -213,14 +213,16 @@ std::string read_file(const fs::path& path) {
   return bytes;
 }
 
-void make_folders_of(const fs::path& folder, const std::vector<std::string>& names) {
-  for (const std::string& name : names) {
+void write_files(const fs::path& folder, const std::vector<NamedBytes>& files,
+                 ExistingOutput existing) {
+  for (const auto& [name, bytes] : files) {
     const fs::path parent = (folder / name).parent_path();
     std::error_code error;
     fs::create_directories(parent, error);
     if (error) {
       fail_to_write(parent, error.value());
     }
+    write_file(folder / name, bytes, existing);
   }
 }
 

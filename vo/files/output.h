@@ -38,8 +38,9 @@ void write_file(const std::filesystem::path& path, std::string_view bytes,
 /// Returns the whole file as bytes; throws Error naming the path if it cannot be read.
 std::string read_file(const std::filesystem::path& path);
 
-/// Makes the folders within `folder` that hold the files of these names.
-void make_folders_of(const std::filesystem::path& folder, const std::vector<std::string>& names);
+/// Writes each file into `folder` as `write_file` does, and makes the folders that hold it.
+void write_files(const std::filesystem::path& folder, const std::vector<NamedBytes>& files,
+                 ExistingOutput existing = ExistingOutput::keep);
 
 /// Throws Error unless a file could be made at `path`, so that a mistyped output is reported before
 /// the work and not after it. Creates nothing.

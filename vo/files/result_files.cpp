@@ -11,9 +11,7 @@ void write_results(const std::filesystem::path& folder, const std::vector<NamedB
   for (const auto& [name, bytes] : files) {
     require_no_conflict(folder / name, bytes, existing);
   }
-  for (const auto& [name, bytes] : files) {
-    write_file(folder / name, bytes, existing);
-  }
+  write_files(folder, files, existing);
 }
 
 void make_folder(const std::filesystem::path& folder) {

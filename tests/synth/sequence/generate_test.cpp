@@ -9,6 +9,7 @@
 
 #include "synth/camera/make_renderer.h"
 #include "synth/path/camera_path.h"
+#include "synth/sequence/frame_share.h"
 #include "tests/support/error_text.h"
 #include "tests/support/folder_contents.h"
 #include "tests/support/quads.h"
@@ -44,10 +45,16 @@ vo::Trajectory short_orbit() {
   return sample(orbit({.radius = 2.5, .height = 0.5}), 4, 1.25);
 }
 
+void generate(const Scene& scene, const SequenceRecipe& recipe, const fs::path& folder,
+              const vo::Progress& progress = {}) {
+  generate_frames(scene, recipe, frames_of({}, recipe.truth.size()), folder, progress);
+  finish_sequence(recipe, folder);
+}
+
 void generate(const fs::path& folder, const vo::Progress& progress = {}) {
-  generate_sequence(small_room(),
-                    {.truth = short_orbit(), .camera = kCamera, .float_depth = vo::FloatDepth::npy},
-                    folder, progress);
+  generate(small_room(),
+           {.truth = short_orbit(), .camera = kCamera, .float_depth = vo::FloatDepth::npy}, folder,
+           progress);
 }
 
 TEST(GenerateSequence, WritesTheSameBytesOnOneThreadAndOnTwo) {
@@ -92,19 +99,16 @@ TEST(GenerateSequence, TellsOfEveryFrame) {
   EXPECT_THAT(done, ElementsAre(1, 2, 3, 4, 5, 6));
 }
 
-TEST(GenerateSequence, StopsWhenToldToAndLeavesNoLists) {
+TEST(GenerateSequence, StopsWhenToldTo) {
   const support::TempFolder folder;
   const auto stop = [](std::size_t, std::size_t) { vo::fail("stopped"); };
   EXPECT_EQ(error_text([&] { generate(folder.path(), stop); }), "stopped");
-  EXPECT_FALSE(fs::exists(folder.path() / "rgb.txt"));
 }
 
 TEST(GenerateSequence, NeedsAPose) {
-  const support::TempFolder folder;
-  const auto generate_nothing = [&] {
-    generate_sequence({}, {.camera = kCamera}, folder.path(), {});
-  };
-  EXPECT_THAT(error_text(generate_nothing), HasSubstr("no poses to render"));
+  const SequenceRecipe nothing{.camera = kCamera};
+  EXPECT_THAT(error_text([&] { FrameGenerator(small_room(), nothing); }),
+              HasSubstr("no poses to render"));
 }
 
 /// A wall 2 m away at first, and 4 m away after a second.
@@ -123,9 +127,8 @@ Scene receding_wall() {
 TEST(GenerateSequence, MovesTheSceneFromTheFirstStampOn) {
   const support::TempFolder folder;
   const vo::Trajectory truth = {{1e9, {}}, {1e9 + 0.5, {}}, {1e9 + 2, {}}};
-  generate_sequence(receding_wall(),
-                    {.truth = truth, .camera = kCamera, .float_depth = vo::FloatDepth::npy},
-                    folder.path(), {});
+  generate(receding_wall(), {.truth = truth, .camera = kCamera, .float_depth = vo::FloatDepth::npy},
+           folder.path());
   const std::vector<float> expected = {2, 3, 4};  // m
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const fs::path file = folder.path() / ("depth_float/00000" + std::to_string(i) + ".npy");
@@ -141,7 +144,7 @@ TEST(GenerateSequence, MeasuresMovingThingsWhenEachRowIsRead) {
       .truth = {{5, {}}, {5.5, {}}}, .camera = kCamera, .float_depth = vo::FloatDepth::npy};
   recipe.sensor.shutter.readout_time = 0.1;
   recipe.sensor.depth.delay = 0.05;
-  generate_sequence(receding_wall(), recipe, folder.path(), {});
+  generate(receding_wall(), recipe, folder.path());
   const cv::Mat_<float> depth = vo::read_npy(folder.path() / "depth_float/000001.npy");
   for (int v = 0; v < depth.rows; ++v) {
     const double time = 0.5 + 0.05 + recipe.sensor.shutter.row_time(v, depth.rows);

@@ -41,12 +41,6 @@ vo::SequenceSource example() {
   return source;
 }
 
-void write(const TempFolder& folder, const std::vector<vo::NamedBytes>& files) {
-  for (const auto& [name, bytes] : files) {
-    folder.write(name, bytes);
-  }
-}
-
 void expect_same(const vo::SequenceSource& copy, const vo::SequenceSource& source,
                  double depth_error) {
   ASSERT_EQ(copy.timestamps.size(), source.timestamps.size());
@@ -74,9 +68,9 @@ TEST(Euroc, ReadsBackWithDepthPosesAndImu) {
   }
   const TempFolder folder;
   for (std::size_t i = 0; i < kFrames; ++i) {
-    write(folder, vo::encode_euroc_frame(source.camera, source.read(i)));
+    vo::write_files(folder.path(), vo::encode_euroc_frame(source.camera, source.read(i)));
   }
-  write(folder, vo::encode_euroc_lists(source, true));
+  vo::write_files(folder.path(), vo::encode_euroc_lists(source, true));
   EXPECT_EQ(vo::detect_format(folder.path()), vo::SequenceFormat::euroc);
   const auto copy = vo::open_sequence(folder.path(), vo::SequenceFormat::euroc);
   expect_same(copy, source, 0.5 / 1000 + 1e-6);
@@ -98,8 +92,8 @@ TEST(Euroc, HoldsAFisheyeAsEquidistant) {
                                       .k4 = 0.004,
                                       .model = vo::DistortionModel::kannala_brandt};
   const TempFolder folder;
-  write(folder, vo::encode_euroc_frame(source.camera, source.read(0)));
-  write(folder, vo::encode_euroc_lists(source, true));
+  vo::write_files(folder.path(), vo::encode_euroc_frame(source.camera, source.read(0)));
+  vo::write_files(folder.path(), vo::encode_euroc_lists(source, true));
   EXPECT_THAT(vo::read_file(folder.path() / "mav0/cam0/sensor.yaml"),
               HasSubstr("distortion_model: equidistant\n"
                         "distortion_coefficients: [-0.01, 0.02, -0.003, 0.004]"));
@@ -112,9 +106,9 @@ TEST(Euroc, PosesAreTheBodysAndTheCameraHasItsPlaceOnIt) {
   source.T_body_camera = support::example_pose(3);
   const TempFolder folder;
   for (std::size_t i = 0; i < kFrames; ++i) {
-    write(folder, vo::encode_euroc_frame(source.camera, source.read(i)));
+    vo::write_files(folder.path(), vo::encode_euroc_frame(source.camera, source.read(i)));
   }
-  write(folder, vo::encode_euroc_lists(source, true));
+  vo::write_files(folder.path(), vo::encode_euroc_lists(source, true));
   const auto copy = vo::open_sequence(folder.path(), vo::SequenceFormat::euroc);
   EXPECT_LT((copy.T_body_camera.inverse() * source.T_body_camera).log().norm(), 1e-9);
   expect_same(copy, source, 0.5 / 1000 + 1e-6);
@@ -156,10 +150,10 @@ TEST(IclNuim, AsRenderedReadsBack) {
   const vo::SequenceSource source = example();
   const TempFolder folder;
   for (std::size_t i = 0; i < kFrames; ++i) {
-    write(folder, vo::encode_icl_nuim_frame(source.camera, i, source.read(i),
-                                            source.truth[i].T_world_camera));
+    vo::write_files(folder.path(), vo::encode_icl_nuim_frame(source.camera, i, source.read(i),
+                                                             source.truth[i].T_world_camera));
   }
-  write(folder, vo::encode_icl_nuim_lists(source));
+  vo::write_files(folder.path(), vo::encode_icl_nuim_lists(source));
   EXPECT_EQ(vo::detect_format(folder.path()), vo::SequenceFormat::icl_nuim);
   expect_same(vo::open_sequence(folder.path(), vo::SequenceFormat::icl_nuim), source, 1e-6);
   EXPECT_THAT(vo::read_file(folder.path() / "camera.toml"), HasSubstr("fy = -5.5"));
@@ -174,7 +168,8 @@ TEST(IclNuim, DistanceIsAlongTheRay) {
       "cam_pos      = [1, 2, 3]';\ncam_dir      = [0, 0, 1]';\ncam_up       = [0, 1, 0]';\n");
   const vo::RgbdFrame frame{0, cv::Mat(1, 2, CV_8UC3, cv::Scalar(1, 2, 3)),
                             vo::DepthImage(1, 2, 1.F)};
-  write(folder, {vo::encode_icl_nuim_frame({{2, 1, 1, 1, 0, 0, {}}}, 0, frame, {})[0]});
+  vo::write_files(folder.path(),
+                  {vo::encode_icl_nuim_frame({{2, 1, 1, 1, 0, 0, {}}}, 0, frame, {})[0]});
   const auto source = vo::open_sequence(folder.path(), vo::SequenceFormat::icl_nuim);
   EXPECT_NEAR(source.read(0).depth(0, 0), 3, 1e-6);
   EXPECT_NEAR(source.read(0).depth(0, 1), 2, 1e-6) << "45 degrees off the axis";
@@ -198,7 +193,8 @@ TEST(IclNuim, ReadsTheCameraAsPovRayWritesIt) {
                "cam_fpoint   = [0, 0, 10]';\ncam_angle    = 90;\n");
   const vo::RgbdFrame frame{0, cv::Mat(1, 1, CV_8UC3, cv::Scalar(1, 2, 3)),
                             vo::DepthImage(1, 1, 1.F)};
-  write(folder, {vo::encode_icl_nuim_frame({{1, 1, 1, 1, 0, 0, {}}}, 0, frame, {})[0]});
+  vo::write_files(folder.path(),
+                  {vo::encode_icl_nuim_frame({{1, 1, 1, 1, 0, 0, {}}}, 0, frame, {})[0]});
   const auto source = vo::open_sequence(folder.path(), vo::SequenceFormat::icl_nuim);
   const vo::SE3 T_theirs = vo::mirrored(source.truth[0].T_world_camera);
   const Eigen::Vector3d right = Eigen::Vector3d(1.20423, 0.316017, -0.467833).normalized();
@@ -209,8 +205,8 @@ TEST(IclNuim, ReadsTheCameraAsPovRayWritesIt) {
 TEST(IclNuim, WritesTheFocalLengthsIntoTheCameraVectors) {
   const vo::SequenceSource source = example();
   const TempFolder folder;
-  write(folder, vo::encode_icl_nuim_frame(source.camera, 0, source.read(0),
-                                          source.truth[0].T_world_camera));
+  vo::write_files(folder.path(), vo::encode_icl_nuim_frame(source.camera, 0, source.read(0),
+                                                           source.truth[0].T_world_camera));
   const std::string text = vo::read_file(folder.path() / "scene_00_0000.txt");
   const auto length = [&](const char* key) {
     const std::size_t begin = text.find('[', text.find(key)) + 1;
@@ -226,9 +222,9 @@ TEST(IclNuim, TumCompatibleReadsBack) {
   const vo::SequenceSource source = example();
   const TempFolder folder;
   for (std::size_t i = 0; i < kFrames; ++i) {
-    write(folder, vo::encode_icl_tum_frame(source.camera, i, source.read(i)));
+    vo::write_files(folder.path(), vo::encode_icl_tum_frame(source.camera, i, source.read(i)));
   }
-  write(folder, vo::encode_icl_tum_lists(source));
+  vo::write_files(folder.path(), vo::encode_icl_tum_lists(source));
   EXPECT_EQ(vo::detect_format(folder.path()), vo::SequenceFormat::icl_tum);
   expect_same(vo::open_sequence(folder.path(), vo::SequenceFormat::icl_tum), source,
               0.5 / 1000 + 1e-6);

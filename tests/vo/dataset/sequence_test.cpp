@@ -39,12 +39,13 @@ vo::RgbdFrame tiny_frame(int index, double timestamp) {
 
 vo::Trajectory write_sequence(const TempFolder& folder) {
   const vo::Trajectory truth = support::example_trajectory(kSequenceFrames, 30);
-  const vo::SequenceWriter writer(folder.path(), tiny_camera(), vo::FloatDepth::npy);
+  const vo::SequenceLayout layout{tiny_camera(), vo::FloatDepth::npy};
   for (int i = 0; i < kSequenceFrames; ++i) {
     const auto index = static_cast<std::size_t>(i);
-    writer.write_frame(index, tiny_frame(i, truth[index].timestamp));
+    const vo::RgbdFrame frame = tiny_frame(i, truth[index].timestamp);
+    vo::write_files(folder.path(), vo::encode_frame(layout, index, frame));
   }
-  writer.finish(truth);
+  vo::write_files(folder.path(), vo::encode_lists(layout, truth));
   return truth;
 }
 
@@ -89,11 +90,11 @@ TEST(Sequence, FloatDepthIsExact) {
 
 TEST(Sequence, DepthBeyondSixteenBitsIsNoMeasurement) {
   const TempFolder folder;
-  const vo::SequenceWriter writer(folder.path(), tiny_camera());
+  const vo::SequenceLayout layout{tiny_camera()};
   vo::RgbdFrame frame = tiny_frame(0, 0);
   frame.depth.setTo(20.0F);
-  writer.write_frame(0, frame);
-  writer.finish({{0, {}}});
+  vo::write_files(folder.path(), vo::encode_frame(layout, 0, frame));
+  vo::write_files(folder.path(), vo::encode_lists(layout, {{0, {}}}));
   const vo::RgbdFrame read = vo::SequenceReader(folder.path()).read(0);
   EXPECT_EQ(cv::countNonZero(read.depth), 0);
 }

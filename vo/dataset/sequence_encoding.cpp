@@ -1,6 +1,5 @@
 #include <array>
 #include <cstdio>
-#include <utility>
 
 #include "vo/core/error.h"
 #include "vo/dataset/camera_file.h"
@@ -8,13 +7,10 @@
 #include "vo/dataset/sequence.h"
 #include "vo/dataset/trajectory_file.h"
 #include "vo/files/npy.h"
-#include "vo/files/output.h"
 #include "vo/files/png.h"
 
 namespace vo {
 namespace {
-
-namespace fs = std::filesystem;
 
 std::string format_list(const char* title, const char* folder, const char* extension,
                         const Trajectory& truth, double delay) {
@@ -74,23 +70,6 @@ std::vector<NamedBytes> encode_lists(const SequenceLayout& layout, const Traject
   files.push_back({"groundtruth.txt", format_trajectory(truth)});
   files.push_back({"camera.toml", format_camera(layout.camera)});
   return files;
-}
-
-SequenceWriter::SequenceWriter(fs::path folder, const RgbdCamera& camera, FloatDepth float_depth)
-    : folder_(std::move(folder)), layout_{camera, float_depth} {
-  make_folders_of(folder_, frame_files(layout_, 0));
-}
-
-void SequenceWriter::write_frame(std::size_t index, const RgbdFrame& frame) const {
-  for (const auto& [name, bytes] : encode_frame(layout_, index, frame)) {
-    write_file(folder_ / name, bytes);
-  }
-}
-
-void SequenceWriter::finish(const Trajectory& truth) const {
-  for (const auto& [name, bytes] : encode_lists(layout_, truth)) {
-    write_file(folder_ / name, bytes);
-  }
 }
 
 }  // namespace vo
