@@ -23,6 +23,10 @@ std::size_t CommonOptions::max_threads() const {
   return static_cast<std::size_t>(threads > 0 ? threads : tbb::info::default_concurrency());
 }
 
+tbb::global_control CommonOptions::limit_threads() const {
+  return {tbb::global_control::max_allowed_parallelism, max_threads()};
+}
+
 void add_common_options(CLI::App& command, CommonOptions& options) {
   command.add_flag("--json", options.json, "print the result as JSON on stdout");
   command.add_flag("--quiet,-q", options.quiet, "no progress on stderr");
@@ -57,6 +61,21 @@ std::pair<std::string, std::string> split_assignment(const std::string& assignme
     vo::fail_as(vo::ErrorKind::usage, "--set ", assignment, ": expected key=value");
   }
   return {assignment.substr(0, equals), assignment.substr(equals + 1)};
+}
+
+std::vector<std::pair<std::string, std::string>> split_assignments(
+    const std::vector<std::string>& assignments) {
+  std::vector<std::pair<std::string, std::string>> split(assignments.size());
+  std::transform(assignments.begin(), assignments.end(), split.begin(), split_assignment);
+  return split;
+}
+
+std::string format_assignments(const std::vector<std::string>& assignments) {
+  std::string text;
+  for (const std::string& assignment : assignments) {
+    text += " --set " + assignment;
+  }
+  return text;
 }
 
 void apply_assignment(const std::string& assignment, std::vector<vo::Field>& fields) {

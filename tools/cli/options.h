@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <tbb/global_control.h>
 
 #include "tools/cli/progress_bar.h"
 #include "vo/core/error.h"
@@ -24,6 +26,7 @@ struct CommonOptions {
   int threads = 0;  ///< greatest number of threads; 0 = all cores
 
   std::size_t max_threads() const;
+  tbb::global_control limit_threads() const;  ///< holds while the result lives
   Verbosity verbosity() const { return quiet ? Verbosity::quiet : Verbosity::normal; }
   vo::ExistingOutput existing() const {
     return force ? vo::ExistingOutput::replace : vo::ExistingOutput::keep;
@@ -36,8 +39,22 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 void add_field_options(CLI::App& command, const std::vector<vo::Field>& fields,
                        const std::string& group);
 
+/// Returns a check that an option's text is the name of one of an enumeration's values.
+template <vo::NamedEnum E>
+CLI::IsMember is_name_of() {
+  const std::vector<std::string_view> names = vo::names_of<E>();
+  return CLI::IsMember(std::vector<std::string>(names.begin(), names.end()));
+}
+
 /// Returns the two sides of `key=value`. Throws vo::Error of kind usage.
 std::pair<std::string, std::string> split_assignment(const std::string& assignment);
+
+/// Returns the two sides of each `key=value`. Throws vo::Error of kind usage.
+std::vector<std::pair<std::string, std::string>> split_assignments(
+    const std::vector<std::string>& assignments);
+
+/// Returns the options that give the assignments: ` --set key=value` for each.
+std::string format_assignments(const std::vector<std::string>& assignments);
 
 /// Applies `key=value` to the fields. Throws vo::Error of kind usage.
 void apply_assignment(const std::string& assignment, std::vector<vo::Field>& fields);

@@ -11,14 +11,6 @@
 namespace tools {
 namespace {
 
-std::vector<std::string> path_kinds() {
-  std::vector<std::string> names;
-  for (const auto& [kind, name] : enum_names(synth::PathKind{})) {
-    names.emplace_back(name);
-  }
-  return names;
-}
-
 /// Returns the path's fields except those that have an option of another name.
 std::vector<vo::Field> path_fields(synth::PathOptions& path) {
   std::vector<vo::Field> fields;
@@ -57,13 +49,22 @@ vo::RgbdCamera chosen_camera(const CameraArguments& arguments) {
   }
 }
 
+void add_camera_option(CLI::App& command, std::string& preset_or_file) {
+  command.add_option("--camera", preset_or_file,
+                     "preset or FILE.toml; otherwise the sequence's camera.toml");
+}
+
+std::optional<vo::RgbdCamera> given_camera(const std::string& preset_or_file) {
+  return preset_or_file.empty() ? std::optional<vo::RgbdCamera>() : vo::load_camera(preset_or_file);
+}
+
 void add_path_options(CLI::App& command, PathArguments& arguments) {
   command
       .add_option("--trajectory", arguments.options.file,
                   "TUM trajectory, or EuRoC's (.csv): one frame per pose without --path")
       ->group("Path");
   command.add_option("--path", arguments.kind, "how the camera moves")
-      ->check(CLI::IsMember(path_kinds()))
+      ->check(is_name_of<synth::PathKind>())
       ->group("Path");
   add_field_options(command, path_fields(arguments.options), "Path");
 }

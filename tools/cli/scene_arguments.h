@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -21,6 +22,12 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments);
 
 /// Returns the camera. Throws vo::Error, of kind usage unless the error is in a camera file.
 vo::RgbdCamera chosen_camera(const CameraArguments& arguments);
+
+/// Adds the option `--camera` of the commands that read a sequence.
+void add_camera_option(CLI::App& command, std::string& preset_or_file);
+
+/// Returns the camera that replaces the sequence's own, if one was given.
+std::optional<vo::RgbdCamera> given_camera(const std::string& preset_or_file);
 
 /// Command-line options of the camera's path.
 struct PathArguments {

@@ -6,10 +6,10 @@
 
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
+#include "tools/cli/scene_arguments.h"
 #include "tools/commands/commands.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/dataset/camera_file.h"
 #include "vo/dataset/convert_sequence.h"
 
 namespace tools {
@@ -51,9 +51,7 @@ vo::ConvertJob chosen_job(const ConvertArguments& arguments) {
       job.from = vo::parse_enum<vo::SequenceFormat>(arguments.from);
     }
   });
-  if (!arguments.camera.empty()) {
-    job.camera = vo::load_camera(arguments.camera);
-  }
+  job.camera = given_camera(arguments.camera);
   return job;
 }
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <nlohmann/json.hpp>
-#include <tbb/global_control.h>
 
 #include "synth/sensor/preset.h"
 #include "synth/sequence/render_plan.h"
@@ -156,8 +155,7 @@ synth::RenderJob chosen_job(const RenderArguments& arguments) {
 }
 
 void render(RenderArguments& arguments) {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  arguments.common.max_threads());
+  const auto limit = arguments.common.limit_threads();
   arguments.job = chosen_job(arguments);
   if (arguments.plan) {
     print(arguments, synth::plan_sequence(arguments.job, arguments.out));

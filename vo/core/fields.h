@@ -68,14 +68,19 @@ std::vector<Eigen::Vector3d> parse_points(std::string_view text);
 /// Returns the index of `text` among the names; throws Error listing them if it is none of them.
 std::size_t parse_choice(std::string_view text, const std::vector<std::string_view>& names);
 
+/// Returns the names of an enumeration's values, in their order.
+template <NamedEnum E>
+std::vector<std::string_view> names_of() {
+  std::vector<std::string_view> names;
+  for (const auto& [value, name] : enum_names(E{})) {
+    names.push_back(name);
+  }
+  return names;
+}
+
 template <NamedEnum E>
 E parse_enum(std::string_view text) {
-  const auto names = enum_names(E{});
-  std::vector<std::string_view> choices;
-  for (const auto& [value, name] : names) {
-    choices.push_back(name);
-  }
-  return names[parse_choice(text, choices)].first;
+  return enum_names(E{})[parse_choice(text, names_of<E>())].first;
 }
 
 /// Returns the candidate with the least edit distance to `key`; empty when none is near.
