@@ -18,8 +18,6 @@
 namespace tools {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr const char* kCacheHelp =
     "The sequences that `edvo test` has rendered and keeps. Any number of programs may use one\n"
     "cache at once; nothing in use is removed, and what is removed is rendered again when needed.";
@@ -28,7 +26,7 @@ struct CacheArguments {
   std::string folder;
   std::string max_size;
 
-  fs::path cache() const { return folder.empty() ? default_cache_folder() : fs::path(folder); }
+  std::filesystem::path cache() const { return cache_folder(folder); }
 };
 
 /// Parses a number of bytes such as "500M"; k, M, G multiply by 1e3, 1e6, 1e9. Throws vo::Error.

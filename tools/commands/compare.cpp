@@ -1,26 +1,22 @@
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "tools/cli/exit_code.h"
 #include "tools/cli/interrupt.h"
 #include "tools/cli/options.h"
 #include "tools/commands/commands.h"
+#include "tools/laboratory/build_test.h"
 #include "tools/laboratory/comparison.h"
 #include "tools/laboratory/results_json.h"
 #include "tools/laboratory/self_comparison.h"
 #include "tools/laboratory/verdict_table.h"
-#include "tools/processes/child_process.h"
 #include "vo/core/error.h"
 
 namespace tools {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* kCompareHelp =
     "Two results of `edvo test --json`, or two builds of edvo, side by side: every metric of "
@@ -46,27 +42,11 @@ struct CompareArguments {
   ComparisonOptions options;
 };
 
-/// Returns the results of another build's own `edvo test`. Throws vo::Error if it leaves none.
+/// Returns the results of another build's own `edvo test`.
 TestResults run_build(const CompareArguments& arguments, const std::string& build) {
-  constexpr double kTimeLimit = 24 * 3600;  // time limit, s
-  vo::require(fs::exists(build), build, ": there is no such program");
-  std::string folder_name = (fs::temp_directory_path() / "edvo-compare-XXXXXX").string();
-  vo::require(mkdtemp(folder_name.data()) != nullptr, folder_name, ": cannot be made");
-  const fs::path folder = folder_name;
-  std::string command = shell_quoted(fs::absolute(build).string()) + " test --quiet --json " +
-                        shell_quoted((folder / "results.json").string()) +
-                        vo::concat(" --seeds ", arguments.seeds);
-  for (const std::string& path : arguments.inputs) {
-    command += " " + shell_quoted(path);
-  }
-  std::cerr << build << " test" << vo::concat(" --seeds ", arguments.seeds) << "\n";
-  run_child(command, folder / "printed.txt", kTimeLimit, throw_if_interrupted);
-  vo::require(fs::exists(folder / "results.json"), build,
-              ": left no results of `edvo test`, expected a build of edvo that has it");
-  TestResults results = read_results(folder / "results.json");
-  std::error_code ignored;
-  fs::remove_all(folder, ignored);
-  return results;
+  vo::require(std::filesystem::exists(build), build, ": there is no such program");
+  std::cerr << build << " test --seeds " << arguments.seeds << "\n";
+  return test_build(build, arguments.inputs, arguments.seeds, throw_if_interrupted);
 }
 
 void name_missing(const TestResults& a, const TestResults& b) {
@@ -107,9 +87,7 @@ int compare(const CompareArguments& arguments) {
   vo::require(!changes.empty(), "the two results have no scenario in common");
   std::cout << format_changes(changes);
   name_missing(a, b);
-  const bool has_alarm = std::any_of(changes.begin(), changes.end(),
-                                     [](const Change& change) { return change.is_alarm(); });
-  return has_alarm ? exit_code::kBoundViolated : exit_code::kOk;
+  return has_alarm(changes) ? exit_code::kBoundViolated : exit_code::kOk;
 }
 
 }  // namespace

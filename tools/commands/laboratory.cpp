@@ -16,7 +16,7 @@ Assignments LaboratoryArguments::changes() const {
 
 void LaboratoryArguments::complete() {
   check_usage([&] { run.validate(); });
-  run.trial.cache = cache.empty() ? default_cache_folder() : std::filesystem::path(cache);
+  run.trial.cache = cache_folder(cache);
 }
 
 void add_laboratory_options(CLI::App& command, LaboratoryArguments& arguments) {

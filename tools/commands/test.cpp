@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -6,7 +5,6 @@
 #include <vector>
 
 #include <nlohmann/json.hpp>
-#include <tbb/global_control.h>
 
 #include "tools/cli/exit_code.h"
 #include "tools/cli/interrupt.h"
@@ -87,7 +85,7 @@ void complete(TestArguments& arguments) {
   if (arguments.update_baseline && arguments.baseline.empty()) {
     vo::fail_as(vo::ErrorKind::usage, "--update-baseline: expected --baseline FILE with it");
   }
-  run.trial.cache = arguments.cache.empty() ? default_cache_folder() : fs::path(arguments.cache);
+  run.trial.cache = cache_folder(arguments.cache);
   for (const std::string& file : {arguments.junit, arguments.json, arguments.report}) {
     if (!file.empty()) {
       vo::require_writable(file);
@@ -98,23 +96,6 @@ void complete(TestArguments& arguments) {
   }
 }
 
-/// Returns the baseline with the scenarios of `results` replaced or added, by name.
-TestResults updated(const fs::path& baseline, const TestResults& results) {
-  TestResults merged = results;
-  if (fs::exists(baseline)) {
-    const TestResults old = read_results(baseline);
-    const std::vector<std::string> kept = missing_scenarios(old, results);
-    for (const ScenarioResult& scenario : old.scenarios) {
-      if (std::find(kept.begin(), kept.end(), scenario.name) != kept.end()) {
-        merged.scenarios.push_back(scenario);
-      }
-    }
-  }
-  std::sort(merged.scenarios.begin(), merged.scenarios.end(),
-            [](const ScenarioResult& a, const ScenarioResult& b) { return a.name < b.name; });
-  return merged;
-}
-
 /// Writes a file that the user named, replacing an existing one; nothing if the name is empty.
 void write_asked(const std::string& file, const std::string& bytes) {
   if (!file.empty()) {
@@ -123,8 +104,7 @@ void write_asked(const std::string& file, const std::string& bytes) {
 }
 
 int worst_code(const TestResults& results, const std::vector<Change>& changes) {
-  bool is_violated = std::any_of(changes.begin(), changes.end(),
-                                 [](const Change& change) { return change.is_alarm(); });
+  bool is_violated = has_alarm(changes);
   bool is_unusable = false;
   for (const ScenarioResult& scenario : results.scenarios) {
     is_violated = is_violated || scenario.verdict() == Verdict::failed;
@@ -160,8 +140,7 @@ std::vector<Change> changes_from_baseline(const TestArguments& arguments,
 
 int test(TestArguments& arguments) {
   complete(arguments);
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  CommonOptions{.threads = arguments.threads}.max_threads());
+  const auto limit = CommonOptions{.threads = arguments.threads}.limit_threads();
   if (!arguments.baseline.empty() && !arguments.update_baseline) {
     read_results(arguments.baseline);
   }
@@ -181,8 +160,9 @@ int test(TestArguments& arguments) {
     write_asked(arguments.report, html_report(test_reports(results, changes)));
   }
   if (arguments.update_baseline) {
-    write_asked(arguments.baseline,
-                results_json(updated(arguments.baseline, results)).dump(1) + "\n");
+    const TestResults old =
+        fs::exists(arguments.baseline) ? read_results(arguments.baseline) : TestResults();
+    write_asked(arguments.baseline, results_json(updated(old, results)).dump(1) + "\n");
   }
   return worst_code(results, changes);
 }

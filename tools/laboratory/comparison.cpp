@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -259,6 +260,11 @@ std::vector<Change> compare_results(const TestResults& before, const TestResults
   return changes;
 }
 
+bool has_alarm(const std::vector<Change>& changes) {
+  return std::any_of(changes.begin(), changes.end(),
+                     [](const Change& change) { return change.is_alarm(); });
+}
+
 std::vector<std::string> missing_scenarios(const TestResults& among, const TestResults& from) {
   std::vector<std::string> names;
   for (const ScenarioResult& scenario : among.scenarios) {
@@ -267,6 +273,17 @@ std::vector<std::string> missing_scenarios(const TestResults& among, const TestR
     }
   }
   return names;
+}
+
+TestResults updated(const TestResults& old, const TestResults& results) {
+  TestResults merged = results;
+  std::copy_if(old.scenarios.begin(), old.scenarios.end(), std::back_inserter(merged.scenarios),
+               [&](const ScenarioResult& scenario) {
+                 return find_scenario(results, scenario.name) == nullptr;
+               });
+  std::sort(merged.scenarios.begin(), merged.scenarios.end(),
+            [](const ScenarioResult& a, const ScenarioResult& b) { return a.name < b.name; });
+  return merged;
 }
 
 }  // namespace tools

@@ -54,7 +54,13 @@ std::string describe(const Change& change);
 std::vector<Change> compare_results(const TestResults& before, const TestResults& after,
                                     const ComparisonOptions& options);
 
+/// Returns whether a change is an alarm.
+bool has_alarm(const std::vector<Change>& changes);
+
 /// Returns the names of the scenarios in `among` that `from` does not have.
 std::vector<std::string> missing_scenarios(const TestResults& among, const TestResults& from);
+
+/// Returns the results with the scenarios that only `old` has added, all sorted by name.
+TestResults updated(const TestResults& old, const TestResults& results);
 
 }  // namespace tools

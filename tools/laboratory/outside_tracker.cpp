@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <sstream>
 #include <string>
-#include <system_error>
 
 #include "tools/processes/child_process.h"
+#include "tools/processes/scratch_folder.h"
 #include "vo/core/error.h"
 #include "vo/dataset/trajectory_file.h"
 #include "vo/files/output.h"
@@ -20,31 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr int kLost = 5;                     // exit code of a tracker that was lost
 constexpr double kMaxTimeDifference = 0.02;  // s, between a pose and its frame
-
-/// A temporary folder that is removed with its contents by the destructor.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "edvo-track-XXXXXX").string();
-    vo::require(mkdtemp(name.data()) != nullptr, name, ": cannot be made");
-    path_ = name;
-  }
-
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ScratchFolder(ScratchFolder&&) = delete;
-  ScratchFolder& operator=(ScratchFolder&&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 std::string replaced(std::string text, const std::string& name, const fs::path& path) {
   const std::string value = shell_quoted(fs::absolute(path).string());

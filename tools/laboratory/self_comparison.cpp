@@ -1,6 +1,5 @@
 #include "tools/laboratory/self_comparison.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -44,11 +43,7 @@ int count_false_alarms(const TestResults& results, int comparisons,
   int count = 0;
   for (int i = 0; i < comparisons; ++i) {
     const auto [before, after] = split(results, static_cast<std::uint64_t>(i));
-    const std::vector<Change> changes = compare_results(before, after, options);
-    count += std::any_of(changes.begin(), changes.end(),
-                         [](const Change& change) { return change.is_alarm(); })
-                 ? 1
-                 : 0;
+    count += has_alarm(compare_results(before, after, options)) ? 1 : 0;
   }
   return count;
 }

@@ -50,8 +50,7 @@ LoadedScenario load(const fs::path& file) {
   LoadedScenario loaded{.result = {.name = file.stem().string()}, .scenario = {}};
   try {
     Scenario scenario = load_scenario(file);
-    vo::require(fs::exists(scenario.scene_file()), file.string(),
-                ": scene.gltf: ", scenario.scene_file().string(), ": there is no such file");
+    scenario.require_scene();
     loaded.result.why = scenario.why;
     loaded.scenario = std::move(scenario);
   } catch (const vo::Error& error) {

@@ -172,6 +172,11 @@ fs::path Scenario::scene_file() const {
   return resolved(scene.gltf, fs::absolute(file).parent_path() / ".." / "assets");
 }
 
+void Scenario::require_scene() const {
+  vo::require(std::filesystem::exists(scene_file()), file.string(),
+              ": scene.gltf: ", scene_file().string(), ": there is no such file");
+}
+
 synth::PathOptions Scenario::resolved_path() const {
   synth::PathOptions result = path;
   result.file = resolved(path.file, fs::absolute(file).parent_path());

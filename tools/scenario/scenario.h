@@ -173,6 +173,7 @@ struct Scenario {
   std::map<std::string, Bound> expect;  ///< bounds by metric
 
   std::filesystem::path scene_file() const;  ///< relative to ../assets of the file's folder
+  void require_scene() const;                ///< throws vo::Error unless the scene's file exists
   synth::PathOptions resolved_path() const;  ///< path with its file relative to the scenario's
 };
 

@@ -130,7 +130,10 @@ std::vector<std::string> keys_in(const fs::path& cache) {
 
 }  // namespace
 
-fs::path default_cache_folder() {
+fs::path cache_folder(const fs::path& chosen) {
+  if (!chosen.empty()) {
+    return chosen;
+  }
   const char* cache = std::getenv("XDG_CACHE_HOME");  // NOLINT(concurrency-mt-unsafe)
   if (cache != nullptr && fs::path(cache).is_absolute()) {
     return fs::path(cache) / "edvo";

@@ -26,8 +26,9 @@ struct CachedSequence {
   FileLock in_use;      ///< shared lock that keeps the sequence from being removed
 };
 
-/// Returns $XDG_CACHE_HOME/edvo, or ~/.cache/edvo where that is not set to an absolute path.
-std::filesystem::path default_cache_folder();
+/// Returns the folder that was chosen or, if that is empty, $XDG_CACHE_HOME/edvo, or ~/.cache/edvo
+/// where that is not set to an absolute path.
+std::filesystem::path cache_folder(const std::filesystem::path& chosen);
 
 /// Returns the cached sequence; renders it if it is missing or its files changed. `progress` is
 /// told of the rendering, and (0, 0) while another process holds the lock.

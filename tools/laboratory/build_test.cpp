@@ -1,0 +1,28 @@
+#include "tools/laboratory/build_test.h"
+
+#include "tools/laboratory/results_json.h"
+#include "tools/processes/child_process.h"
+#include "tools/processes/scratch_folder.h"
+#include "vo/core/error.h"
+
+namespace tools {
+
+TestResults test_build(const std::filesystem::path& build,
+                       const std::vector<std::string>& scenarios, int seeds,
+                       const WaitObserver& waiting) {
+  constexpr double kTimeLimit = 24 * 3600;  // time limit, s
+  const ScratchFolder scratch;
+  const std::filesystem::path results = scratch.path() / "results.json";
+  std::string command =
+      vo::concat(shell_quoted(std::filesystem::absolute(build).string()), " test --quiet --json ",
+                 shell_quoted(results.string()), " --seeds ", seeds);
+  for (const std::string& scenario : scenarios) {
+    command += " " + shell_quoted(scenario);
+  }
+  run_child(command, scratch.path() / "printed.txt", kTimeLimit, waiting);
+  vo::require(std::filesystem::exists(results), build.string(),
+              ": left no results of `edvo test`, expected a build of edvo that has it");
+  return read_results(results);
+}
+
+}  // namespace tools
