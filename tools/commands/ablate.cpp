@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -7,19 +6,17 @@
 #include <utility>
 #include <vector>
 
-#include <tbb/global_control.h>
-
 #include "synth/sequence/render_sequence.h"
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
+#include "tools/cli/scene_arguments.h"
 #include "tools/commands/commands.h"
-#include "tools/commands/study_output.h"
+#include "tools/commands/study_commands.h"
 #include "tools/scenario/run_scenario.h"
 #include "tools/scenario/scenario.h"
 #include "tools/studies/pose_pairs.h"
 #include "tools/studies/study.h"
 #include "vo/core/error.h"
-#include "vo/dataset/camera_file.h"
 #include "vo/files/result_files.h"
 
 namespace tools {
@@ -66,28 +63,12 @@ struct AblateArguments {
   std::string out;
 };
 
-using Study = StudyReport (*)(const Clip&, const StudySettings&, const vo::Progress&);
-
-constexpr std::array<std::pair<const char*, Study>, 7> kStudies{{{"points", study_points},
-                                                                 {"detectors", study_detectors},
-                                                                 {"residuals", study_residuals},
-                                                                 {"levels", study_levels},
-                                                                 {"time", study_time},
-                                                                 {"mono", study_mono},
-                                                                 {"pairs", study_pairs}}};
-
 std::vector<std::string> study_names() {
   std::vector<std::string> names;
   for (const auto& [name, study] : kStudies) {
     names.emplace_back(name);
   }
   return names;
-}
-
-Study find_study(const std::string& name) {
-  return std::find_if(kStudies.begin(), kStudies.end(),
-                      [&](const auto& study) { return study.first == name; })
-      ->second;
 }
 
 void complete(AblateArguments& arguments) {
@@ -109,9 +90,7 @@ void complete(AblateArguments& arguments) {
   }
   StudySettings& settings = arguments.settings;
   settings.preset = vo::parse_enum<vo::TrackerPreset>(arguments.preset_name);
-  for (const std::string& assignment : arguments.assignments) {
-    settings.assignments.push_back(split_assignment(assignment));
-  }
+  settings.assignments = split_assignments(arguments.assignments);
   check_usage([&] {
     settings.validate();
     if (arguments.study == "mono") {
@@ -122,39 +101,22 @@ void complete(AblateArguments& arguments) {
   });
 }
 
-/// Renders a sequence of pose pairs of the scene and returns its folder.
-fs::path render_pairs(const AblateArguments& arguments) {
-  constexpr int kWidth = 640;           // px
-  constexpr int kHeight = 480;          // px
-  constexpr double kFocalLength = 525;  // px
-  const vo::PinholeCamera camera{
-      kWidth, kHeight, kFocalLength, kFocalLength, (kWidth - 1) / 2.0, (kHeight - 1) / 2.0, {}};
-  constexpr int kSamples = 9;
-  const synth::SceneFile scene(arguments.input);
-  const synth::RenderJob job{.scene = scene,
-                             .recipe = {.truth = pose_pairs(scene.scene(), camera, {}),
-                                        .camera = {camera},
-                                        .render = {.samples = kSamples}}};
-  fs::path folder = fs::path(arguments.out) / "pairs";
+/// Renders a sequence into a folder of this name in --out and returns its path.
+fs::path rendered(const AblateArguments& arguments, const synth::RenderJob& job, const char* name) {
+  fs::path folder = fs::path(arguments.out) / name;
   ProgressBar bar("rendering", arguments.common.verbosity());
   synth::render_sequence(job, folder, arguments.common.existing(), bar.callback());
   return folder;
 }
 
-fs::path render_scenario(const AblateArguments& arguments) {
-  fs::path folder = fs::path(arguments.out) / "sequence";
-  ProgressBar bar("rendering", arguments.common.verbosity());
-  synth::render_sequence(render_job(load_scenario(arguments.input)), folder,
-                         arguments.common.existing(), bar.callback());
-  return folder;
-}
-
 fs::path sequence_folder(const AblateArguments& arguments) {
+  const fs::path input = arguments.input;
   if (arguments.study == "pairs") {
-    return render_pairs(arguments);
+    return rendered(arguments, pose_pairs_job(input), "pairs");
   }
-  return fs::path(arguments.input).extension() == ".toml" ? render_scenario(arguments)
-                                                          : fs::path(arguments.input);
+  return input.extension() == ".toml"
+             ? rendered(arguments, render_job(load_scenario(input)), "sequence")
+             : input;
 }
 
 std::string clip_name(const AblateArguments& arguments) {
@@ -166,10 +128,7 @@ std::string clip_name(const AblateArguments& arguments) {
 }
 
 Clip load(const AblateArguments& arguments) {
-  std::optional<vo::RgbdCamera> camera;
-  if (!arguments.camera.empty()) {
-    camera = vo::load_camera(arguments.camera);
-  }
+  const std::optional<vo::RgbdCamera> camera = given_camera(arguments.camera);
   const vo::SequenceReader sequence(sequence_folder(arguments), camera);
   ProgressBar bar("reading", arguments.common.verbosity());
   return load_clip(sequence, clip_name(arguments), arguments.max_frames, bar.callback());
@@ -182,9 +141,7 @@ std::string command_line(const AblateArguments& arguments) {
   text += arguments.name.empty() ? "" : " --name '" + arguments.name + "'";
   text += " --study " + arguments.study;
   text += arguments.study == "mono" ? "" : " --preset " + arguments.preset_name;
-  for (const std::string& assignment : arguments.assignments) {
-    text += " --set " + assignment;
-  }
+  text += format_assignments(arguments.assignments);
   const StudySettings defaults;
   const StudySettings& settings = arguments.settings;
   text += arguments.max_frames > 0 ? vo::concat(" --max-frames ", arguments.max_frames) : "";
@@ -198,14 +155,15 @@ std::string command_line(const AblateArguments& arguments) {
 }
 
 void ablate(AblateArguments& arguments) {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  arguments.common.max_threads());
+  const auto limit = arguments.common.limit_threads();
   complete(arguments);
-  const Study study = find_study(arguments.study);
+  const auto* study = std::find_if(kStudies.begin(), kStudies.end(), [&](const auto& known) {
+    return known.first == arguments.study;
+  });
   vo::make_folder(arguments.out);
   const Clip clip = load(arguments);
   ProgressBar bar(arguments.study, arguments.common.verbosity());
-  const StudyReport report = study(clip, arguments.settings, bar.callback());
+  const StudyReport report = study->second(clip, arguments.settings, bar.callback());
   deliver_study(report, command_line(arguments), arguments.out, arguments.common);
 }
 
@@ -222,8 +180,7 @@ void add_ablate_command(CLI::App& program, int& /*exit_code*/) {
   command.add_flag("--pairs", arguments->pairs, "--study pairs");
   command.add_flag("--mono", arguments->mono, "--study mono; --set then takes its keys");
   command.add_option("--out", arguments->out, "folder for all results")->required();
-  command.add_option("--camera", arguments->camera,
-                     "preset or FILE.toml; otherwise the sequence's camera.toml");
+  add_camera_option(command, arguments->camera);
   command.add_option("--preset", arguments->preset_name, "paper | default [paper]")
       ->check(CLI::IsMember({"paper", "default"}));
   command

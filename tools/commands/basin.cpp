@@ -3,15 +3,9 @@
 #include <memory>
 #include <string>
 
-#include <tbb/global_control.h>
-
-#include "tools/cli/interrupt.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
-#include "tools/commands/laboratory.h"
-#include "tools/commands/study_output.h"
-#include "tools/scenario/run_scenario.h"
-#include "tools/sequence_cache/sequence_cache.h"
+#include "tools/commands/study_commands.h"
 #include "vo/files/result_files.h"
 
 namespace tools {
@@ -32,24 +26,9 @@ struct BasinArguments {
   BasinSettings settings;
 };
 
-Clip load(const BasinArguments& arguments, const Scenario& scenario) {
-  ProgressBar bar("rendering", arguments.lab.common.verbosity());
-  const vo::Progress progress = bar.callback();
-  const CachedSequence cached = cached_sequence(arguments.lab.run.trial.cache, render_job(scenario),
-                                                [&](std::size_t done, std::size_t total) {
-                                                  throw_if_interrupted();
-                                                  progress(done, total);
-                                                });
-  const vo::SequenceReader sequence(cached.folder);
-  return load_clip(sequence, scenario.name, 0,
-                   [](std::size_t, std::size_t) { throw_if_interrupted(); });
-}
-
 std::string command_line(const BasinArguments& arguments) {
   std::string text = "edvo basin " + arguments.scenario;
-  for (const std::string& assignment : arguments.lab.assignments) {
-    text += " --set " + assignment;
-  }
+  text += format_assignments(arguments.lab.assignments);
   const BasinSettings& settings = arguments.settings;
   return text + vo::concat(" --pairs ", settings.pairs, " --apart ", settings.apart, " --steps ",
                            settings.steps, " --max-translation ", settings.max_translation,
@@ -59,10 +38,10 @@ std::string command_line(const BasinArguments& arguments) {
 }
 
 void basin(BasinArguments& arguments) {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  arguments.lab.common.max_threads());
+  const auto limit = arguments.lab.common.limit_threads();
   arguments.lab.complete();
-  const Scenario scenario = load_scenario(arguments.scenario, arguments.lab.changes());
+  const Scenario scenario =
+      load_scenario(arguments.scenario, split_assignments(arguments.lab.assignments));
   vo::require(scenario.odometry.mode == OdometryMode::rgbd, arguments.scenario,
               ": odometry.mode is \"", vo::to_string(scenario.odometry.mode),
               "\", expected \"rgbd\": `edvo basin` aligns points of depth images");
@@ -70,9 +49,12 @@ void basin(BasinArguments& arguments) {
   arguments.settings.jobs = arguments.lab.run.jobs;
   check_usage([&] { arguments.settings.validate(); });
   vo::make_folder(arguments.lab.out);
-  const Clip clip = load(arguments, scenario);
-  ProgressBar bar("aligning", arguments.lab.common.verbosity());
-  deliver_study(study_basin(clip, arguments.settings, bar.callback()), command_line(arguments),
+  ProgressBar rendering("rendering", arguments.lab.common.verbosity());
+  ProgressBar reading("reading", Verbosity::quiet);
+  const Clip clip = load_clip(scenario, arguments.lab.run.trial.cache,
+                              {rendering.callback(), reading.callback()});
+  ProgressBar aligning("aligning", arguments.lab.common.verbosity());
+  deliver_study(study_basin(clip, arguments.settings, aligning.callback()), command_line(arguments),
                 arguments.lab.out, arguments.lab.common);
 }
 

@@ -3,13 +3,10 @@
 #include <memory>
 #include <string>
 
-#include <tbb/global_control.h>
-
 #include "tools/cli/interrupt.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
-#include "tools/commands/laboratory.h"
-#include "tools/commands/study_output.h"
+#include "tools/commands/study_commands.h"
 #include "vo/files/result_files.h"
 
 namespace tools {
@@ -34,20 +31,18 @@ struct BudgetArguments {
 
 std::string command_line(const BudgetArguments& arguments) {
   std::string text = "edvo budget " + arguments.scenario;
-  for (const std::string& assignment : arguments.lab.assignments) {
-    text += " --set " + assignment;
-  }
+  text += format_assignments(arguments.lab.assignments);
   return text + vo::concat(" --seeds ", arguments.settings.run.seeds, " --top ",
                            arguments.settings.top, " --out DIR");
 }
 
 void budget(BudgetArguments& arguments) {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  arguments.lab.common.max_threads());
+  const auto limit = arguments.lab.common.limit_threads();
   arguments.lab.complete();
   arguments.settings.run = arguments.lab.run;
   check_usage([&] { arguments.settings.validate(); });
-  const Scenario scenario = load_scenario(arguments.scenario, arguments.lab.changes());
+  const Scenario scenario =
+      load_scenario(arguments.scenario, split_assignments(arguments.lab.assignments));
   vo::make_folder(arguments.lab.out);
   ProgressBar bar("measuring", arguments.lab.common.verbosity());
   deliver_study(error_budget(scenario, arguments.settings, bar.callback(), throw_if_interrupted),

@@ -5,13 +5,10 @@
 #include <string>
 #include <vector>
 
-#include <tbb/global_control.h>
-
 #include "tools/cli/interrupt.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
-#include "tools/commands/laboratory.h"
-#include "tools/commands/study_output.h"
+#include "tools/commands/study_commands.h"
 #include "vo/core/error.h"
 #include "vo/files/result_files.h"
 
@@ -71,15 +68,12 @@ std::string command_line(const SweepArguments& arguments) {
   for (const std::string& scenario : arguments.scenarios) {
     text += " " + scenario;
   }
-  for (const std::string& assignment : arguments.lab.assignments) {
-    text += " --set " + assignment;
-  }
+  text += format_assignments(arguments.lab.assignments);
   return text + vo::concat(" --seeds ", arguments.lab.run.seeds, " --out DIR");
 }
 
 void run(SweepArguments& arguments) {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  arguments.lab.common.max_threads());
+  const auto limit = arguments.lab.common.limit_threads();
   arguments.lab.complete();
   const SweepSettings settings{arguments.lab.run, swept_options(arguments.lab.assignments)};
   const std::vector<std::filesystem::path> files = find_scenarios(

@@ -54,7 +54,7 @@ struct ScenarioObservers {
 Outcome track_scenario(const Scenario& scenario, const vo::SequenceReader& sequence,
                        const ScenarioObservers& observers, const vo::Progress& progress);
 
-/// Progress callbacks of rendering and tracking.
+/// Progress callbacks of rendering a sequence and of tracking or reading it.
 struct RunProgress {
   vo::Progress render;
   vo::Progress track;

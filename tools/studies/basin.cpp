@@ -25,9 +25,7 @@ struct AlignPair {
 struct BasinCell {
   double translation = 0;   ///< m
   double rotation_deg = 0;  ///< deg
-  int converged = 0;
-  std::vector<double> mm;
-  std::vector<double> deg;
+  PairScores scores;
 };
 
 /// Returns one of `count` directions spread evenly over the sphere by a golden-angle spiral.
@@ -65,16 +63,15 @@ void measure(const std::vector<AlignPair>& pairs, const BasinSettings& settings,
     const vo::AlignResult result =
         vo::align(pairs[i].points, pairs[i].current, guess, settings.tracker.align);
     const PoseError error = pose_error(pairs[i].T_cur_ref, result.T_cur_ref);
-    cell.mm.push_back(error.mm);
-    cell.deg.push_back(error.deg);
+    cell.scores.add(error, result);
     const bool is_near =
         error.mm < kMmPerM * settings.max_error && error.deg < settings.max_error_deg;
-    cell.converged += result.usable() && is_near ? 1 : 0;
+    cell.scores.converged += result.usable() && is_near ? 1 : 0;
   }
 }
 
 double percent(const BasinCell& cell) {
-  return 100.0 * cell.converged / static_cast<double>(cell.mm.size());
+  return cell.scores.percent();
 }
 
 /// Returns the cells row by row; the translation grows within a row, the rotation from row to row.
@@ -85,8 +82,7 @@ std::vector<BasinCell> make_cells(const BasinSettings& settings) {
       const double step = settings.steps - 1;
       cells.push_back({.translation = settings.max_translation * j / step,
                        .rotation_deg = settings.max_rotation_deg * i / step,
-                       .mm = {},
-                       .deg = {}});
+                       .scores = {}});
     }
   }
   return cells;
@@ -99,8 +95,8 @@ Table make_table(const std::vector<BasinCell>& cells) {
                           {"median_error_mm", 2},
                           {"median_error_deg", 3}}};
   for (const BasinCell& cell : cells) {
-    table.add_row({kMmPerM * cell.translation, cell.rotation_deg, percent(cell), median(cell.mm),
-                   median(cell.deg)});
+    table.add_row({kMmPerM * cell.translation, cell.rotation_deg, percent(cell),
+                   median(cell.scores.mm), median(cell.scores.deg)});
   }
   return table;
 }
@@ -124,7 +120,8 @@ std::string draw(const std::string& title, const std::vector<BasinCell>& cells, 
   HeatMap converged = make_map(cells, count, percent);
   converged.title = "converged, %";
   converged.range = {0, 100};
-  HeatMap error = make_map(cells, count, [](const BasinCell& cell) { return median(cell.mm); });
+  HeatMap error =
+      make_map(cells, count, [](const BasinCell& cell) { return median(cell.scores.mm); });
   error.title = "median error, mm";
   error.range = {0.1, 100};
   error.scale = AxisScale::logarithmic;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tools/plot/statistics.h"
+#include "tools/sequence_cache/sequence_cache.h"
 #include "vo/core/error.h"
 #include "vo/core/processor_time.h"
 #include "vo/core/stopwatch.h"
@@ -41,6 +42,12 @@ Clip load_clip(const vo::SequenceReader& sequence, const std::string& name, std:
     progress(i + 1, count);
   }
   return clip;
+}
+
+Clip load_clip(const Scenario& scenario, const std::filesystem::path& cache,
+               const RunProgress& progress) {
+  const CachedSequence cached = cached_sequence(cache, render_job(scenario), progress.render);
+  return load_clip(vo::SequenceReader(cached.folder), scenario.name, 0, progress.track);
 }
 
 ClipScore score(const Clip& clip, const vo::TrackerOptions& options) {
@@ -99,6 +106,13 @@ vo::FramePyramid pyramid_of(const vo::RgbdFrame& frame, const vo::PinholeCamera&
 PoseError pose_error(const vo::SE3& T_true, const vo::SE3& T_estimated) {
   const vo::SE3 T_error = T_true.inverse() * T_estimated;
   return {kMmPerM * T_error.translation().norm(), T_error.angle() * 180 / std::numbers::pi};
+}
+
+void PairScores::add(const PoseError& error, const vo::AlignResult& alignment) {
+  mm.push_back(error.mm);
+  deg.push_back(error.deg);
+  points.push_back(static_cast<double>(alignment.points));
+  iterations.push_back(alignment.iterations);
 }
 
 double mean_flow_px(const vo::DepthImage& depth, const vo::PinholeCamera& camera,

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "tools/scenario/run_scenario.h"
+#include "vo/alignment/align_result.h"
 #include "vo/core/image.h"
 #include "vo/core/progress.h"
 #include "vo/dataset/sequence.h"
@@ -30,6 +33,10 @@ struct Clip {
 /// Loads the first `max_frames` frames, or all if it is 0. Throws vo::Error without ground truth.
 Clip load_clip(const vo::SequenceReader& sequence, const std::string& name, std::size_t max_frames,
                const vo::Progress& progress);
+
+/// Loads all frames of a scenario's sequence, which is rendered unless the cache holds it.
+Clip load_clip(const Scenario& scenario, const std::filesystem::path& cache,
+               const RunProgress& progress);
 
 /// Accuracy and cost of tracking a clip with one set of options. NaN where too little was tracked.
 struct ClipScore {
@@ -64,6 +71,19 @@ struct PoseError {
 };
 
 PoseError pose_error(const vo::SE3& T_true, const vo::SE3& T_estimated);
+
+/// Alignments of many pairs under one condition.
+struct PairScores {
+  std::vector<double> mm;   ///< errors of position
+  std::vector<double> deg;  ///< errors of rotation
+  std::vector<double> points;
+  std::vector<double> iterations;
+  int converged = 0;
+
+  void add(const PoseError& error, const vo::AlignResult& alignment);
+
+  double percent() const { return 100.0 * converged / static_cast<double>(mm.size()); }
+};
 
 /// Returns the mean displacement, px, of the pixels that have depth and stay in front of the
 /// camera. Only every `step`-th pixel in each direction is sampled.

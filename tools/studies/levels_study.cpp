@@ -14,21 +14,11 @@ constexpr std::array<std::size_t, 5> kDistances{1, 2, 4, 8, 16};  // frames
 constexpr std::size_t kPairs = 24;  // greatest number of pairs per distance
 constexpr int kMaxLevels = 6;
 
-/// Alignments of all pairs of one distance with one number of pyramid levels.
-struct LevelsSample {
-  std::vector<double> mm;
-  std::vector<double> deg;
-  std::vector<double> iterations;
-  int converged = 0;
-
-  double percent() const { return 100.0 * converged / static_cast<double>(mm.size()); }
-};
-
 /// Results of all pairs of one distance. samples[l] has l + 1 levels.
 struct Distance {
   std::size_t frames = 0;
   double flow_px = 0;  ///< mean optical flow of the pairs
-  std::array<LevelsSample, kMaxLevels> samples;
+  std::array<PairScores, kMaxLevels> samples;
 };
 
 template <typename Levels>
@@ -48,10 +38,8 @@ void align_pair(const Clip& clip, const FramePair& pair, const StudySettings& se
     keep_finest(points.levels, levels);
     const vo::AlignResult result = vo::align(points, current, {}, options.align);
     const PoseError error = pose_error(pair.T_cur_ref, result.T_cur_ref);
-    LevelsSample& sample = distance.samples.at(static_cast<std::size_t>(levels - 1));
-    sample.mm.push_back(error.mm);
-    sample.deg.push_back(error.deg);
-    sample.iterations.push_back(result.iterations);
+    PairScores& sample = distance.samples.at(static_cast<std::size_t>(levels - 1));
+    sample.add(error, result);
     sample.converged += result.usable() && settings.accepts(error) ? 1 : 0;
   }
 }
@@ -80,7 +68,7 @@ Table levels_make_table(const std::vector<Distance>& distances) {
                           {"mean_iterations", 1}}};
   for (const Distance& distance : distances) {
     for (std::size_t l = 0; l < distance.samples.size(); ++l) {
-      const LevelsSample& sample = distance.samples.at(l);
+      const PairScores& sample = distance.samples.at(l);
       table.add_row({static_cast<double>(distance.frames), distance.flow_px,
                      static_cast<double>(l + 1), static_cast<double>(sample.mm.size()),
                      sample.percent(), median(sample.mm), median(sample.deg),
@@ -91,7 +79,7 @@ Table levels_make_table(const std::vector<Distance>& distances) {
 }
 
 PlotSeries levels_series_of(const Distance& distance, int style,
-                            double (*value)(const LevelsSample&)) {
+                            double (*value)(const PairScores&)) {
   PlotSeries series{vo::concat(distance.frames, distance.frames == 1 ? " frame" : " frames",
                                " apart, ", format_decimals(distance.flow_px, 0), " px"),
                     style,
@@ -110,9 +98,9 @@ std::string levels_draw(const Clip& clip, const std::vector<Distance>& distances
   for (std::size_t i = 0; i < distances.size(); ++i) {
     const int style = static_cast<int>(i);
     converged.series.push_back(
-        levels_series_of(distances[i], style, [](const LevelsSample& s) { return s.percent(); }));
+        levels_series_of(distances[i], style, [](const PairScores& s) { return s.percent(); }));
     error.series.push_back(
-        levels_series_of(distances[i], style, [](const LevelsSample& s) { return median(s.mm); }));
+        levels_series_of(distances[i], style, [](const PairScores& s) { return median(s.mm); }));
   }
   return draw_plot("Depth of the pyramid against convergence: " + clip.name, {converged, error});
 }

@@ -32,34 +32,22 @@ std::vector<Variant> pair_variants() {
   };
 }
 
-/// Results of one variant on all pairs of one mean flow.
-struct PairSample {
-  std::vector<double> mm;
-  std::vector<double> deg;
-  std::vector<double> points;
-  int converged = 0;
-
-  double percent() const { return 100.0 * converged / static_cast<double>(mm.size()); }
-};
-
 /// Results of one variant; samples[i] belongs to the i-th mean flow.
 struct VariantResult {
   std::string name;
-  std::vector<PairSample> samples;
+  std::vector<PairScores> samples;
 };
 
 /// Aligns a pair as the tracker would with one keyframe, seen last, and a camera at rest.
 void align_pair(const vo::FramePyramid& reference, const vo::FramePyramid& current,
                 const vo::SE3& T_true, const vo::TrackerOptions& options,
-                const StudySettings& settings, PairSample& sample) {
+                const StudySettings& settings, PairScores& sample) {
   vo::Tracker tracker(options);
   tracker.track(reference);
   tracker.set_keyframe(reference, {});
   const vo::TrackingResult result = tracker.track(current);
   const PoseError error = pose_error(T_true, result.T_world_camera.inverse());
-  sample.mm.push_back(error.mm);
-  sample.deg.push_back(error.deg);
-  sample.points.push_back(static_cast<double>(result.alignment.points));
+  sample.add(error, result.alignment);
   const bool tracked = result.status == vo::TrackingStatus::tracked;
   sample.converged += tracked && settings.accepts(error) ? 1 : 0;
 }
@@ -67,7 +55,7 @@ void align_pair(const vo::FramePyramid& reference, const vo::FramePyramid& curre
 VariantResult pairs_measure(const Clip& clip, const Variant& variant, std::size_t group,
                             const StudySettings& settings) {
   const vo::TrackerOptions options = settings.options({}, variant.changes);
-  VariantResult result{variant.name, std::vector<PairSample>(group - 1)};
+  VariantResult result{variant.name, std::vector<PairScores>(group - 1)};
   for (std::size_t first = 0; first + group <= clip.frames.size(); first += group) {
     const vo::FramePyramid reference = pyramid_of(clip.frames[first], clip.camera, options);
     for (std::size_t i = 1; i < group; ++i) {
@@ -116,7 +104,7 @@ Table pairs_make_table(const std::vector<VariantResult>& results,
                           {"pairs"}}};
   for (const VariantResult& result : results) {
     for (std::size_t i = 0; i < flows.size(); ++i) {
-      const PairSample& sample = result.samples[i];
+      const PairScores& sample = result.samples[i];
       table.add_row({result.name, flows[i], spread(sample.points).mean, median(sample.mm),
                      median(sample.deg), 1.0 * sample.converged,
                      static_cast<double>(sample.mm.size())});
@@ -148,9 +136,9 @@ std::string judged(const VariantResult& result) {
   constexpr double kGoalMm = 0.2;
   constexpr double kGoalDeg = 0.004;
   constexpr double kGoalPercent = 95;
-  const PairSample& at_12 = result.samples[1];
-  const PairSample& at_27 = result.samples[2];
-  const PairSample& at_42 = result.samples[3];
+  const PairScores& at_12 = result.samples[1];
+  const PairScores& at_27 = result.samples[2];
+  const PairScores& at_42 = result.samples[3];
   const auto mark = [](bool met) { return met ? " (met)" : " (missed)"; };
   const double mm = median(at_12.mm);
   const double deg = median(at_12.deg);

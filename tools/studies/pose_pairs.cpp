@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "synth/camera/make_renderer.h"
+#include "synth/gltf/scene_file.h"
 #include "synth/rendering/renderer.h"
 #include "synth/scene/world_geometry.h"
 #include "tools/studies/clip.h"
@@ -145,6 +146,20 @@ vo::Trajectory pose_pairs(const synth::Scene& scene, const vo::PinholeCamera& ca
     }
   }
   return poses;
+}
+
+synth::RenderJob pose_pairs_job(const std::filesystem::path& scene) {
+  constexpr int kWidth = 640;           // px
+  constexpr int kHeight = 480;          // px
+  constexpr double kFocalLength = 525;  // px
+  constexpr int kSamples = 9;
+  const vo::PinholeCamera camera{
+      kWidth, kHeight, kFocalLength, kFocalLength, (kWidth - 1) / 2.0, (kHeight - 1) / 2.0, {}};
+  const synth::SceneFile file(scene);
+  return {.scene = file,
+          .recipe = {.truth = pose_pairs(file.scene(), camera, {}),
+                     .camera = {camera},
+                     .render = {.samples = kSamples}}};
 }
 
 }  // namespace tools

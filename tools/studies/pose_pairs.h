@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <vector>
 
 #include "synth/scene/scene.h"
+#include "synth/sequence/render_sequence.h"
 #include "vo/geometry/camera.h"
 #include "vo/geometry/trajectory.h"
 
@@ -29,5 +31,8 @@ struct PosePairOptions {
 /// no textured view in which every pixel has depth is found.
 vo::Trajectory pose_pairs(const synth::Scene& scene, const vo::PinholeCamera& camera,
                           const PosePairOptions& options);
+
+/// Returns the job that renders the pose pairs of a glTF scene for `study_pairs`.
+synth::RenderJob pose_pairs_job(const std::filesystem::path& scene);
 
 }  // namespace tools

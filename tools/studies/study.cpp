@@ -6,6 +6,18 @@
 #include "vo/core/fields.h"
 
 namespace tools {
+namespace {
+
+std::string as_markdown(const StudyReport& report, const std::string& command) {
+  std::string text = vo::concat("# ", report.title, "\n\n", report.method, "\n\n![", report.title,
+                                "](", report.name, ".svg)\n\n", as_markdown(report.table), "\n");
+  for (const std::string& finding : report.findings) {
+    text += "- " + finding + "\n";
+  }
+  return text + "\nRepeat with `" + command + "`.\n";
+}
+
+}  // namespace
 
 void StudySettings::validate() const {
   vo::require(seeds >= 1, "--seeds: expected at least 1, got ", seeds);
@@ -54,13 +66,12 @@ vo::MonoOptions StudySettings::mono_options(const Assignments& varied) const {
   return options;
 }
 
-std::string as_markdown(const StudyReport& report, const std::string& command) {
-  std::string text = vo::concat("# ", report.title, "\n\n", report.method, "\n\n![", report.title,
-                                "](", report.name, ".svg)\n\n", as_markdown(report.table), "\n");
-  for (const std::string& finding : report.findings) {
-    text += "- " + finding + "\n";
-  }
-  return text + "\nRepeat with `" + command + "`.\n";
+std::vector<vo::NamedBytes> study_files(const StudyReport& report, const std::string& command) {
+  std::vector<vo::NamedBytes> files = {{report.name + ".csv", as_csv(report.table)},
+                                       {report.name + ".svg", report.plot},
+                                       {report.name + ".md", as_markdown(report, command)}};
+  files.insert(files.end(), report.more.begin(), report.more.end());
+  return files;
 }
 
 std::string as_text(const StudyReport& report) {

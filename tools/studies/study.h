@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tools/plot/table.h"
@@ -51,37 +53,43 @@ struct StudyReport {
   std::vector<vo::NamedBytes> more;   ///< further output files
 };
 
+using Study = StudyReport(const Clip& clip, const StudySettings& settings,
+                          const vo::Progress& progress);
+
 /// Compares edge pixels, as many random pixels and all pixels over the share of them that is kept
 /// (paper, Figure 8).
-StudyReport study_points(const Clip& clip, const StudySettings& settings,
-                         const vo::Progress& progress);
+Study study_points;
 
 /// Compares edge detectors, frame to frame and with keyframes (paper, Table 1).
-StudyReport study_detectors(const Clip& clip, const StudySettings& settings,
-                            const vo::Progress& progress);
+Study study_detectors;
 
 /// Compares the residuals of all pixels before and after aligning edges only, up to five frames
 /// apart (paper, Figure 4).
-StudyReport study_residuals(const Clip& clip, const StudySettings& settings,
-                            const vo::Progress& progress);
+Study study_residuals;
 
 /// Measures convergence from identity against the number of pyramid levels (paper, Figure 3).
-StudyReport study_levels(const Clip& clip, const StudySettings& settings,
-                         const vo::Progress& progress);
+Study study_levels;
 
 /// Measures the time of an alignment against its number of points.
-StudyReport study_time(const Clip& clip, const StudySettings& settings,
-                       const vo::Progress& progress);
+Study study_time;
 
 /// Compares depth map options of monocular odometry, with tracking and mapping in the loop.
-StudyReport study_mono(const Clip& clip, const StudySettings& settings,
-                       const vo::Progress& progress);
+Study study_mono;
 
 /// Measures accuracy and convergence of alignment variants on a clip made by `pose_pairs`.
-StudyReport study_pairs(const Clip& clip, const StudySettings& settings,
-                        const vo::Progress& progress);
+Study study_pairs;
 
-std::string as_markdown(const StudyReport& report, const std::string& command);
+/// The studies by name.
+inline constexpr std::array kStudies{
+    std::pair{"points", &study_points},       std::pair{"detectors", &study_detectors},
+    std::pair{"residuals", &study_residuals}, std::pair{"levels", &study_levels},
+    std::pair{"time", &study_time},           std::pair{"mono", &study_mono},
+    std::pair{"pairs", &study_pairs}};
+
+/// Returns the files of a study: table, plot, text and what more there is. `command` is the command
+/// that repeats the study.
+std::vector<vo::NamedBytes> study_files(const StudyReport& report, const std::string& command);
+
 std::string as_text(const StudyReport& report);
 nlohmann::ordered_json as_json(const StudyReport& report);
 

@@ -1,18 +1,13 @@
-#include "tools/commands/laboratory.h"
+#include "tools/commands/study_commands.h"
 
-#include <filesystem>
+#include <iostream>
+
+#include <nlohmann/json.hpp>
 
 #include "tools/sequence_cache/sequence_cache.h"
+#include "vo/files/result_files.h"
 
 namespace tools {
-
-Assignments LaboratoryArguments::changes() const {
-  Assignments changes;
-  for (const std::string& assignment : assignments) {
-    changes.push_back(split_assignment(assignment));
-  }
-  return changes;
-}
 
 void LaboratoryArguments::complete() {
   check_usage([&] { run.validate(); });
@@ -25,6 +20,18 @@ void add_laboratory_options(CLI::App& command, LaboratoryArguments& arguments) {
   command.add_option("--jobs,-j", arguments.run.jobs, "at a time [cores]");
   command.add_option("--cache", arguments.cache, "folder of the cache [$XDG_CACHE_HOME/edvo]");
   add_common_options(command, arguments.common);
+}
+
+void deliver_study(const StudyReport& report, const std::string& command, const std::string& folder,
+                   const CommonOptions& common) {
+  vo::write_results(folder, study_files(report, command), common.existing());
+  if (common.json) {
+    std::cout << as_json(report).dump(2) << "\n";
+    return;
+  }
+  const std::string stem = folder + "/" + report.name;
+  std::cout << as_text(report) << "\nreport   " << stem << ".md\nplot     " << stem
+            << ".svg\ntable    " << stem << ".csv\n";
 }
 
 }  // namespace tools

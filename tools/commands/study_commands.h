@@ -3,10 +3,9 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "tools/cli/options.h"
 #include "tools/laboratory/test_run.h"
+#include "tools/studies/study.h"
 
 namespace tools {
 
@@ -18,10 +17,14 @@ struct LaboratoryArguments {
   std::string out;
   RunSettings run;
 
-  Assignments changes() const;
   void complete();  ///< validates the options and sets the cache folder
 };
 
 void add_laboratory_options(CLI::App& command, LaboratoryArguments& arguments);
+
+/// Writes a study's files into a folder and prints its table, or its JSON with --json. `command` is
+/// the command that repeats the study.
+void deliver_study(const StudyReport& report, const std::string& command, const std::string& folder,
+                   const CommonOptions& common);
 
 }  // namespace tools
