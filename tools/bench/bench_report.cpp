@@ -124,6 +124,23 @@ Json growth_json(const GrowthTable& table) {
 
 }  // namespace
 
+BenchReport race_peers(const std::string& input, const Frames& frames,
+                       const std::vector<std::string>& peers, const RaceOptions& options,
+                       const vo::Progress& progress) {
+  LineUp line = line_up(peers);
+  BenchReport report{.input = input,
+                     .cpu = cpu_model(),
+                     .width = frames.camera.width,
+                     .height = frames.camera.height,
+                     .frames = frames.frames.size(),
+                     .options = options,
+                     .absent = std::move(line.absent)};
+  for (const RaceResult& result : race(frames, line.peers, options, progress)) {
+    report.peers.push_back(summarize(result, frames, options));
+  }
+  return report;
+}
+
 std::string cpu_model() {
   std::ifstream stream("/proc/cpuinfo");
   for (std::string text; std::getline(stream, text);) {

@@ -4,6 +4,9 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "tools/processes/scratch_folder.h"
+#include "vo/files/output.h"
+
 namespace tools {
 
 Frames load_frames(const vo::SequenceReader& sequence, std::size_t count,
@@ -15,6 +18,16 @@ Frames load_frames(const vo::SequenceReader& sequence, std::size_t count,
     progress(i + 1, total);
   }
   return result;
+}
+
+Frames render_frames(synth::RenderJob job, std::size_t count, const vo::Progress& rendering,
+                     const vo::Progress& loading) {
+  vo::Trajectory& truth = job.recipe.truth;
+  truth.resize(std::min(truth.size(), count));
+  const ScratchFolder scratch;
+  const std::filesystem::path folder = scratch.path() / "sequence";
+  synth::render_sequence(job, folder, vo::ExistingOutput::keep, rendering);
+  return load_frames(vo::SequenceReader(folder), count, loading);
 }
 
 vo::PinholeCamera resized(const vo::PinholeCamera& camera, cv::Size size) {

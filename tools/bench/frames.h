@@ -5,6 +5,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "synth/sequence/render_sequence.h"
 #include "vo/core/image.h"
 #include "vo/core/progress.h"
 #include "vo/dataset/sequence.h"
@@ -23,6 +24,10 @@ struct Frames {
 /// Loads the first `count` frames, or all when there are fewer.
 Frames load_frames(const vo::SequenceReader& sequence, std::size_t count,
                    const vo::Progress& progress);
+
+/// Renders the first `count` frames of a job into a temporary folder and loads them.
+Frames render_frames(synth::RenderJob job, std::size_t count, const vo::Progress& rendering,
+                     const vo::Progress& loading);
 
 /// Returns the camera with the same field of view and an image of `size`.
 vo::PinholeCamera resized(const vo::PinholeCamera& camera, cv::Size size);

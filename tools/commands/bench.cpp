@@ -1,15 +1,11 @@
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
-#include <tbb/global_control.h>
 
-#include "synth/sequence/render_sequence.h"
 #include "tools/bench/bench_report.h"
 #include "tools/bench/frames.h"
 #include "tools/bench/growth.h"
@@ -17,17 +13,15 @@
 #include "tools/bench/race.h"
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
+#include "tools/cli/scene_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/scenario/run_scenario.h"
 #include "tools/scenario/scenario.h"
-#include "vo/dataset/camera_file.h"
 #include "vo/dataset/sequence.h"
 #include "vo/files/output.h"
 
 namespace tools {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* kBenchHelp =
     "Times the tracker, one thread, on frames that are in memory: ms per frame, by stage, of our\n"
@@ -57,56 +51,31 @@ struct BenchArguments {
   std::string out;
 };
 
-Frames load_sequence(const BenchArguments& arguments, const fs::path& folder) {
-  std::optional<vo::RgbdCamera> camera;
-  if (!arguments.camera.empty()) {
-    camera = vo::load_camera(arguments.camera);
-  }
-  ProgressBar bar("loading", arguments.common.verbosity());
-  return load_frames(vo::SequenceReader(folder, camera), static_cast<std::size_t>(arguments.frames),
-                     bar.callback());
-}
-
-/// Renders the requested number of frames into a temporary folder and returns them.
-Frames render_scenario(const BenchArguments& arguments) {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  arguments.common.max_threads());
-  synth::RenderJob job = render_job(load_scenario(arguments.input));
-  vo::Trajectory& truth = job.recipe.truth;
-  truth.resize(std::min(truth.size(), static_cast<std::size_t>(arguments.frames)));
-  const vo::OutputFolder scratch(fs::temp_directory_path() / "edvo-bench", "sequence.toml",
-                                 vo::ExistingOutput::keep);
-  ProgressBar bar("rendering", arguments.common.verbosity());
-  const fs::path folder = scratch.partial() / "sequence";
-  synth::render_sequence(job, folder, vo::ExistingOutput::keep, bar.callback());
-  return load_sequence(arguments, folder);
-}
-
+/// Loads the frames, or renders those of a scenario.
 Frames load_input(const BenchArguments& arguments) {
-  const bool is_scenario = fs::path(arguments.input).extension() == ".toml";
-  if (is_scenario && !arguments.camera.empty()) {
+  const auto count = static_cast<std::size_t>(arguments.frames);
+  ProgressBar loading("loading", arguments.common.verbosity());
+  if (std::filesystem::path(arguments.input).extension() != ".toml") {
+    return load_frames(vo::SequenceReader(arguments.input, given_camera(arguments.camera)), count,
+                       loading.callback());
+  }
+  if (!arguments.camera.empty()) {
     vo::fail_as(vo::ErrorKind::usage, "--camera: a scenario has its own camera");
   }
-  return is_scenario ? render_scenario(arguments) : load_sequence(arguments, arguments.input);
+  const auto limit = arguments.common.limit_threads();
+  ProgressBar rendering("rendering", arguments.common.verbosity());
+  return render_frames(render_job(load_scenario(arguments.input)), count, rendering.callback(),
+                       loading.callback());
 }
 
 BenchReport measure(const BenchArguments& arguments, const Frames& input) {
-  LineUp line = line_up(arguments.peers);
-  BenchReport report{.input = arguments.input,
-                     .cpu = cpu_model(),
-                     .width = input.camera.width,
-                     .height = input.camera.height,
-                     .frames = input.frames.size(),
-                     .options = arguments.race,
-                     .absent = std::move(line.absent)};
-  ProgressBar bar("racing", arguments.common.verbosity());
-  for (const RaceResult& result : race(input, line.peers, arguments.race, bar.callback())) {
-    report.peers.push_back(summarize(result, input, arguments.race));
-  }
+  ProgressBar racing("racing", arguments.common.verbosity());
+  BenchReport report =
+      race_peers(arguments.input, input, arguments.peers, arguments.race, racing.callback());
   if (arguments.growth) {
-    ProgressBar growth_bar("growing", arguments.common.verbosity());
+    ProgressBar growing("growing", arguments.common.verbosity());
     report.growth = measure_growth(input, vo::preset_options(vo::TrackerPreset::best_measured),
-                                   arguments.race, growth_bar.callback());
+                                   arguments.race, growing.callback());
   }
   return report;
 }
@@ -131,8 +100,7 @@ void add_bench_command(CLI::App& program, int& /*exit_code*/) {
   const auto arguments = std::make_shared<BenchArguments>();
   command.footer(kBenchExamples);
   command.add_option("INPUT", arguments->input, "sequence folder, or scenario .toml")->required();
-  command.add_option("--camera", arguments->camera,
-                     "preset or FILE.toml; otherwise the sequence's camera.toml");
+  add_camera_option(command, arguments->camera);
   command.add_option("--frames", arguments->frames, "the first N; all are held in memory [100]")
       ->check(CLI::PositiveNumber);
   command
