@@ -10,16 +10,20 @@
 #include "tools/cli/exit_code.h"
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
+#include "tools/cli/scene_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/track_arguments.h"
+#include "tools/depth/mono_run.h"
 #include "tools/pictures/panel_writer.h"
 #include "tools/plot/trajectory_svg.h"
 #include "tools/report/report.h"
+#include "vo/core/error.h"
 #include "vo/core/version.h"
 #include "vo/dataset/camera_file.h"
 #include "vo/dataset/trajectory_file.h"
 #include "vo/evaluation/evaluate.h"
 #include "vo/files/output.h"
+#include "vo/odometry/track_mono.h"
 #include "vo/odometry/track_sequence.h"
 
 namespace tools {
@@ -48,9 +52,10 @@ std::string track_examples() {
     text += "  " + preset.name + std::string(13 - preset.name.size(), ' ') + preset.help + "\n";
   }
   vo::TrackerOptions options = vo::preset_options(vo::TrackerPreset::best_measured);
+  vo::MonoOptions mono = vo::mono_options();
   return text + "\nKeys of --set, with the values of preset default:\n" +
          describe_fields(vo::fields_of(options)) + "\nKeys of --set with --mode mono:\n" +
-         describe_mono_fields();
+         describe_fields(vo::fields_of(mono));
 }
 
 vo::TrackerOptions chosen_options(const TrackArguments& arguments) {
@@ -62,31 +67,71 @@ vo::TrackerOptions chosen_options(const TrackArguments& arguments) {
   return options;
 }
 
-nlohmann::ordered_json summary(const TrackArguments& arguments, vo::TrackerOptions options,
-                               const vo::SequenceResult& result) {
-  return {{"edvo", vo::version()},
-          {"sequence", arguments.sequence},
-          {"estimate", arguments.out},
-          {"frames", result.frames.size()},
-          {"tracked_fraction", result.tracked_fraction()},
-          {"keyframes", result.keyframes()},
-          {"ms_per_frame", time_json(vo::summarize(result.times))},
-          {"preset", arguments.preset},
-          {"options", fields_json(vo::fields_of(options))}};
+vo::MonoOptions chosen_mono_options(const TrackArguments& arguments) {
+  vo::MonoOptions options = vo::mono_options();
+  std::vector<vo::Field> fields = vo::fields_of(options);
+  apply_arguments(arguments, fields);
+  check_usage([&] {
+    if (!arguments.bootstrap.empty()) {
+      options.bootstrap = vo::parse_enum<vo::MonoBootstrap>(arguments.bootstrap);
+    }
+    options.validate();
+  });
+  return options;
 }
 
-void print(const TrackArguments& arguments, const vo::TrackerOptions& options,
-           const vo::SequenceResult& result) {
-  std::ostream& out = vo::is_stream(arguments.out) ? std::cerr : std::cout;
-  if (arguments.common.json) {
-    out << summary(arguments, options, result).dump(2) << "\n";
-    return;
+/// A sequence that was tracked in either mode.
+struct Tracked {
+  vo::SequenceResult result;
+  std::vector<vo::Field> options;
+  std::string log;                   ///< CSV with a line per frame
+  std::optional<double> mapping_ms;  ///< of mode mono
+};
+
+void write_results(const TrackArguments& arguments, const Tracked& tracked) {
+  vo::write_file(arguments.out, vo::format_trajectory(tracked.result.trajectory),
+                 arguments.common.existing());
+  write_config(arguments, tracked.options);
+  if (!arguments.frame_log.empty()) {
+    vo::write_file(arguments.frame_log, tracked.log, arguments.common.existing());
   }
-  const vo::TimeSummary times = vo::summarize(result.times);
-  out << arguments.out << ": " << result.trajectory.size() << " of " << result.frames.size()
-      << " frames tracked, " << result.keyframes() << " keyframes, " << times.median_ms
-      << " ms per frame (median; pyramid " << times.pyramid_ms << ", edges " << times.edges_ms
-      << ", alignment " << times.alignment_ms << ")\n";
+}
+
+nlohmann::ordered_json summary(const TrackArguments& arguments, const Tracked& tracked) {
+  nlohmann::ordered_json json = {
+      {"edvo", vo::version()}, {"sequence", arguments.sequence}, {"estimate", arguments.out}};
+  if (tracked.mapping_ms) {
+    json["mode"] = arguments.mode;
+  }
+  json["frames"] = tracked.result.frames.size();
+  json["tracked_fraction"] = tracked.result.tracked_fraction();
+  json["keyframes"] = tracked.result.keyframes();
+  json["ms_per_frame"] = time_json(vo::summarize(tracked.result.times));
+  if (tracked.mapping_ms) {
+    json["mapping_ms"] = *tracked.mapping_ms;
+  } else {
+    json["preset"] = arguments.preset;
+  }
+  json["options"] = fields_json(tracked.options);
+  return json;
+}
+
+/// Prints the result, `note` last, and returns the exit code.
+int print(const TrackArguments& arguments, const Tracked& tracked, const char* note = "") {
+  std::ostream& out = vo::is_stream(arguments.out) ? std::cerr : std::cout;
+  const vo::SequenceResult& result = tracked.result;
+  if (arguments.common.json) {
+    out << summary(arguments, tracked).dump(2) << "\n";
+  } else {
+    const vo::TimeSummary times = vo::summarize(result.times);
+    out << arguments.out << ": " << result.trajectory.size() << " of " << result.frames.size()
+        << " frames tracked, " << result.keyframes() << " keyframes, " << times.median_ms
+        << " ms per frame (median; pyramid " << times.pyramid_ms << ", edges " << times.edges_ms
+        << ", alignment " << times.alignment_ms
+        << (tracked.mapping_ms ? vo::concat(", mapping ", *tracked.mapping_ms) : "") << ")\n"
+        << note;
+  }
+  return result.tracked_fraction() < 1 ? exit_code::kTrackingLost : exit_code::kOk;
 }
 
 void write_pictures(const TrackArguments& arguments, const vo::SequenceReader& sequence,
@@ -104,34 +149,47 @@ int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCame
   PanelWriter panels(beside(arguments.out, "_panels"), arguments.debug_images,
                      arguments.common.existing());
   ProgressBar bar("tracking", arguments.common.verbosity());
-  const vo::SequenceResult result =
-      vo::track_sequence(sequence, options, {}, panels.observer(), bar.callback());
-  vo::write_file(arguments.out, vo::format_trajectory(result.trajectory),
-                 arguments.common.existing());
-  write_config(arguments, vo::fields_of(options));
-  if (!arguments.frame_log.empty()) {
-    vo::write_file(arguments.frame_log, vo::format_frame_log(result.frames),
-                   arguments.common.existing());
-  }
+  Tracked tracked{
+      .result = vo::track_sequence(sequence, options, {}, panels.observer(), bar.callback()),
+      .options = vo::fields_of(options)};
+  tracked.log = vo::format_frame_log(tracked.result.frames);
+  write_results(arguments, tracked);
   if (arguments.debug_images > 0) {
     panels.commit();
-    write_pictures(arguments, sequence, result);
+    write_pictures(arguments, sequence, tracked.result);
   }
-  print(arguments, options, result);
-  return result.tracked_fraction() < 1 ? exit_code::kTrackingLost : exit_code::kOk;
+  return print(arguments, tracked);
+}
+
+int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera) {
+  vo::require(arguments.debug_images == 0,
+              "track: --debug-images is for --mode rgbd; "
+              "`edvo depth --track` draws monocular maps");
+  vo::MonoOptions options = chosen_mono_options(arguments);
+  const vo::MonoInput input{arguments.sequence, camera, arguments.max_time_difference,
+                            arguments.depth_file};
+  ProgressBar bar("tracking", arguments.common.verbosity());
+  const vo::MonoSequenceResult result = vo::track_mono_sequence(input, options, {}, bar.callback());
+  const Tracked tracked{.result = result.tracking(),
+                        .options = vo::fields_of(options),
+                        .log = vo::format_mono_log(result.frames),
+                        .mapping_ms = result.mapping_ms()};
+  write_results(arguments, tracked);
+  return print(
+      arguments, tracked,
+      is_metric(options.bootstrap) ? "" : "the scale is arbitrary: evaluate with --align sim3\n");
 }
 
 int track(TrackArguments& arguments) {
   read_config(arguments);
-  std::optional<vo::RgbdCamera> camera;
-  if (!arguments.camera.empty()) {
-    camera = vo::load_camera(arguments.camera);
-  }
+  const std::optional<vo::RgbdCamera> camera = given_camera(arguments.camera);
   vo::require_writable(arguments.out);
   if (!arguments.frame_log.empty()) {
     vo::require_writable(arguments.frame_log);
   }
-  return arguments.mode == "mono" ? track_mono(arguments, camera) : track_rgbd(arguments, camera);
+  return vo::parse_enum<TrackMode>(arguments.mode) == TrackMode::mono
+             ? track_mono(arguments, camera)
+             : track_rgbd(arguments, camera);
 }
 
 }  // namespace
@@ -143,10 +201,9 @@ void add_track_command(CLI::App& program, int& exit_code) {
   command.add_option("SEQUENCE", arguments->sequence, "folder with rgb.txt and depth.txt")
       ->required();
   command.add_option("--out", arguments->out, "trajectory to write")->required();
-  command.add_option("--camera", arguments->camera,
-                     "preset or FILE.toml; otherwise the sequence's camera.toml");
+  add_camera_option(command, arguments->camera);
   command.add_option("--mode", arguments->mode, "rgbd | mono [rgbd]")
-      ->check(CLI::IsMember({"rgbd", "mono"}));
+      ->check(is_name_of<TrackMode>());
   command.add_option(
       "--bootstrap", arguments->bootstrap,
       "mono: where first depths come from, rgbd | file | flat | random | auto [auto]");
@@ -156,7 +213,7 @@ void add_track_command(CLI::App& program, int& exit_code) {
   command.add_option("--config", arguments->config,
                      "TOML file with the keys of --set, and mode and preset");
   command.add_option("--preset", arguments->preset, "paper | authors | default [default]")
-      ->check(CLI::IsMember({"paper", "authors", "default"}));
+      ->check(is_name_of<vo::TrackerPreset>());
   command.add_option("--set", arguments->assignments, "key=value, may be repeated; keys below")
       ->allow_extra_args(false);
   command.add_option("--frame-log", arguments->frame_log,

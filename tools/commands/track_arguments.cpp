@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "vo/core/version.h"
+#include "vo/odometry/rgbd_odometry.h"
 
 namespace tools {
 namespace {
@@ -32,13 +33,13 @@ void read_config(TrackArguments& arguments) {
   if (!arguments.config.empty()) {
     arguments.config_keys = vo::read_toml(arguments.config);
   }
-  take_key(arguments.config_keys, "mode", {"rgbd", "mono"}, arguments.mode);
-  take_key(arguments.config_keys, "preset", {"paper", "authors", "default"}, arguments.preset);
+  take_key(arguments.config_keys, "mode", vo::names_of<TrackMode>(), arguments.mode);
+  take_key(arguments.config_keys, "preset", vo::names_of<vo::TrackerPreset>(), arguments.preset);
   if (arguments.mode.empty()) {
-    arguments.mode = "rgbd";
+    arguments.mode = vo::to_string(TrackMode::rgbd);
   }
   if (arguments.preset.empty()) {
-    arguments.preset = "default";
+    arguments.preset = vo::to_string(vo::TrackerPreset::best_measured);
   }
 }
 

@@ -1,22 +1,29 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tools/cli/options.h"
 #include "vo/files/toml_file.h"
-#include "vo/geometry/camera.h"
 
 namespace tools {
+
+/// The odometry that tracks.
+enum class TrackMode { rgbd, mono };
+
+constexpr auto enum_names(TrackMode) {
+  return std::array{std::pair{TrackMode::rgbd, "rgbd"}, std::pair{TrackMode::mono, "mono"}};
+}
 
 /// The command line of `edvo track`, and the configuration file that it names.
 struct TrackArguments {
   CommonOptions common;
   std::string sequence;
   std::string camera;
-  std::string mode;    ///< rgbd or mono; empty: as the configuration says, else rgbd
+  std::string mode;    ///< name of a TrackMode; empty: as the configuration says, else rgbd
   std::string preset;  ///< of mode rgbd; empty: as the configuration says, else default
   std::string config;  ///< TOML file with keys as --set takes them; empty without one
   std::string bootstrap;
@@ -42,11 +49,5 @@ void write_config(const TrackArguments& arguments, const std::vector<vo::Field>&
 
 /// The path of a file with another ending: `a/e_panels` for `a/e.txt` and `_panels`.
 std::filesystem::path beside(const std::filesystem::path& file, const std::string& suffix);
-
-/// Tracks with `--mode mono`; returns the exit code.
-int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera);
-
-/// The keys of `--set` with `--mode mono`, with their defaults and meanings.
-std::string describe_mono_fields();
 
 }  // namespace tools

@@ -84,17 +84,13 @@ TrackingRun track_mono_scenario(const Scenario& scenario, const vo::SequenceRead
       }
     }
   };
-  vo::MonoSequenceResult tracked =
+  run.tracking =
       vo::track_mono_images({.camera = sequence.camera().pinhole,
                              .T_world_first = sequence.ground_truth().front().T_world_camera,
                              .size = sequence.size(),
                              .next = next},
-                            options, observe, progress);
-  for (const vo::MonoResult& frame : tracked.frames) {
-    run.tracking.frames.push_back(frame.tracking);
-  }
-  run.tracking.times = std::move(tracked.times);
-  run.tracking.trajectory = std::move(tracked.trajectory);
+                            options, observe, progress)
+          .tracking();
   return run;
 }
 

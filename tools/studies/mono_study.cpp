@@ -92,7 +92,7 @@ MonoScore mono_measure(const Clip& clip, const vo::MonoOptions& options) {
       },
       [](std::size_t, std::size_t) {});
   judge_trajectory(clip, result.trajectory, metric, score);
-  score.tracked_percent = 100 * result.tracked_fraction();
+  score.tracked_percent = 100 * result.tracking().tracked_fraction();
   std::vector<double> times;
   for (const vo::StageTimes& time : result.times) {
     times.push_back(time.mapping_ms);

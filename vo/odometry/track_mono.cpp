@@ -1,6 +1,5 @@
 #include "vo/odometry/track_mono.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -42,16 +41,22 @@ void check_depth(const fs::path& path, const DepthImage& depth) {
 
 }  // namespace
 
-double MonoSequenceResult::tracked_fraction() const {
-  return frames.empty()
-             ? 0
-             : static_cast<double>(trajectory.size()) / static_cast<double>(frames.size());
+SequenceResult MonoSequenceResult::tracking() const {
+  SequenceResult result{.frames = {}, .times = times, .trajectory = trajectory};
+  for (const MonoResult& frame : frames) {
+    result.frames.push_back(frame.tracking);
+  }
+  return result;
 }
 
-std::size_t MonoSequenceResult::keyframes() const {
-  return static_cast<std::size_t>(
-      std::count_if(frames.begin(), frames.end(),
-                    [](const MonoResult& frame) { return frame.tracking.is_keyframe; }));
+double MonoSequenceResult::mapping_ms() const {
+  std::vector<double> observed;
+  for (const StageTimes& time : times) {
+    if (time.mapping_ms > 0) {
+      observed.push_back(time.mapping_ms);
+    }
+  }
+  return percentile(observed, 0.5);
 }
 
 MonoFrames::MonoFrames(const MonoInput& input, MonoBootstrap bootstrap)

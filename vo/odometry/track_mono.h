@@ -26,8 +26,8 @@ struct MonoSequenceResult {
   std::vector<StageTimes> times;
   Trajectory trajectory;
 
-  double tracked_fraction() const;
-  std::size_t keyframes() const;
+  SequenceResult tracking() const;  ///< what the RGB-D odometry would return, too
+  double mapping_ms() const;        ///< median over the frames in which the map was observed
 };
 
 /// Called after each frame.

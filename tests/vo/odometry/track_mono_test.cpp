@@ -28,7 +28,7 @@ TEST(TrackMono, ASequenceThatEndsWhileTheStartWaitsHasPosesAllTheSame) {
       },
       [](std::size_t, std::size_t) {});
   ASSERT_EQ(result.frames.size(), std::size_t{support::kShortWalk});
-  EXPECT_EQ(result.tracked_fraction(), 1);
+  EXPECT_EQ(result.tracking().tracked_fraction(), 1);
   EXPECT_EQ(result.frames.back().state, vo::MonoState::tracking);
   EXPECT_EQ(result.frames[result.frames.size() - 2].state, vo::MonoState::initialising);
   ASSERT_EQ(told.size(), result.frames.size());
