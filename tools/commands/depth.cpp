@@ -9,6 +9,7 @@
 #include "tools/cli/exit_code.h"
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
+#include "tools/cli/scene_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/depth/depth_output.h"
 #include "tools/depth/depth_table.h"
@@ -18,8 +19,6 @@
 #include "tools/report/report.h"
 #include "vo/core/error.h"
 #include "vo/core/version.h"
-#include "vo/dataset/camera_file.h"
-#include "vo/odometry/track_sequence.h"
 
 namespace tools {
 namespace {
@@ -80,14 +79,6 @@ vo::MonoOptions tracking_options(const DepthArguments& arguments) {
   return options;
 }
 
-double median_ms(const std::vector<MappedFrame>& frames) {
-  std::vector<double> times;
-  for (const MappedFrame& frame : frames) {
-    times.push_back(frame.mapping_ms);
-  }
-  return vo::percentile(times, 0.5);
-}
-
 void print(const DepthArguments& arguments, const nlohmann::ordered_json& options,
            const std::vector<MappedFrame>& frames) {
   const MapErrors& last = frames.back().errors;
@@ -99,7 +90,7 @@ void print(const DepthArguments& arguments, const nlohmann::ordered_json& option
                                         {"scale", last.scale},
                                         {"first_scale", frames.front().errors.scale},
                                         {"errors", as_json(error_table(last))},
-                                        {"mapping_ms", median_ms(frames)},
+                                        {"mapping_ms", median_mapping_ms(frames)},
                                         {"options", options}}
                      .dump(2)
               << "\n";
@@ -109,7 +100,7 @@ void print(const DepthArguments& arguments, const nlohmann::ordered_json& option
             << format_decimals(last.density_percent, 1)
             << " % of the edge pixels are confident, scale " << format_decimals(last.scale, 4)
             << " (at first " << format_decimals(frames.front().errors.scale, 4) << "), "
-            << format_decimals(median_ms(frames), 2) << " ms per frame (median)\n";
+            << format_decimals(median_mapping_ms(frames), 2) << " ms per frame (median)\n";
 }
 
 int depth(const DepthArguments& arguments) {
@@ -120,10 +111,7 @@ int depth(const DepthArguments& arguments) {
   } else {
     mapping = mapping_options(arguments);
   }
-  std::optional<vo::RgbdCamera> camera;
-  if (!arguments.camera.empty()) {
-    camera = vo::load_camera(arguments.camera);
-  }
+  const std::optional<vo::RgbdCamera> camera = given_camera(arguments.camera);
   std::optional<DepthOutput> output;
   if (!arguments.out.empty()) {
     output.emplace(arguments.out, arguments.every, arguments.common.existing());
@@ -169,13 +157,12 @@ void add_depth_command(CLI::App& program, int& exit_code) {
   command
       .add_option("--bootstrap", arguments->bootstrap,
                   "with --track: rgbd | file | flat | random | auto [auto]")
-      ->check(CLI::IsMember({"rgbd", "file", "flat", "random", "auto"}));
+      ->check(is_name_of<vo::MonoBootstrap>());
   command.add_option("--depth-file", arguments->depth_file,
                      "with --bootstrap file: depth of the first image");
   command.add_option("--every", arguments->every, "frames from picture to picture [20]")
       ->check(CLI::PositiveNumber);
-  command.add_option("--camera", arguments->camera,
-                     "preset or FILE.toml; otherwise the sequence's camera.toml");
+  add_camera_option(command, arguments->camera);
   command.add_option("--set", arguments->assignments, "key=value, may be repeated; keys below")
       ->allow_extra_args(false);
   command.add_option("--max-time-difference", arguments->max_time_difference,

@@ -15,7 +15,6 @@
 #include "vo/core/fields.h"
 #include "vo/dataset/sequence.h"
 #include "vo/dataset/trajectory_file.h"
-#include "vo/geometry/associate.h"
 
 namespace tools {
 namespace {
@@ -153,22 +152,6 @@ void print_table(const EvaluateArguments& arguments, const Report& report) {
   }
 }
 
-/// Returns the share of the sequence's frames that the estimate has a pose for.
-double tracked_fraction(const std::string& folder, const vo::Trajectory& estimate) {
-  constexpr double kSameStamp = 1e-4;  // s, more than rounding and less than a frame
-  const vo::SequenceReader sequence(folder, vo::RgbdCamera{});
-  std::vector<double> frames;
-  for (std::size_t i = 0; i < sequence.size(); ++i) {
-    frames.push_back(sequence.timestamp(i));
-  }
-  std::vector<double> poses;
-  for (const vo::StampedPose& pose : estimate) {
-    poses.push_back(pose.timestamp);
-  }
-  return static_cast<double>(vo::associate(frames, poses, kSameStamp).size()) /
-         static_cast<double>(frames.size());
-}
-
 void evaluate(EvaluateArguments& arguments) {
   arguments.options.alignment = vo::parse_enum<vo::TrajectoryAlignment>(arguments.align);
   arguments.options.interval = parse_interval(arguments.interval);
@@ -181,7 +164,8 @@ void evaluate(EvaluateArguments& arguments) {
               ": no two of its ", estimate.size(), " poses lie --interval ", arguments.interval,
               " apart, expected a shorter interval or a longer trajectory");
   if (!arguments.sequence.empty()) {
-    report.tracked_fraction = tracked_fraction(arguments.sequence, estimate);
+    const vo::SequenceReader sequence(arguments.sequence, vo::RgbdCamera{});
+    report.tracked_fraction = vo::tracked_fraction(sequence.timestamps(), estimate);
   }
   if (arguments.estimate_offset) {
     report.has_offset = true;
@@ -203,7 +187,7 @@ void add_evaluate_command(CLI::App& program, int& /*exit_code*/) {
   command.add_option("TRUTH", arguments->truth, "TUM trajectory")->required();
   command.add_option("ESTIMATE", arguments->estimate, "TUM trajectory")->required();
   command.add_option("--align", arguments->align, "none | se3 | sim3 [se3]")
-      ->check(CLI::IsMember({"none", "se3", "sim3"}));
+      ->check(is_name_of<vo::TrajectoryAlignment>());
   command.add_option("--interval", arguments->interval, "of the relative error: 1s, 30f, ... [1s]")
       ->each([arguments](const std::string&) { arguments->interval_is_chosen = true; });
   command.add_option("--max-time-difference", arguments->options.max_time_difference,

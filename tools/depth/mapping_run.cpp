@@ -7,6 +7,7 @@
 #include "vo/core/error.h"
 #include "vo/core/hash.h"
 #include "vo/core/stopwatch.h"
+#include "vo/odometry/track_sequence.h"
 
 namespace tools {
 namespace {
@@ -130,6 +131,14 @@ vo::FrameRelation noisy_relation(const vo::SE3& T_cur_host, double sigma_m, doub
   relation.covariance.topLeftCorner<3, 3>() *= sigma_m * sigma_m;
   relation.covariance.bottomRightCorner<3, 3>() *= sigma_rad * sigma_rad;
   return relation;
+}
+
+double median_mapping_ms(const std::vector<MappedFrame>& frames) {
+  std::vector<double> times;
+  for (const MappedFrame& frame : frames) {
+    times.push_back(frame.mapping_ms);
+  }
+  return vo::percentile(times, 0.5);
 }
 
 std::vector<MappedFrame> map_sequence(const vo::SequenceReader& sequence,

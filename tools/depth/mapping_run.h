@@ -60,6 +60,8 @@ struct MappedFrame {
   double mapping_ms = 0;  ///< processor time of mapping; diagnostic
 };
 
+double median_mapping_ms(const std::vector<MappedFrame>& frames);
+
 /// Called after each frame with the map and the true depth of its host.
 using MapObserver =
     std::function<void(std::size_t frame, const vo::DepthMap& map, const vo::DepthImage& true_depth,

@@ -43,6 +43,7 @@ class SequenceReader {
   const Trajectory& ground_truth() const { return ground_truth_; }  ///< empty when there is none
   std::size_t size() const { return entries_.size(); }
   double timestamp(std::size_t index) const { return entries_[index].timestamp; }
+  std::vector<double> timestamps() const;
 
   /// Returns the file of a frame's colour image; empty for a format other than TUM's.
   const std::filesystem::path& image_file(std::size_t index) const { return entries_[index].image; }

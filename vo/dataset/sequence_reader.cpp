@@ -95,6 +95,14 @@ void SequenceReader::adopt(SequenceSource source, const fs::path& folder) {
   read_ = std::move(source.read);
 }
 
+std::vector<double> SequenceReader::timestamps() const {
+  std::vector<double> timestamps;
+  for (const Entry& entry : entries_) {
+    timestamps.push_back(entry.timestamp);
+  }
+  return timestamps;
+}
+
 RgbdFrame SequenceReader::read(std::size_t index) const {
   const Entry& entry = entries_.at(index);
   if (read_) {

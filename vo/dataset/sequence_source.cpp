@@ -17,9 +17,7 @@ SequenceSource open_tum(const fs::path& folder, const std::optional<RgbdCamera>&
   const auto reader = std::make_shared<const SequenceReader>(folder, camera);
   SequenceSource source;
   source.camera = reader->camera();
-  for (std::size_t i = 0; i < reader->size(); ++i) {
-    source.timestamps.push_back(reader->timestamp(i));
-  }
+  source.timestamps = reader->timestamps();
   source.read = [reader](std::size_t index) { return reader->read(index); };
   source.truth = reader->ground_truth();
   if (fs::exists(folder / "imu.csv")) {

@@ -140,6 +140,12 @@ TrajectoryErrors evaluate(const Trajectory& truth, const Trajectory& estimate,
   return errors;
 }
 
+double tracked_fraction(std::span<const double> frames, const Trajectory& estimate) {
+  constexpr double kSameStamp = 1e-4;  // s
+  return static_cast<double>(associate(frames, timestamps(estimate, 0), kSameStamp).size()) /
+         static_cast<double>(frames.size());
+}
+
 Trajectory align_trajectory(const Trajectory& truth, const Trajectory& estimate,
                             const EvaluationOptions& options) {
   const Matches matches = match(truth, estimate, options);

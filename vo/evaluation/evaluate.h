@@ -69,6 +69,10 @@ struct TrajectoryErrors {
 TrajectoryErrors evaluate(const Trajectory& truth, const Trajectory& estimate,
                           const EvaluationOptions& options = {});
 
+/// Returns the share of a sequence's frames, given by their stamps in s, that the estimate has a
+/// pose for: one within 0.1 ms, more than rounding and less than a frame.
+double tracked_fraction(std::span<const double> frames, const Trajectory& estimate);
+
 /// Returns the estimate moved rigidly onto the truth, as for the absolute error with SE(3)
 /// alignment. Throws Error when fewer than three poses match.
 Trajectory align_trajectory(const Trajectory& truth, const Trajectory& estimate,
