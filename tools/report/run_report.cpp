@@ -1,0 +1,154 @@
+#include "tools/report/run_report.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/depth/depth_output.h"
+#include "tools/depth/depth_pictures.h"
+#include "tools/pictures/frame_gallery.h"
+#include "tools/pictures/panel_writer.h"
+#include "tools/plot/trajectory_svg.h"
+#include "tools/report/html_report.h"
+#include "tools/report/report.h"
+#include "tools/report/scenario_report.h"
+#include "tools/scenario/mono_scenario.h"
+#include "vo/core/error.h"
+#include "vo/dataset/trajectory_file.h"
+#include "vo/files/result_files.h"
+
+namespace tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Returns the HTML report of the run.
+std::string browser_report(const Scenario& scenario, const Outcome& outcome,
+                           const RunReportOptions& options, const FrameGallery& gallery) {
+  ScenarioReport report = scenario_report(scenario, outcome);
+  report.gallery = gallery;
+  if (options.times) {
+    report.times = outcome.tracking.times;
+  }
+  return html_report({report});
+}
+
+/// Returns the files that a run writes beside sequence/, panels/ and report.html.
+std::vector<vo::NamedBytes> result_files(const Scenario& scenario, const Outcome& outcome) {
+  const vo::Trajectory& estimate = outcome.tracking.trajectory;
+  std::vector<vo::NamedBytes> files = {
+      {"trajectory.txt", vo::format_trajectory(estimate)},
+      {"frames.csv", vo::format_frame_log(outcome.tracking.frames)},
+      {"report.json", report_json(scenario, outcome).dump(2) + "\n"},
+      {"report.md", report_markdown(scenario, outcome)}};
+  if (!estimate.empty()) {
+    files.push_back({"trajectory.svg", draw_trajectory(outcome.truth, estimate)});
+  }
+  return files;
+}
+
+/// Returns whether a folder has no visible files; a killed run leaves hidden ones.
+bool is_visibly_empty(const fs::path& folder) {
+  return std::all_of(fs::directory_iterator(folder), fs::directory_iterator(),
+                     [](const fs::directory_entry& entry) {
+                       return entry.path().filename().string().starts_with('.');
+                     });
+}
+
+/// Throws vo::Error if the folder holds files but no sequence of edvo's.
+void require_own_folder(const fs::path& folder) {
+  if (!fs::exists(folder)) {
+    return;
+  }
+  vo::require(fs::is_directory(folder), folder.string(),
+              ": is a file, expected a folder for the results");
+  vo::require(fs::exists(folder / "sequence" / "sequence.toml") || is_visibly_empty(folder),
+              folder.string(),
+              ": holds other files than edvo's, expected a folder for the results");
+}
+
+/// Returns an observer that calls both observers in turn; an empty one is skipped.
+vo::FrameObserver in_turn(const vo::FrameObserver& first, const vo::FrameObserver& second) {
+  return [first, second](const vo::RgbdFrame& frame, const vo::FramePyramid& pyramid,
+                         const vo::Tracker& tracker, const vo::TrackingResult& result) {
+    for (const vo::FrameObserver& observe : {first, second}) {
+      if (observe) {
+        observe(frame, pyramid, tracker, result);
+      }
+    }
+  };
+}
+
+/// Pictures drawn while a scenario runs: panels/ in mode rgbd, maps/ in modes mono and mapping, and
+/// the gallery of the HTML report.
+class RunPictures {
+ public:
+  RunPictures(const Scenario& scenario, const fs::path& folder, int every,
+              vo::ExistingOutput existing) {
+    if (scenario.odometry.mode == OdometryMode::rgbd) {
+      panels_.emplace(folder / "panels", every, existing);
+    } else {
+      maps_.emplace(folder / "maps", every, existing);
+      scale_ = map_scale(scenario.odometry);
+    }
+  }
+
+  ScenarioObservers observers() {
+    const vo::FrameObserver remember = [this](const vo::RgbdFrame& frame, const vo::FramePyramid&,
+                                              const vo::Tracker&, const vo::TrackingResult&) {
+      time_ = frame.timestamp;
+    };
+    return {.frame = in_turn(panels_ ? panels_->observer() : remember, gallery_.observer()),
+            .map = maps_ ? map_observer() : MapObserver()};
+  }
+
+  void commit(const Outcome& outcome) {
+    if (panels_) {
+      panels_->commit();
+    }
+    if (maps_) {
+      maps_->commit(outcome.maps);
+    }
+  }
+
+  const FrameGallery& gallery() const { return gallery_; }
+
+ private:
+  MapObserver map_observer() {
+    return [this, draw = maps_->observer(scale_)](std::size_t frame, const vo::DepthMap& map,
+                                                  const vo::DepthImage& truth,
+                                                  const vo::SE3& T_world_host) {
+      draw(frame, map, truth, T_world_host);
+      const SparseDepths depths = sparse_depths(map, truth, divisor(map, truth, scale_));
+      gallery_.add_inverse_depth(time_, depths.estimate, depths.truth);
+    };
+  }
+
+  std::optional<PanelWriter> panels_;
+  std::optional<DepthOutput> maps_;
+  MapScale scale_ = MapScale::metric;
+  double time_ = 0;  ///< s, time of the current frame
+  FrameGallery gallery_;
+};
+
+}  // namespace
+
+Outcome run_and_report(const Scenario& scenario, const fs::path& folder,
+                       vo::ExistingOutput existing, const RunReportOptions& options,
+                       const RunProgress& progress) {
+  require_own_folder(folder);
+  scenario.require_scene();
+  vo::make_folder(folder);
+  RunPictures pictures(scenario, folder, options.debug_images, existing);
+  Outcome outcome = run_scenario(scenario, folder, existing, pictures.observers(), progress);
+  std::vector<vo::NamedBytes> files = result_files(scenario, outcome);
+  files.push_back({"report.html", browser_report(scenario, outcome, options, pictures.gallery())});
+  vo::write_results(folder, files, existing);
+  pictures.commit(outcome);
+  return outcome;
+}
+
+}  // namespace tools
