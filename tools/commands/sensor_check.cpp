@@ -1,22 +1,15 @@
-#include <cmath>
-#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 #include <string>
 
 #include <nlohmann/json.hpp>
-#include <tbb/global_control.h>
 
-#include "synth/camera/sequence_camera.h"
-#include "synth/gltf/gltf.h"
 #include "synth/path_planning/path_options.h"
 #include "tools/cli/options.h"
 #include "tools/commands/commands.h"
-#include "tools/pictures/webp.h"
 #include "tools/sensor_check/contact_sheet.h"
 #include "tools/sensor_check/noise_table.h"
-#include "vo/core/error.h"
 #include "vo/files/result_files.h"
 
 namespace tools {
@@ -45,36 +38,6 @@ struct SensorCheckArguments {
   std::string out;
 };
 
-/// Returns the greatest relative difference of a measured deviation from its formula.
-double worst_share(const std::vector<NoiseSample>& samples) {
-  double worst = 0;
-  for (const NoiseSample& sample : samples) {
-    worst = std::max(worst, std::abs(sample.measured.deviation / sample.formula.deviation - 1));
-  }
-  return worst;
-}
-
-double worst_share(const std::vector<GreyNoise>& samples) {
-  double worst = 0;
-  for (const GreyNoise& sample : samples) {
-    worst = std::max(worst, std::abs(sample.measured / sample.formula - 1));
-  }
-  return worst;
-}
-
-std::string contact_sheet(const SensorCheckArguments& arguments) {
-  const synth::SceneFile file(arguments.scene);
-  const synth::Scene& scene = file.scene();
-  const synth::RenderersOverTime renderers(scene, {.samples = arguments.samples});
-  const auto [width, height] = parse_size(arguments.size);
-  const synth::TimedPath timed = synth::make_path(arguments.path, file);
-  const synth::CameraTruth motion{synth::sample(timed.path, timed.times), timed.path};
-  const auto camera = vo::PinholeCamera::from_horizontal_fov(width, height, arguments.fov_deg);
-  constexpr double kQuality = 88;  // of 100; noise makes lossless files five times as large
-  return encode_webp(draw_contact_sheet(scene, renderers, camera, motion, motion.truth.size() / 2),
-                     kQuality);
-}
-
 void print(const SensorCheckArguments& arguments, double depth, double image) {
   if (arguments.common.json) {
     std::cout << nlohmann::ordered_json{{"out", arguments.out},
@@ -90,8 +53,7 @@ void print(const SensorCheckArguments& arguments, double depth, double image) {
 }
 
 void sensor_check(const SensorCheckArguments& arguments) {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  arguments.common.max_threads());
+  const auto limit = arguments.common.limit_threads();
   check_usage([&] { arguments.path.validate(); });
   const std::vector<NoiseSample> depth = measure_noise(arguments.frames);
   const std::vector<GreyNoise> image = measure_grey_noise();
@@ -99,7 +61,11 @@ void sensor_check(const SensorCheckArguments& arguments) {
                                        {"image_noise.csv", format_grey_csv(image)},
                                        {"noise.svg", plot_noise(depth, image)}};
   if (!arguments.scene.empty()) {
-    files.push_back({"contact_sheet.webp", contact_sheet(arguments)});
+    const auto [width, height] = parse_size(arguments.size);
+    const auto camera = vo::PinholeCamera::from_horizontal_fov(width, height, arguments.fov_deg);
+    files.push_back(
+        {"contact_sheet.webp",
+         contact_sheet(arguments.scene, {.samples = arguments.samples}, camera, arguments.path)});
   }
   vo::make_folder(arguments.out);
   vo::write_results(arguments.out, files, arguments.common.existing());

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <nlohmann/json.hpp>
-#include <tbb/global_control.h>
 
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
@@ -137,25 +136,6 @@ void print_table(const std::vector<DetectorCurve>& curves, std::size_t views) {
   }
 }
 
-/// Returns the first view of each scene.
-std::vector<LabelledView> picture_views(const TrainArguments& arguments,
-                                        const std::vector<LabelledView>& views) {
-  std::vector<LabelledView> chosen;
-  for (std::size_t i = 0; i < views.size(); i += static_cast<std::size_t>(arguments.views.views)) {
-    chosen.push_back(views[i]);
-  }
-  return chosen;
-}
-
-void write_picture(const TrainArguments& arguments, const std::vector<LabelledView>& views,
-                   const vo::StructuredForest& forest, const std::vector<DetectorCurve>& curves) {
-  const DetectorCurve& canny = curves[2];
-  vo::EdgeOptions detectors = options_at(canny, canny.best().threshold);
-  detectors.forest_strength = curves[0].best().threshold;
-  const cv::Mat picture = draw_comparison(picture_views(arguments, views), forest, detectors);
-  vo::write_file(arguments.picture, vo::encode_png(picture), arguments.common.existing());
-}
-
 void evaluate(const TrainArguments& arguments) {
   if (!arguments.picture.empty()) {
     vo::require_writable(arguments.picture);
@@ -165,7 +145,10 @@ void evaluate(const TrainArguments& arguments) {
   ProgressBar bar("evaluating", arguments.common.verbosity());
   const std::vector<DetectorCurve> curves = sweep_detectors(forest, views, bar.callback());
   if (!arguments.picture.empty()) {
-    write_picture(arguments, views, forest, curves);
+    const auto first_of_scene = static_cast<std::size_t>(arguments.views.views);
+    vo::write_file(arguments.picture,
+                   vo::encode_png(draw_comparison(views, first_of_scene, forest, curves)),
+                   arguments.common.existing());
   }
   if (arguments.common.json) {
     std::cout << as_json(curves, views.size()).dump(2) << "\n";
@@ -175,8 +158,7 @@ void evaluate(const TrainArguments& arguments) {
 }
 
 void run(const TrainArguments& arguments) {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  arguments.common.max_threads());
+  const auto limit = arguments.common.limit_threads();
   const bool is_evaluation = !arguments.evaluated_model.empty();
   check_usage([&] {
     arguments.views.validate();

@@ -6,8 +6,13 @@
 #include <Eigen/Geometry>
 #include <opencv2/imgproc.hpp>
 
+#include "synth/camera/renderers_over_time.h"
+#include "synth/camera/sequence_camera.h"
+#include "synth/gltf/scene_file.h"
+#include "synth/scene/scene.h"
 #include "synth/sensor/preset.h"
 #include "tools/pictures/panels.h"
+#include "tools/pictures/webp.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 
@@ -83,12 +88,9 @@ std::vector<Picture> row_of(std::string_view name, const vo::RgbdFrame& frame,
           titled(error_picture(frame.depth, exact), vo::concat("error, +-", 1000 * kError, " mm"))};
 }
 
-}  // namespace
-
-cv::Mat_<cv::Vec3b> draw_contact_sheet(const synth::Scene& scene,
-                                       const synth::RenderersOverTime& renderers,
-                                       const vo::PinholeCamera& camera,
-                                       const synth::CameraTruth& motion, std::size_t frame) {
+Picture draw_contact_sheet(const synth::Scene& scene, const synth::RenderersOverTime& renderers,
+                           const vo::PinholeCamera& camera, const synth::CameraTruth& motion,
+                           std::size_t frame) {
   std::vector<std::vector<Picture>> rows;
   vo::DepthImage exact;
   for (const auto& [preset, name] : enum_names(synth::SensorPreset{})) {
@@ -99,6 +101,20 @@ cv::Mat_<cv::Vec3b> draw_contact_sheet(const synth::Scene& scene,
     rows.push_back(row_of(name, taken, camera, exact));
   }
   return montage(rows);
+}
+
+}  // namespace
+
+std::string contact_sheet(const std::filesystem::path& scene, const synth::RenderOptions& render,
+                          const vo::PinholeCamera& camera, const synth::PathOptions& path) {
+  const synth::SceneFile file(scene);
+  const synth::RenderersOverTime renderers(file.scene(), render);
+  const synth::TimedPath timed = synth::make_path(path, file);
+  const synth::CameraTruth motion{synth::sample(timed.path, timed.times), timed.path};
+  constexpr double kQuality = 88;  // of 100; noise makes lossless files five times as large
+  return encode_webp(
+      draw_contact_sheet(file.scene(), renderers, camera, motion, motion.truth.size() / 2),
+      kQuality);
 }
 
 }  // namespace tools

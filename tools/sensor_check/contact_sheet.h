@@ -1,22 +1,18 @@
 #pragma once
 
-#include <cstddef>
+#include <filesystem>
+#include <string>
 
-#include <opencv2/core.hpp>
-
-#include "synth/camera/renderers_over_time.h"
-#include "synth/camera/sequence_camera.h"
-#include "synth/scene/scene.h"
+#include "synth/path_planning/path_options.h"
+#include "synth/rendering/renderer.h"
 #include "vo/geometry/camera.h"
 
 namespace tools {
 
-/// Returns a picture with a row per sensor preset, of one frame of a motion: image | its centre
-/// enlarged | depth, red far, black none | the measured surface, shaded | depth error, red too far,
-/// blue too near.
-cv::Mat_<cv::Vec3b> draw_contact_sheet(const synth::Scene& scene,
-                                       const synth::RenderersOverTime& renderers,
-                                       const vo::PinholeCamera& camera,
-                                       const synth::CameraTruth& motion, std::size_t frame);
+/// Returns a picture with a row per sensor preset, of the middle frame of a path through a glTF
+/// scene, as WebP: image | its centre enlarged | depth, red far, black none | the measured surface,
+/// shaded | depth error, red too far, blue too near.
+std::string contact_sheet(const std::filesystem::path& scene, const synth::RenderOptions& render,
+                          const vo::PinholeCamera& camera, const synth::PathOptions& path);
 
 }  // namespace tools

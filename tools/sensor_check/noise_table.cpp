@@ -212,6 +212,22 @@ std::vector<GreyNoise> measure_grey_noise() {
   return samples;
 }
 
+double worst_share(const std::vector<NoiseSample>& samples) {
+  double worst = 0;
+  for (const NoiseSample& sample : samples) {
+    worst = std::max(worst, std::abs(sample.measured.deviation / sample.formula.deviation - 1));
+  }
+  return worst;
+}
+
+double worst_share(const std::vector<GreyNoise>& samples) {
+  double worst = 0;
+  for (const GreyNoise& sample : samples) {
+    worst = std::max(worst, std::abs(sample.measured / sample.formula - 1));
+  }
+  return worst;
+}
+
 std::string format_noise_csv(const std::vector<NoiseSample>& samples) {
   std::string text =
       "preset,depth_m,incidence_deg,formula_deviation_m,measured_deviation_m,formula_bias_m,"

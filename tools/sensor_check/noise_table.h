@@ -48,6 +48,10 @@ struct GreyNoise {
 
 std::vector<GreyNoise> measure_grey_noise();
 
+/// Returns the greatest relative difference of a measured deviation from its formula.
+double worst_share(const std::vector<NoiseSample>& samples);
+double worst_share(const std::vector<GreyNoise>& samples);
+
 std::string format_noise_csv(const std::vector<NoiseSample>& samples);
 std::string format_grey_csv(const std::vector<GreyNoise>& samples);
 

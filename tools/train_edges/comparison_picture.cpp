@@ -46,11 +46,15 @@ Picture titled(Picture picture, const std::string& title) {
 
 }  // namespace
 
-cv::Mat_<cv::Vec3b> draw_comparison(const std::vector<LabelledView>& views,
+cv::Mat_<cv::Vec3b> draw_comparison(const std::vector<LabelledView>& views, std::size_t every,
                                     const vo::StructuredForest& forest,
-                                    const vo::EdgeOptions& detectors) {
+                                    const std::vector<DetectorCurve>& curves) {
+  const DetectorCurve& canny = curves.at(2);
+  vo::EdgeOptions detectors = options_at(canny, canny.best().threshold);
+  detectors.forest_strength = curves.at(0).best().threshold;
   std::vector<Picture> rows;
-  for (const LabelledView& view : views) {
+  for (std::size_t i = 0; i < views.size(); i += every) {
+    const LabelledView& view = views[i];
     const vo::EdgeMask learnt = forest_edges(forest, vo::to_rgb(view.image), detectors.forest_scale,
                                              detectors.forest_strength);
     const vo::EdgeMask computed = vo::detect_edges(vo::to_gray(view.image), detectors);
