@@ -6,6 +6,8 @@
 #include "synth/gltf_model/accessor.h"
 #include "synth/gltf_model/gltf_reading.h"
 #include "synth/gltf_model/nodes.h"
+#include "synth/scene/scene_motion.h"
+#include "synth/scene/shared_mesh.h"
 
 namespace synth {
 namespace {
@@ -80,6 +82,18 @@ Eigen::AlignedBox3d bounds_of(const Scene& scene) {
   return box;
 }
 
+std::size_t count_true(const std::vector<bool>& values) {
+  return static_cast<std::size_t>(std::count(values.begin(), values.end(), true));
+}
+
+void count_instances(GltfSummary& summary) {
+  summary.moving_instances = count_true(moving_instances(summary.scene));
+  summary.sharing_instances = count_true(sharing_instances(summary.scene));
+  for (const Instance& instance : summary.scene.instances) {
+    summary.shown_triangles += summary.scene.meshes[at(instance.mesh)].triangles.size();
+  }
+}
+
 /// Lists animations; the last key's time is the maximum that a sampler's input accessor must state.
 std::vector<AnimationSummary> list_animations(const tinygltf::Model& model) {
   std::vector<AnimationSummary> animations;
@@ -122,6 +136,7 @@ GltfSummary summarize_gltf(const std::filesystem::path& path, const GltfOptions&
   summary.textures = model.content.textures.size();
   summary.images = model.content.images.size();
   summary.skins = model.content.skins.size();
+  count_instances(summary);
   return summary;
 }
 

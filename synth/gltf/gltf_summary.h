@@ -35,6 +35,9 @@ struct GltfSummary {
   std::size_t images = 0;
   std::size_t skins = 0;
   Scene scene;  ///< what load_gltf returns
+  std::size_t moving_instances = 0;
+  std::size_t sharing_instances = 0;  ///< instances with a mesh that is kept once for all of them
+  std::size_t shown_triangles = 0;    ///< number of triangles that the instances show
   Notes notes;
 };
 

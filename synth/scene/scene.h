@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -99,6 +100,12 @@ struct Instance {
 };
 
 enum class LightKind { point, directional, spot };
+
+constexpr auto enum_names(LightKind) {
+  return std::array{std::pair{LightKind::point, "point"},
+                    std::pair{LightKind::directional, "directional"},
+                    std::pair{LightKind::spot, "spot"}};
+}
 
 /// A light of KHR_lights_punctual.
 struct Light {

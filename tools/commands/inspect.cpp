@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <numbers>
@@ -7,8 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "synth/gltf/gltf_summary.h"
-#include "synth/scene/scene_motion.h"
-#include "synth/scene/shared_mesh.h"
 #include "tools/cli/options.h"
 #include "tools/commands/commands.h"
 
@@ -47,16 +44,10 @@ ordered_json as_json(const Eigen::AlignedBox3d& box) {
   return {{"min", as_json(box.min())}, {"max", as_json(box.max())}};
 }
 
-const char* name_of(synth::LightKind kind) {
-  return kind == synth::LightKind::point  ? "point"
-         : kind == synth::LightKind::spot ? "spot"
-                                          : "directional";
-}
-
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 ordered_json as_json(const synth::Light& light) {
-  ordered_json json = {{"kind", name_of(light.kind)},
+  ordered_json json = {{"kind", vo::to_string(light.kind)},
                        {"intensity", as_json(Eigen::Vector3d(light.intensity.cast<double>()))}};
   if (light.kind != synth::LightKind::directional) {
     json["position"] = as_json(light.position);
@@ -89,26 +80,6 @@ ordered_json list(const std::vector<Element>& elements) {
   return json;
 }
 
-std::size_t count_true(const std::vector<bool>& values) {
-  return static_cast<std::size_t>(std::count(values.begin(), values.end(), true));
-}
-
-std::size_t count_moving(const synth::Scene& scene) {
-  return count_true(synth::moving_instances(scene));
-}
-
-std::size_t count_sharing(const synth::Scene& scene) {
-  return count_true(synth::sharing_instances(scene));
-}
-
-std::size_t count_shown_triangles(const synth::Scene& scene) {
-  std::size_t count = 0;
-  for (const synth::Instance& instance : scene.instances) {
-    count += scene.meshes[static_cast<std::size_t>(instance.mesh)].triangles.size();
-  }
-  return count;
-}
-
 ordered_json as_json(const InspectArguments& arguments, const synth::GltfSummary& summary) {
   return {{"scene", arguments.scene},
           {"triangles", summary.triangles},
@@ -119,9 +90,9 @@ ordered_json as_json(const InspectArguments& arguments, const synth::GltfSummary
           {"scenes", summary.scenes},
           {"nodes", summary.nodes},
           {"instances", summary.scene.instances.size()},
-          {"moving_instances", count_moving(summary.scene)},
-          {"sharing_instances", count_sharing(summary.scene)},
-          {"shown_triangles", count_shown_triangles(summary.scene)},
+          {"moving_instances", summary.moving_instances},
+          {"sharing_instances", summary.sharing_instances},
+          {"shown_triangles", summary.shown_triangles},
           {"materials", summary.materials},
           {"textures", summary.textures},
           {"images", summary.images},
@@ -161,9 +132,8 @@ void print_table(const synth::GltfSummary& summary) {
   std::cout << "triangles       " << summary.triangles << " in " << summary.draw_calls
             << " draw calls, " << summary.vertices << " vertices\n"
             << "instances       " << summary.scene.instances.size() << ", "
-            << count_moving(summary.scene) << " moving, " << count_sharing(summary.scene)
-            << " sharing a mesh; they show " << count_shown_triangles(summary.scene)
-            << " triangles\n"
+            << summary.moving_instances << " moving, " << summary.sharing_instances
+            << " sharing a mesh; they show " << summary.shown_triangles << " triangles\n"
             << "bounds          " << as_text(summary.bounds) << "\n"
             << "bounds at rest  " << as_text(summary.bounds_at_rest) << "\n"
             << "scenes          " << as_text(summary.scenes) << "\n"
