@@ -55,10 +55,4 @@ std::string html_report(const std::vector<ScenarioReport>& scenarios, const Repo
                     "</script>\n</body>\n</html>\n");
 }
 
-void write_html_report(const std::vector<ScenarioReport>& scenarios,
-                       const std::filesystem::path& path, vo::ExistingOutput existing) {
-  vo::require(!scenarios.empty(), path.string(), ": a report expects at least one scenario");
-  vo::write_file(path, html_report(scenarios), existing);
-}
-
 }  // namespace tools

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "tools/report/report_bundle.h"
 #include "tools/report/scenario_report.h"
-#include "vo/files/output.h"
 
 namespace tools {
 
@@ -15,11 +13,5 @@ namespace tools {
 /// bytes. Where the bundle is missing it holds verdicts and trajectories alone and says why.
 std::string html_report(const std::vector<ScenarioReport>& scenarios,
                         const ReportBundle& bundle = report_bundle());
-
-/// Writes the report to a file. Throws vo::Error as vo::write_file does, and when there is no
-/// scenario.
-void write_html_report(const std::vector<ScenarioReport>& scenarios,
-                       const std::filesystem::path& path,
-                       vo::ExistingOutput existing = vo::ExistingOutput::keep);
 
 }  // namespace tools

@@ -6,9 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/error_text.h"
 #include "tests/support/plane_report.h"
-#include "tests/support/temp_folder.h"
 #include "tools/report/report_data.h"
 
 namespace {
@@ -107,12 +105,6 @@ TEST(HtmlReport, WithoutItsBundleItShowsVerdictsAndTrajectoriesAndSaysWhatIsAbse
   EXPECT_THAT(html, HasSubstr("a &lt; b"));
   EXPECT_THAT(html, HasSubstr("</svg>"));
   EXPECT_EQ(html.find("<script"), std::string::npos);
-}
-
-TEST(HtmlReport, NoScenarioIsAnError) {
-  const support::TempFolder folder;
-  EXPECT_THAT(support::error_text([&] { tools::write_html_report({}, folder.path() / "r.html"); }),
-              HasSubstr("expects at least one scenario"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "tests/support/plane_report.h"
 #include "tools/report/html_report.h"
 #include "vo/core/fields.h"
+#include "vo/files/output.h"
 
 namespace {
 
@@ -70,7 +71,9 @@ int main(int argc, char** argv) {
     std::cerr << "usage: make_example_report FILE.html\n";
     return 2;
   }
-  tools::write_html_report({passed(), covered_lens(), monocular(), other_tracker(), crashed()},
-                           argv[1], vo::ExistingOutput::replace);
+  vo::write_file(
+      argv[1],
+      tools::html_report({passed(), covered_lens(), monocular(), other_tracker(), crashed()}),
+      vo::ExistingOutput::replace);
   return 0;
 }
