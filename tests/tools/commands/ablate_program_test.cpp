@@ -8,8 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/plane_sequence.h"
-#include "tests/support/program.h"
-#include "tests/support/temp_folder.h"
+#include "tests/support/program_test.h"
 
 namespace {
 
@@ -18,28 +17,18 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using support::ProgramResult;
 using support::run_program;
-using support::TempFolder;
 using testing::HasSubstr;
 
-class AblateProgram : public testing::Test {
+class AblateProgram : public support::ProgramTest {
  protected:
-  static void SetUpTestSuite() { support::write_plane_sequence(folder().path() / "plane", 9); }
+  AblateProgram() { support::write_plane_sequence(file("plane"), 9); }
 
-  static const TempFolder& folder() {
-    static const TempFolder instance;
-    return instance;
+  ProgramResult ablate(const std::string& study, const std::string& rest) const {
+    return run_program("ablate " + path("plane") + " --quiet --study " + study + " --seeds 2 " +
+                       rest);
   }
 
-  static ProgramResult ablate(const std::string& study, const std::string& rest) {
-    return run_program("ablate '" + (folder().path() / "plane").string() + "' --quiet --study " +
-                       study + " --seeds 2 " + rest);
-  }
-
-  static std::string out(const std::string& name) {
-    return "--out '" + (folder().path() / name).string() + "'";
-  }
-
-  static std::string read(const std::string& name) { return vo::read_file(folder().path() / name); }
+  std::string out(const std::string& name) const { return "--out " + path(name); }
 };
 
 /// The lines of a CSV without the columns whose title has this part.
@@ -77,8 +66,8 @@ TEST_F(AblateProgram, PointsComparesEdgesRandomAndAllPixels) {
       << "as many, but for those that leave the image";
   EXPECT_NEAR(double(all["points"]), 160 * 120, 0.1 * 160 * 120);
   EXPECT_LT(double(edges["ate_mm"]), 2) << "of 40 mm";
-  for (const char* file : {"points.csv", "points.svg", "points.md"}) {
-    EXPECT_TRUE(fs::exists(folder().path() / "points" / file)) << file;
+  for (const char* name : {"points.csv", "points.svg", "points.md"}) {
+    EXPECT_TRUE(exists(std::string("points/") + name)) << name;
   }
   EXPECT_THAT(read("points/points.md"), HasSubstr("edvo ablate plane --study points"));
 }
@@ -107,8 +96,8 @@ TEST_F(AblateProgram, ResidualsFallWhenEdgesAreAligned) {
     EXPECT_LT(double(row["after_edges_grey"]), 0.5 * double(row["before_grey"]));
   }
   EXPECT_GT(double(rows[4]["before_grey"]), double(rows[0]["before_grey"])) << "it moves on";
-  EXPECT_TRUE(fs::exists(folder().path() / "residuals/residuals.png"));
-  EXPECT_TRUE(fs::exists(folder().path() / "residuals/residuals_histogram.csv"));
+  EXPECT_TRUE(exists("residuals/residuals.png"));
+  EXPECT_TRUE(exists("residuals/residuals_histogram.csv"));
 }
 
 TEST_F(AblateProgram, LevelsCountsThePairsThatConverge) {
@@ -147,10 +136,9 @@ TEST_F(AblateProgram, UnusableInputIsNamed) {
   const std::string never = " --study points --quiet " + out("never");
   EXPECT_THAT(run_program("ablate none" + never).err, HasSubstr("none: there is no such folder"));
   EXPECT_EQ(run_program("ablate none.toml" + never).exit_code, 3);
-  fs::copy(folder().path() / "plane", folder().path() / "blind", fs::copy_options::recursive);
-  fs::remove(folder().path() / "blind/groundtruth.txt");
-  const ProgramResult blind =
-      run_program("ablate '" + (folder().path() / "blind").string() + "'" + never);
+  fs::copy(file("plane"), file("blind"), fs::copy_options::recursive);
+  fs::remove(file("blind/groundtruth.txt"));
+  const ProgramResult blind = run_program("ablate " + path("blind") + never);
   EXPECT_EQ(blind.exit_code, 3);
   EXPECT_THAT(blind.err, HasSubstr("blind: has no groundtruth.txt"));
 }

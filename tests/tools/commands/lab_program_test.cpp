@@ -9,8 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/program.h"
-#include "tests/support/temp_folder.h"
+#include "tests/support/program_test.h"
 #include "vo/files/output.h"
 
 namespace {
@@ -20,52 +19,23 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using support::ProgramResult;
 using support::run_program;
-using support::TempFolder;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* kScenario = R"(why = "it is broken"
-[scene]
-gltf = "room/room.gltf"
-[camera]
-width = 160
-height = 120
-[path]
-kind = "orbit"
-rate = 30.0
-duration = 0.15
-orbit.centre = [-0.95, 0.5, 0.3]
-orbit.radius = 1.2
-orbit.height = 0.8
-[render]
-samples = 1
-[expect]
-tracked_fraction = { min = 1.0 }
-ate_rmse_m.max = )";
-
-/// Two small scenarios, one that passes and one that does not, in a folder with a cache of its own.
-class LabProgram : public testing::Test {
+/// A small scenario that passes, and a cache of its own.
+class LabProgram : public support::ProgramTest {
  protected:
-  LabProgram() {
-    fs::create_directory_symlink(fs::path(EDVO_SOURCE_DIR) / "assets", folder_.path() / "assets");
-    good_ = folder_.write("scenarios/good.toml", kScenario + std::string("0.5\n"));
-  }
-
-  std::string path(const std::string& name) const {
-    return "'" + (folder_.path() / name).string() + "'";
-  }
-
-  std::string read(const std::string& name) const { return vo::read_file(folder_.path() / name); }
+  LabProgram() : good_(write_scenario("good", "0.5")) {}
 
   ProgramResult test(const std::string& rest) const {
     return run_program("test --quiet --cache " + path("cache") + " " + rest);
   }
 
-  void write_bad() const { folder_.write("scenarios/bad.toml", kScenario + std::string("1e-9\n")); }
+  void write_bad() const { write_scenario("bad", "1e-9"); }
 
   /// The only sequence of the cache.
   fs::path cached_sequence() const {
-    for (const auto& entry : fs::directory_iterator(folder_.path() / "cache/sequences")) {
+    for (const auto& entry : fs::directory_iterator(file("cache/sequences"))) {
       if (entry.is_directory()) {
         return entry.path();
       }
@@ -73,16 +43,15 @@ class LabProgram : public testing::Test {
     return {};
   }
 
-  TempFolder folder_;
   fs::path good_;
 };
 
 TEST_F(LabProgram, FailuresAreNamedAndTheOtherScenariosStillRun) {
   write_bad();
-  folder_.write("scenarios/odd.toml", kScenario + std::string("1\n[sensor]\nexposre = 1\n"));
-  std::string no_scene = kScenario + std::string("1\n");
+  write_scenario("odd", "1\n[sensor]\nexposre = 1");
+  std::string no_scene = read("scenarios/good.toml");
   no_scene.replace(no_scene.find("room/room"), 9, "room/none");
-  folder_.write("scenarios/lost.toml", no_scene);
+  write("scenarios/lost.toml", no_scene);
   const ProgramResult result =
       test(path("scenarios") + " --json " + path("r.json") + " --junit " + path("r.xml"));
   EXPECT_EQ(result.exit_code, 3) << result.err;
@@ -150,14 +119,14 @@ TEST_F(LabProgram, TwoRunsShareACache) {
   EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
   EXPECT_EQ(other.exit_code, 0) << other.out << other.err;
   EXPECT_EQ(read("1.json"), read("2.json"));
-  EXPECT_FALSE(support::has_leftovers(folder_.path() / "cache/sequences"));
+  EXPECT_FALSE(support::has_leftovers(file("cache/sequences")));
 }
 
 TEST_F(LabProgram, AFullDiskIsTemporaryAndTheNextRunGoesOn) {
-  fs::create_directory(folder_.path() / "cache");
-  folder_.write("twice.sh", "mount -t tmpfs -o size=64k none " + path("cache") +
-                                " 2>/dev/null || exit 77\n" + "\"$@\"; echo first $?\n" +
-                                "mount -o remount,size=64m " + path("cache") + "; exec \"$@\"\n");
+  fs::create_directory(file("cache"));
+  write("twice.sh", "mount -t tmpfs -o size=64k none " + path("cache") +
+                        " 2>/dev/null || exit 77\n" + "\"$@\"; echo first $?\n" +
+                        "mount -o remount,size=64m " + path("cache") + "; exec \"$@\"\n");
   const ProgramResult result =
       run_program("test --quiet --cache " + path("cache") + " " + path("scenarios") + " --json " +
                       path("r.json"),
@@ -215,7 +184,7 @@ TEST_F(LabProgram, BytesThatATrackerPrintsDoNotBreakTheResults) {
 
 TEST_F(LabProgram, OneReportShowsEveryScenario) {
   write_bad();
-  folder_.write("scenarios/odd.toml", kScenario + std::string("1\n[sensor]\nexposre = 1\n"));
+  write_scenario("odd", "1\n[sensor]\nexposre = 1");
   const ProgramResult result = test(path("scenarios") + " --seeds 2 --report " + path("r.html"));
   EXPECT_EQ(result.exit_code, 3) << result.out << result.err;
   const std::string html = read("r.html");
@@ -244,22 +213,21 @@ TEST_F(LabProgram, ResultsAreComparedSideBySide) {
   const std::string key = "\"ate_rmse_m\": ";
   const std::size_t at = changed.rfind(key) + key.size();
   changed.replace(at, changed.find(',', at) - at, "0.4");
-  folder_.write("b.json", changed);
+  write("b.json", changed);
   const ProgramResult worse = run_program("compare " + a + " " + path("b.json"));
   EXPECT_EQ(worse.exit_code, 4) << worse.err;
   EXPECT_THAT(worse.out, HasSubstr("ALARM: worse"));
-  folder_.write("c.json", "{}");
+  write("c.json", "{}");
   EXPECT_EQ(run_program("compare " + a + " " + path("c.json")).exit_code, 3);
   EXPECT_EQ(run_program("compare " + a).exit_code, 2);
 }
 
 TEST_F(LabProgram, BuildsAreComparedByWhatTheyMeasure) {
   const std::string cache = "export XDG_CACHE_HOME=" + path("") + "; ";
-  const fs::path worse =
-      folder_.write("worse", std::string("#!/bin/sh\nexec '") + EDVO_PROGRAM +
-                                 "' \"$@\" --tracker \"'" EDVO_PROGRAM
-                                 "' track {sequence} --preset paper --quiet"
-                                 " --set align.max_iterations=1 --out {output}\"\n");
+  const fs::path worse = write("worse", std::string("#!/bin/sh\nexec '") + EDVO_PROGRAM +
+                                            "' \"$@\" --tracker \"'" EDVO_PROGRAM
+                                            "' track {sequence} --preset paper --quiet"
+                                            " --set align.max_iterations=1 --out {output}\"\n");
   fs::permissions(worse, fs::perms::owner_all);
   const auto compare = [&](const std::string& build_b) {
     return run_program(
@@ -336,7 +304,7 @@ TEST_F(LabProgram, ABasinOfAMonocularScenarioIsRefused) {
                                            path("cache") + " --out " + path("basin"));
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_THAT(result.err, HasSubstr("odometry.mode is \"mono\", expected \"rgbd\""));
-  EXPECT_FALSE(std::filesystem::exists(path("basin")));
+  EXPECT_FALSE(exists("basin"));
 }
 
 TEST_F(LabProgram, ASweepKeepsListsTogetherAndTellsMedians) {

@@ -1,4 +1,4 @@
-#include "tests/support/program.h"
+#include "tests/support/program_test.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,6 @@
 
 #include "tests/support/instruction_sets.h"
 #include "tests/support/plane_sequence.h"
-#include "tests/support/temp_folder.h"
 #include "vo/core/fields.h"
 #include "vo/dataset/trajectory_file.h"
 #include "vo/files/png.h"
@@ -18,28 +17,15 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using support::ProgramResult;
 using support::run_program;
-using support::TempFolder;
 using testing::HasSubstr;
 
-/// A sequence to track, made once.
-class Program : public testing::Test {
+class Program : public support::ProgramTest {
  protected:
-  static void SetUpTestSuite() { support::write_plane_sequence(folder().path() / "sequence", 6); }
+  Program() { support::write_plane_sequence(file("sequence"), 6); }
 
-  static const TempFolder& folder() {
-    static const TempFolder instance;
-    return instance;
-  }
-
-  static std::string path(const std::string& name) {
-    return "'" + (folder().path() / name).string() + "'";
-  }
-
-  static ProgramResult track(const std::string& rest) {
+  ProgramResult track(const std::string& rest) const {
     return run_program("track " + path("sequence") + " --quiet " + rest);
   }
-
-  static bool exists(const std::string& name) { return fs::exists(folder().path() / name); }
 };
 
 TEST_F(Program, HelpTeachesAndIsNoError) {
@@ -87,12 +73,12 @@ TEST_F(Program, EvaluatePrintsItsContract) {
 TEST_F(Program, TwoRunsGiveTheSameBytesOnAnyNumberOfThreads) {
   ASSERT_EQ(track("--threads 1 --out " + path("one.txt")).exit_code, 0);
   ASSERT_EQ(track("--threads 2 --out " + path("two.txt")).exit_code, 0);
-  EXPECT_EQ(vo::read_file(folder().path() / "one.txt"), vo::read_file(folder().path() / "two.txt"));
+  EXPECT_EQ(read("one.txt"), read("two.txt"));
 }
 
 TEST_F(Program, TracksWhatConvertWrites) {
   ASSERT_EQ(track("--force --out " + path("tum.txt")).exit_code, 0);
-  const vo::Trajectory expected = vo::read_trajectory(folder().path() / "tum.txt");
+  const vo::Trajectory expected = vo::read_trajectory(file("tum.txt"));
   for (const std::string format : {"euroc", "icl-nuim", "icl-tum"}) {
     ASSERT_EQ(run_program("convert " + path("sequence") + " " + path(format) +
                           " --quiet --format " + format)
@@ -101,7 +87,7 @@ TEST_F(Program, TracksWhatConvertWrites) {
     const ProgramResult result =
         run_program("track " + path(format) + " --quiet --out " + path(format + ".txt"));
     ASSERT_EQ(result.exit_code, 0) << format << ": " << result.err;
-    const vo::Trajectory poses = vo::read_trajectory(folder().path() / (format + ".txt"));
+    const vo::Trajectory poses = vo::read_trajectory(file(format + ".txt"));
     ASSERT_EQ(poses.size(), expected.size()) << format;
     for (std::size_t i = 0; i < poses.size(); ++i) {
       const double distance =
@@ -116,21 +102,19 @@ TEST_F(Program, AConfigurationRepeatsARunToTheByte) {
   ASSERT_EQ(
       track("--config " + path("set_config.toml") + " --out " + path("configured.txt")).exit_code,
       0);
-  const auto bytes = [](const std::string& name) { return vo::read_file(folder().path() / name); };
-  EXPECT_EQ(bytes("configured.txt"), bytes("set.txt"));
-  EXPECT_EQ(bytes("configured_config.toml"), bytes("set_config.toml"));
-  EXPECT_THAT(bytes("set_config.toml"), HasSubstr("preset = \"paper\"\n"));
-  EXPECT_THAT(bytes("set_config.toml"), HasSubstr("keyframes.every = 3\n"));
+  EXPECT_EQ(read("configured.txt"), read("set.txt"));
+  EXPECT_EQ(read("configured_config.toml"), read("set_config.toml"));
+  EXPECT_THAT(read("set_config.toml"), HasSubstr("preset = \"paper\"\n"));
+  EXPECT_THAT(read("set_config.toml"), HasSubstr("keyframes.every = 3\n"));
 }
 
 TEST_F(Program, TheCommandLineCountsMoreThanAConfiguration) {
-  folder().write("some.toml",
-                 "preset = \"paper\"\nkeyframes.every = 2\n[align]\nmin_points = 50\n");
+  write("some.toml", "preset = \"paper\"\nkeyframes.every = 2\n[align]\nmin_points = 50\n");
   ASSERT_EQ(track("--config " + path("some.toml") +
                   " --preset authors --set keyframes.every=4 --out " + path("both.txt"))
                 .exit_code,
             0);
-  const std::string config = vo::read_file(folder().path() / "both_config.toml");
+  const std::string config = read("both_config.toml");
   EXPECT_THAT(config, HasSubstr("preset = \"authors\"\n"));
   EXPECT_THAT(config, HasSubstr("keyframes.every = 4\n"));
   EXPECT_THAT(config, HasSubstr("align.min_points = 50\n"));
@@ -144,7 +128,7 @@ TEST_F(Program, AConfigurationThatCannotBeUsedIsNamedWithItsLine) {
       {"preset = \"papr\"\n", "bad.toml:1: preset: expected one of paper, authors, default"},
       {"mode = [\n", "bad.toml:"}};
   for (const auto& [text, message] : cases) {
-    folder().write("bad.toml", text);
+    write("bad.toml", text);
     const ProgramResult result =
         track("--config " + path("bad.toml") + " --out " + path("bad.txt"));
     EXPECT_EQ(result.exit_code, 3) << text;
@@ -163,7 +147,7 @@ TEST_F(Program, EveryInstructionSetGivesTheSameBytes) {
                           path("set.txt"),
                       "EDVO_INSTRUCTION_SET=" + name + " ");
       ASSERT_EQ(result.exit_code, 0) << name << ": " << result.err;
-      const std::string bytes = vo::read_file(folder().path() / "set.txt");
+      const std::string bytes = read("set.txt");
       expected = expected.empty() ? bytes : expected;
       EXPECT_EQ(bytes, expected) << mode << " with " << name;
     }
@@ -239,13 +223,13 @@ TEST_F(Program, UnusableInputIsNamed) {
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << "one sentence";
   }
   EXPECT_FALSE(exists("never.txt"));
-  EXPECT_FALSE(support::has_leftovers(folder().path()));
+  EXPECT_FALSE(has_leftovers());
 }
 
 TEST_F(Program, AnOutputThatDiffersIsKept) {
-  folder().write("kept.txt", "precious\n");
+  write("kept.txt", "precious\n");
   EXPECT_EQ(track("--out " + path("kept.txt")).exit_code, 6);
-  EXPECT_EQ(vo::read_file(folder().path() / "kept.txt"), "precious\n");
+  EXPECT_EQ(read("kept.txt"), "precious\n");
   EXPECT_EQ(track("--force --out " + path("kept.txt")).exit_code, 0);
   EXPECT_EQ(track("--out " + path("kept.txt")).exit_code, 0) << "the same again is no conflict";
 }
@@ -256,7 +240,7 @@ TEST_F(Program, AFullDiskIsTemporaryAndLeavesNothing) {
       "track " + path("sequence") + " --quiet --out " + path("full.txt"), "ulimit -f 0; ");
   EXPECT_NE(result.exit_code, 0);
   EXPECT_FALSE(exists("full.txt"));
-  EXPECT_FALSE(support::has_leftovers(folder().path()));
+  EXPECT_FALSE(has_leftovers());
 }
 
 TEST_F(Program, AResultThatStdoutCannotTakeIsNoSuccess) {
@@ -284,7 +268,7 @@ TEST_F(Program, AnIntervalWithoutPairsIsRefused) {
 }
 
 TEST_F(Program, ALostFrameIsSaidAndHasNoPose) {
-  const fs::path covered = folder().path() / "covered";
+  const fs::path covered = file("covered");
   support::write_plane_sequence(covered, 4);
   vo::write_file(covered / "rgb/000002.png",
                  vo::encode_png(cv::Mat(120, 160, CV_8UC1, cv::Scalar(90))),
@@ -294,13 +278,12 @@ TEST_F(Program, ALostFrameIsSaidAndHasNoPose) {
                   " --frame-log " + path("covered.csv"));
   EXPECT_EQ(result.exit_code, 5) << result.err;
   EXPECT_EQ(json::parse(result.out)["tracked_fraction"], 0.75);
-  EXPECT_EQ(vo::read_trajectory(folder().path() / "covered.txt").size(), 3U);
-  EXPECT_THAT(vo::read_file(folder().path() / "covered.csv"),
-              HasSubstr("0.066667,lost,images_disagree,0"));
+  EXPECT_EQ(vo::read_trajectory(file("covered.txt")).size(), 3U);
+  EXPECT_THAT(read("covered.csv"), HasSubstr("0.066667,lost,images_disagree,0"));
 }
 
 TEST_F(Program, ATruncatedImageNamesTheFileAndLeavesNothing) {
-  const fs::path broken = folder().path() / "broken";
+  const fs::path broken = file("broken");
   support::write_plane_sequence(broken, 3);
   const std::string bytes = vo::read_file(broken / "rgb/000002.png");
   vo::write_file(broken / "rgb/000002.png", bytes.substr(0, bytes.size() / 2),
@@ -311,7 +294,7 @@ TEST_F(Program, ATruncatedImageNamesTheFileAndLeavesNothing) {
   EXPECT_THAT(result.err, HasSubstr("000002.png: cannot be decoded: it is truncated"));
   EXPECT_FALSE(exists("broken.txt"));
   EXPECT_FALSE(exists("broken_panels"));
-  EXPECT_FALSE(support::has_leftovers(folder().path()));
+  EXPECT_FALSE(has_leftovers());
 }
 
 }  // namespace
