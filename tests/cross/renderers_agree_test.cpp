@@ -198,13 +198,8 @@ TEST(RenderersAgree, OnIdsBehindHolesAndBesideTheScene) {
 TEST(RenderersAgree, OnMaskedAndBlendedSurfaces) {
   for (const AlphaMode mode : {AlphaMode::mask, AlphaMode::blend}) {
     for (const float alpha : {0.25F, 0.75F}) {
-      Scene scene;
-      Material red = unlit({1, 0, 0});
-      red.alpha_mode = mode;
-      red.base_color.w() = alpha;
-      add(scene, square_at(1, 2), red);
-      add(scene, square_at(2, 4), unlit({0, 1, 0}));
-      const Disagreement worst = compare(render_both(scene, {.samples = 16}, {}));
+      const Disagreement worst =
+          compare(render_both(red_before_green(mode, alpha), {.samples = 16}, {}));
       EXPECT_GT(worst.compared, 0);
       EXPECT_LT(worst.depth.back(), 1e-6);
       EXPECT_LT(worst.color.back(), 0.05);

@@ -40,6 +40,17 @@ inline Material unlit(const Eigen::Vector3f& color) {
   return material;
 }
 
+/// A red square in front of a green one, 1 and 2 m away.
+inline Scene red_before_green(AlphaMode mode, float alpha) {
+  Scene scene;
+  Material red = unlit({1, 0, 0});
+  red.alpha_mode = mode;
+  red.base_color.w() = alpha;
+  add(scene, square_at(1, 2), red);
+  add(scene, square_at(2, 4), unlit({0, 1, 0}));
+  return scene;
+}
+
 inline Material diffuse(const Eigen::Vector3f& color) {
   Material material = unlit(color);
   material.unlit = false;

@@ -19,17 +19,6 @@ constexpr double kPi = std::numbers::pi;
 const RenderOptions kDirectOnly{.samples = 1, .ambient = 0};
 const cv::Point kCentre(32, 24);
 
-/// A red square in front of a green one, 1 and 2 m away.
-Scene red_before_green(AlphaMode mode, float alpha) {
-  Scene scene;
-  Material red = unlit({1, 0, 0});
-  red.alpha_mode = mode;
-  red.base_color.w() = alpha;
-  add(scene, square_at(1, 2), red);
-  add(scene, square_at(2, 4), unlit({0, 1, 0}));
-  return scene;
-}
-
 void expect_color(const cv::Vec3f& actual, const cv::Vec3f& expected, double tolerance = 1e-5) {
   for (int i = 0; i < 3; ++i) {
     EXPECT_NEAR(actual[i], expected[i], tolerance) << "channel " << i;
