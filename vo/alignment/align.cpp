@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include "vo/alignment/pose_covariance.h"
@@ -71,7 +70,7 @@ class LevelAlignment {
  private:
   /// Takes a step and returns true, or says in the result why there is none and returns false.
   bool step() {
-    const Vector6d delta = -system_.H.ldlt().solve(system_.b);
+    const Vector6d delta = system_.step();
     if (is_small(delta, problem_.level(), options_)) {
       result_.termination = Termination::converged;
       return false;
@@ -107,7 +106,7 @@ class LevelAlignment {
 };
 
 void summarize(const JointSystem& system, const JointProblem& problem, AlignResult& result) {
-  const LinearSystem& first = system.parts.front();
+  const PointEquations& first = system.parts.front();
   result.points = system.points;
   result.cost = system.cost;
   result.gain = problem.models().front().brightness.gain;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "vo/core/normal_equations.h"
 #include "vo/residuals/linearize.h"
 
 namespace vo {
@@ -25,12 +26,8 @@ class HostSystem {
   /// be called once, after all pairs have been added.
   void hold_depth(const Eigen::VectorXd& information, const Eigen::VectorXd& strayed);
 
-  /// The normal equations of the pairs' increments, all other unknowns eliminated.
-  struct Increments {
-    Eigen::MatrixXd H;
-    Eigen::VectorXd b;
-  };
-  Increments increments() const;
+  /// Returns the normal equations of the pairs' increments, all other unknowns eliminated.
+  NormalEquations<Eigen::Dynamic> increments() const;
 
   /// The steps of the eliminated unknowns that go with a step of the increments.
   struct Step {
@@ -47,13 +44,9 @@ class HostSystem {
 
   const AlignOptions& options_;
   Eigen::Index pairs_;
-  Eigen::MatrixXd H_pairs_;
-  Eigen::VectorXd b_pairs_;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>
-      coupling_;  ///< one column of H for each inverse depth
-  Eigen::VectorXd H_depth_;
-  Eigen::VectorXd b_depth_;
-  PointTerms scores_;  ///< point terms of the pair that is being added
+  NormalEquations<Eigen::Dynamic> equations_;  ///< of increments, then of gains and offsets
+  SeparateUnknowns<Eigen::RowMajor> depths_;   ///< inverse depths
+  PointTerms scores_;                          ///< point terms of the pair that is being added
 };
 
 }  // namespace vo

@@ -2,21 +2,10 @@
 
 #include <algorithm>
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
-
 #include "vo/residuals/rolling_shutter_moments.h"
 
 namespace vo {
 namespace {
-
-/// Eliminates gain and offset from the normal equations (Schur complement).
-void eliminate_brightness(const LinearSystem& part, Matrix6d& H, Vector6d& b) {
-  const Eigen::Matrix<double, 6, 2> coupling = part.H.topRightCorner<6, 2>();
-  const Eigen::Matrix<double, 6, 2> eliminated = coupling * part.H_brightness().inverse();
-  H -= eliminated * coupling.transpose();
-  b -= eliminated * part.b.tail<2>();
-}
 
 /// Sets the pixels of a backward pair's points, which are the current frame's own.
 void place_at_pixels(const std::vector<cv::Point>& pixels, PointTerms& scores) {
@@ -41,6 +30,12 @@ struct CurvatureSums {
   }
 };
 
+/// Returns the derivatives of the loss, which are twice those of the normal equations. The weights
+/// overstate the curvature, which holds the time more firmly.
+LossByReadout least_loss(const NormalEquations<1>& readout) {
+  return {.slope = 2 * readout.b(0), .curvature = 2 * readout.H(0, 0)};
+}
+
 }  // namespace
 
 FrameVelocity AlignCurrent::velocity(const SE3& T_cur_first) const {
@@ -50,11 +45,6 @@ FrameVelocity AlignCurrent::velocity(const SE3& T_cur_first) const {
   const SE3 T_last_cur = previous->T_last_first * T_cur_first.inverse();
   return velocity_at_end({T_last_cur.log() / previous->seconds_ago, previous->seconds_ago},
                          previous->before);
-}
-
-LossByReadout ReadoutSystem::least_loss(const JointSystem& pose) const {
-  const Vector6d moved = pose.H.ldlt().solve(coupling);
-  return {.slope = 2 * (b - moved.dot(pose.b)), .curvature = 2 * (H - moved.dot(coupling))};
 }
 
 JointProblem::JointProblem(std::span<const AlignReference> references, const AlignCurrent& current,
@@ -100,17 +90,12 @@ Matrix6d JointProblem::increment_jacobian(const ImagePair& pair, const SE3& T_cu
 }
 
 void JointProblem::add_part(std::size_t pair, const SE3& T_cur_first, JointSystem& system) const {
-  const LinearSystem& part = system.parts[pair];
-  Matrix6d H = part.H_pose();
-  Vector6d b = part.b_pose();
-  if (options_.brightness == BrightnessModel::affine) {
-    eliminate_brightness(part, H, b);
-  }
+  const PointEquations& part = system.parts[pair];
   const double inverse_variance = 1 / (models_[pair].scale * models_[pair].scale);
-  const Matrix6d J = increment_jacobian(pairs_[pair], T_cur_first);
-  system.H += inverse_variance * J.transpose() * H * J;
-  system.b += inverse_variance * J.transpose() * b;
-  system.cost += inverse_variance * part.cost;
+  system.add(options_.brightness == BrightnessModel::affine
+                 ? part.eliminated<kBrightnessParameters>()
+                 : part.leading<kPoseParameters>(),
+             increment_jacobian(pairs_[pair], T_cur_first), inverse_variance);
   system.points += part.points;
   system.total += part.total;
 }
@@ -135,14 +120,9 @@ double JointProblem::depth_weight() const {
 }
 
 void JointProblem::add_depth(const SE3& T_cur_first, JointSystem& system) const {
-  if (!(distance_scale_ > 0)) {
-    return;
+  if (distance_scale_ > 0) {
+    system.add(linearize_depth(depth_view(T_cur_first), distance_scale_), depth_weight());
   }
-  const DepthSystem depth = linearize_depth(depth_view(T_cur_first), distance_scale_);
-  const double weight = depth_weight();
-  system.H += weight * depth.H;
-  system.b += weight * depth.b;
-  system.cost += weight * depth.cost;
 }
 
 /// Adds the surface points' terms of b by cell, with pixels scaled from their level to this one.
@@ -169,18 +149,19 @@ JointSystem JointProblem::linearize(const SE3& T_cur_first) const {
   return system;
 }
 
-CellScores::Projection JointProblem::projection(std::size_t pair, const LinearSystem& part,
+CellScores::Projection JointProblem::projection(std::size_t pair, const PointEquations& part,
                                                 const SE3& T_cur_first) const {
   CellScores::Projection eliminated = CellScores::Projection::Zero();
   eliminated.leftCols<6>().setIdentity();
   if (options_.brightness == BrightnessModel::affine) {
-    eliminated.rightCols<2>() = -part.H.topRightCorner<6, 2>() * part.H_brightness().inverse();
+    eliminated.rightCols<2>() =
+        -part.solve_trailing<2>(part.H.bottomLeftCorner<2, 6>()).transpose();
   }
   const Matrix6d J = increment_jacobian(pairs_[pair], T_cur_first);
   return J.transpose() * eliminated / (models_[pair].scale * models_[pair].scale);
 }
 
-JointProblem::ScoredPair JointProblem::scored(std::size_t pair, const LinearSystem& part,
+JointProblem::ScoredPair JointProblem::scored(std::size_t pair, const PointEquations& part,
                                               const SE3& T_cur_first, PointTerms& scores) const {
   const PointView seen = view(pairs_[pair], T_cur_first);
   const ResidualModel& model = models_[pair];
@@ -209,7 +190,7 @@ void JointProblem::add_velocities(const ScoredPair& scored, JointScores& result)
 
 /// Adds a pair's derivatives by the read-out time to first order, its brightness eliminated.
 void JointProblem::add_readout(const ScoredPair& scored, const SE3& T_cur_first,
-                               ReadoutSystem& system) const {
+                               ReadoutEquations& equations) const {
   const Vector6d current = current_.velocity(T_cur_first).twist;
   const Vector6d& reference = scored.pair.reference->velocity.twist;
   const Vector6d& of_points = scored.pair.backward ? current : reference;
@@ -218,13 +199,15 @@ void JointProblem::add_readout(const ScoredPair& scored, const SE3& T_cur_first,
       scored.seen, scored.scores, adjoint(scored.seen.T_cur_ref) * of_points, of_image);
   Eigen::Vector2d eliminated = Eigen::Vector2d::Zero();
   if (options_.brightness == BrightnessModel::affine) {
-    eliminated = scored.part.H_brightness().inverse() * moments.coupling.tail<2>();
+    eliminated = scored.part.solve_trailing<2>(moments.coupling.tail<2>());
   }
-  system.H +=
+  equations.H(0, 0) +=
       scored.inverse_variance * (moments.square - eliminated.dot(moments.coupling.tail<2>()));
-  system.b +=
+  equations.b(0) +=
       scored.inverse_variance * (moments.by_residual - eliminated.dot(scored.part.b.tail<2>()));
-  system.coupling += scored.to_pose * moments.coupling;
+  const Vector6d coupling = scored.to_pose * moments.coupling;
+  equations.H.col(0).tail<6>() += coupling;
+  equations.H.row(0).tail<6>() += coupling.transpose();
 }
 
 JointScores JointProblem::scores(const JointSystem& system, const SE3& T_cur_first) const {
@@ -232,7 +215,9 @@ JointScores JointProblem::scores(const JointSystem& system, const SE3& T_cur_fir
   JointScores result{.references = {references, CellScores(camera())},
                      .by_reference_velocity = {references, Matrix6d::Zero()}};
   CurvatureSums sums;
-  ReadoutSystem readout;
+  ReadoutEquations readout;
+  readout.H.bottomRightCorner<6, 6>() = system.H;
+  readout.b.tail<6>() = system.b;
   PointTerms scores;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const ScoredPair pair = scored(i, system.parts[i], T_cur_first, scores);
@@ -246,7 +231,7 @@ JointScores JointProblem::scores(const JointSystem& system, const SE3& T_cur_fir
   }
   add_depth(T_cur_first, result.references.front());
   result.curvature_share = sums.curvature / sums.weight;
-  result.loss_by_readout = readout.least_loss(system);
+  result.loss_by_readout = least_loss(readout.eliminated<6>());
   return result;
 }
 
@@ -279,11 +264,8 @@ void JointProblem::update_brightness(const JointSystem& system, const Vector6d& 
     return;
   }
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const LinearSystem& part = system.parts[i];
     const Vector6d pair_delta = increment_jacobian(pairs_[i], T_cur_first) * delta;
-    const Eigen::Vector2d right =
-        part.b.tail<2>() + part.H.topRightCorner<6, 2>().transpose() * pair_delta;
-    const Eigen::Vector2d step = -part.H_brightness().inverse() * right;
+    const Eigen::Vector2d step = system.parts[i].eliminated_step<kBrightnessParameters>(pair_delta);
     models_[i].brightness.gain += step[0];
     models_[i].brightness.offset += step[1];
   }

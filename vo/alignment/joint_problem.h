@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "vo/alignment/align_result.h"
+#include "vo/core/normal_equations.h"
 #include "vo/residuals/cell_scores.h"
 #include "vo/residuals/depth_term.h"
 #include "vo/residuals/frame_velocity.h"
@@ -40,14 +41,12 @@ struct AlignCurrent {
 };
 
 /// The normal equations of one left increment of T_cur_first, summed over pairs of images with each
-/// pair's brightness eliminated. Each pair counts in squares of its own scale.
-struct JointSystem {
-  Matrix6d H = Matrix6d::Zero();
-  Vector6d b = Vector6d::Zero();
-  double cost = 0;                  ///< robust loss per point
-  std::size_t points = 0;           ///< number of seen points
-  std::size_t total = 0;            ///< number of points, seen or not
-  std::vector<LinearSystem> parts;  ///< one for each pair: references forward, then backward
+/// pair's brightness eliminated. Each pair counts in squares of its own scale. The cost is the loss
+/// per point.
+struct JointSystem : NormalEquations<6> {
+  std::size_t points = 0;             ///< number of seen points
+  std::size_t total = 0;              ///< number of points, seen or not
+  std::vector<PointEquations> parts;  ///< one for each pair: references forward, then backward
 };
 
 /// The points' contributions to the system's b, by the reference and the cell of the current image.
@@ -60,17 +59,6 @@ struct JointScores {
   std::vector<Matrix6d> by_reference_velocity;
 
   LossByReadout loss_by_readout;  ///< first-order in the residuals
-};
-
-/// The normal equations of the read-out time beside the pose's, in squares of the pairs' scales.
-struct ReadoutSystem {
-  double H = 0;
-  double b = 0;
-  Vector6d coupling = Vector6d::Zero();  ///< H between pose and read-out time
-
-  /// Returns the derivatives of the loss minimised over the pose: twice those of the normal
-  /// equations. The weights overstate the curvature, which holds the time more firmly.
-  LossByReadout least_loss(const JointSystem& pose) const;
 };
 
 /// The current frame and all its references at one pyramid level: the references' points looked up
@@ -120,10 +108,13 @@ class JointProblem {
     bool backward;  ///< the points are the current frame's and the image is the reference's
   };
 
+  /// The unknowns are the read-out time and the increment of the pose.
+  using ReadoutEquations = NormalEquations<7>;
+
   /// The terms of an image pair's points and the projection of their b to that of the pose.
   struct ScoredPair {
     const ImagePair& pair;
-    const LinearSystem& part;
+    const PointEquations& part;
     PointView seen;
     PointTerms& scores;
     CellScores::Projection to_pose;
@@ -139,11 +130,12 @@ class JointProblem {
   double depth_weight() const;
   void add_depth(const SE3& T_cur_first, JointSystem& system) const;
   void add_depth(const SE3& T_cur_first, CellScores& scores) const;
-  ScoredPair scored(std::size_t pair, const LinearSystem& part, const SE3& T_cur_first,
+  ScoredPair scored(std::size_t pair, const PointEquations& part, const SE3& T_cur_first,
                     PointTerms& scores) const;
   void add_velocities(const ScoredPair& scored, JointScores& result) const;
-  void add_readout(const ScoredPair& scored, const SE3& T_cur_first, ReadoutSystem& system) const;
-  CellScores::Projection projection(std::size_t pair, const LinearSystem& part,
+  void add_readout(const ScoredPair& scored, const SE3& T_cur_first,
+                   ReadoutEquations& equations) const;
+  CellScores::Projection projection(std::size_t pair, const PointEquations& part,
                                     const SE3& T_cur_first) const;
 
   const AlignCurrent& current_;

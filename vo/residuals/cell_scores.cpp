@@ -14,11 +14,11 @@ CellScores::CellScores(const PinholeCamera& camera)
 }
 
 void CellScores::add(const PointTerms& scores, const Projection& projection) {
-  using Vector8d = Eigen::Matrix<double, 8, 1>;
-  std::vector<Vector8d> sums(b_.size(), Vector8d::Zero());
+  using Sum = PointEquations::Vector;
+  std::vector<Sum> sums(b_.size(), Sum::Zero());
   for (std::size_t i = 0; i < scores.weight.size(); ++i) {
     if (scores.weight[i] > 0) {
-      Vector8d& sum = sums[cell_of(scores.u[i], scores.v[i])];
+      Sum& sum = sums[cell_of(scores.u[i], scores.v[i])];
       const float weighted = scores.weight[i] * scores.residual[i];
       for (std::size_t p = 0; p < kPassParameters; ++p) {
         sum[static_cast<Eigen::Index>(p)] += static_cast<double>(weighted * scores.J[p][i]);

@@ -136,21 +136,19 @@ DepthScore score_of(const Block& block, std::size_t i) {
 
 }  // namespace
 
-DepthSystem linearize_depth(const DepthView& view, double scale) {
+NormalEquations<6> linearize_depth(const DepthView& view, double scale) {
   const PassOptions options = pass_options(scale);
-  PassSums sums;
+  PointEquations sums;
   for_each_block(view, options, [&](Block& block, std::size_t count) {
     LaneSums lanes;
     lanes.add(kPoseParameters, block);
     lanes.flush_into(sums);
     for (std::size_t i = 0; i < count; ++i) {
-      sums.seen += block.seen[i] > 0 ? 1 : 0;
+      sums.points += block.seen[i] > 0 ? 1 : 0;
     }
   });
-  const auto unseen = static_cast<double>(view.surface.size() - sums.seen);
-  const RobustValue at_scale = robust_value(options.loss, options.loss_scale, options.loss_scale);
-  return {sums.matrix().topLeftCorner<6, 6>(), sums.right_side().head<6>(),
-          sums.loss + unseen * at_scale.loss};
+  sums.complete(view.surface.size(), options);
+  return sums.leading<kPoseParameters>();
 }
 
 std::vector<DepthScore> score_depth(const DepthView& view, double scale) {

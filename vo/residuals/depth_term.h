@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "vo/core/normal_equations.h"
 #include "vo/geometry/se3.h"
 #include "vo/image/pyramid.h"
 #include "vo/residuals/surface_points.h"
@@ -15,17 +16,11 @@ struct DepthView {
   SE3 T_cur_ref;  ///< ref: the points' frame, cur: the image's frame
 };
 
-/// The normal equations H delta = -b of exp(delta) T_cur_ref for point-to-plane distances (Chen &
-/// Medioni, "Object modelling by registration of multiple range images", IVC 1992). Each point is
-/// compared with the depth measured at the pixel where it is seen.
-struct DepthSystem {
-  Matrix6d H = Matrix6d::Zero();
-  Vector6d b = Vector6d::Zero();
-  double cost = 0;  ///< sum of robust losses, m^2; an unseen point costs as much as the scale
-};
-
-/// Linearizes with the robust loss of a t-distribution of standard deviation `scale`, m.
-DepthSystem linearize_depth(const DepthView& view, double scale);
+/// Linearizes point-to-plane distances (Chen & Medioni, "Object modelling by registration of
+/// multiple range images", IVC 1992), m, in the left increment of T_cur_ref. Each point is compared
+/// with the depth measured at the pixel where it is seen. The robust loss is that of a
+/// t-distribution of standard deviation `scale`, m; an unseen point costs as much as the scale.
+NormalEquations<6> linearize_depth(const DepthView& view, double scale);
 
 /// A point's term of b and the pixel where it is seen.
 struct DepthScore {

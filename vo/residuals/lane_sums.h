@@ -32,7 +32,9 @@ EDVO_INLINE void add_values(const BlockRow& a, Lanes& sum) {
 
 /// The sums over some blocks in single precision, lane by lane.
 struct alignas(64) LaneSums {
-  std::array<Lanes, kPassPairs> H{};
+  static constexpr std::size_t kPairs = kPassParameters * (kPassParameters + 1) / 2;
+
+  std::array<Lanes, kPairs> H{};  // upper triangle, row by row
   std::array<Lanes, kPassParameters> b{};
   Lanes loss{};
 
@@ -56,14 +58,17 @@ struct alignas(64) LaneSums {
     add_values(block.loss, loss);
   }
 
-  void flush_into(PassSums& sums) {
-    for (std::size_t pair = 0; pair < kPassPairs; ++pair) {
-      sums.H[pair] += total(H[pair]);
-    }
+  void flush_into(NormalEquations<kPassParameters>& sums) {
+    std::size_t pair = 0;
     for (std::size_t p = 0; p < kPassParameters; ++p) {
-      sums.b[p] += total(b[p]);
+      const auto row = static_cast<Eigen::Index>(p);
+      for (Eigen::Index column = row; column < sums.H.cols(); ++column, ++pair) {
+        sums.H(row, column) += total(H[pair]);
+        sums.H(column, row) = sums.H(row, column);
+      }
+      sums.b[row] += total(b[p]);
     }
-    sums.loss += total(loss);
+    sums.cost += total(loss);
     *this = {};
   }
 

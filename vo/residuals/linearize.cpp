@@ -79,25 +79,14 @@ double residual_spread(const PointView& view, const Brightness& brightness) {
 
 }  // namespace
 
-Eigen::Matrix2d LinearSystem::H_brightness() const {
-  constexpr double kPrior = 1e-3;  // weight of the prior per point
-  return H.bottomRightCorner<2, 2>() +
-         kPrior * static_cast<double>(points + 1) * Eigen::Matrix2d::Identity();
-}
-
-LinearSystem linearize(const PointView& view, const AlignOptions& options,
-                       const ResidualModel& model) {
-  const PassOptions pass = pass_options(options, model);
-  const PassSums sums = sum_points(view, pass, available_instruction_set());
-  LinearSystem system;
-  system.H = sums.matrix();
-  system.b = sums.right_side();
-  system.points = sums.seen;
-  system.total = view.points.size();
-  const auto unseen = static_cast<double>(system.total - system.points);
-  system.cost =
-      sums.loss + unseen * robust_value(options.loss, pass.loss_scale, pass.loss_scale).loss;
-  return system;
+PointEquations linearize(const PointView& view, const AlignOptions& options,
+                         const ResidualModel& model) {
+  constexpr double kPrior = 1e-3;  // information about gain and offset for each point
+  PointEquations equations =
+      sum_points(view, pass_options(options, model), available_instruction_set());
+  equations.H.diagonal().tail<kBrightnessParameters>().array() +=
+      kPrior * static_cast<double>(equations.points + 1);
+  return equations;
 }
 
 void compute_point_terms(const PointView& view, const AlignOptions& options,

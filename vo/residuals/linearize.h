@@ -23,27 +23,12 @@ struct ResidualModel {
   Brightness brightness;
 };
 
-using Vector8d = Eigen::Matrix<double, 8, 1>;
-using Matrix8d = Eigen::Matrix<double, 8, 8>;
-
-/// The photometric normal equations H delta = -b of the left increment of T_cur_ref, the gain and
-/// the offset, and the number of points they sum over.
-struct LinearSystem {
-  Matrix8d H = Matrix8d::Zero();
-  Vector8d b = Vector8d::Zero();
-  double cost = 0;         ///< sum of robust losses; an unseen point costs as much as the scale
-  std::size_t points = 0;  ///< number of points that are seen
-  std::size_t total = 0;   ///< number of points, seen or not
-
-  Matrix6d H_pose() const { return H.topLeftCorner<6, 6>(); }
-  Vector6d b_pose() const { return b.head<6>(); }
-  Eigen::Matrix2d H_brightness() const;  ///< invertible even where the images have no contrast
-};
-
 /// Linearizes the residuals r = I_cur(pi(T_cur_ref p_ref)) - gain I_ref - offset (paper, Eq. 6) in
-/// one pass over the points, with the Jacobian of the options' formulation (forward: Eq. 12).
-LinearSystem linearize(const PointView& view, const AlignOptions& options,
-                       const ResidualModel& model);
+/// one pass over the points, with the Jacobian of the options' formulation (forward: Eq. 12). A
+/// weak prior keeps gain and offset where they are, so that they can be eliminated even where the
+/// images have no contrast.
+PointEquations linearize(const PointView& view, const AlignOptions& options,
+                         const ResidualModel& model);
 
 /// Computes each point's terms of the normal equations; `scores` are overwritten.
 void compute_point_terms(const PointView& view, const AlignOptions& options,

@@ -18,7 +18,8 @@ using detail::store_row;
 
 constexpr float kUnseen = std::numeric_limits<float>::quiet_NaN();
 
-EDVO_INLINE void sum_blocks(const PointView& view, const PassOptions& options, PassSums& sums) {
+EDVO_INLINE void sum_blocks(const PointView& view, const PassOptions& options,
+                            PointEquations& sums) {
   Block block{};
   LaneSums lanes;
   const std::size_t parameters = options.brightness ? kPassParameters : kPoseParameters;
@@ -27,7 +28,7 @@ EDVO_INLINE void sum_blocks(const PointView& view, const PassOptions& options, P
     const std::size_t count = std::min(kBlock, view.points.size() - first);
     linearize_block(view, options, warp, first, count, block);
     for (std::size_t i = 0; i < count; ++i) {
-      sums.seen += block.seen[i] > 0 ? 1 : 0;
+      sums.points += block.seen[i] > 0 ? 1 : 0;
     }
     lanes.add(parameters, block);
     if ((first / kBlock) % kFlushPeriod == kFlushPeriod - 1) {
@@ -70,16 +71,17 @@ EDVO_INLINE void sample_blocks(const PointView& view, std::size_t stride,
   }
 }
 
-void sum_baseline(const PointView& view, const PassOptions& options, PassSums& sums) {
+void sum_baseline(const PointView& view, const PassOptions& options, PointEquations& sums) {
   sum_blocks(view, options, sums);
 }
 
-EDVO_TARGET_AVX2 void sum_avx2(const PointView& view, const PassOptions& options, PassSums& sums) {
+EDVO_TARGET_AVX2 void sum_avx2(const PointView& view, const PassOptions& options,
+                               PointEquations& sums) {
   sum_blocks(view, options, sums);
 }
 
 EDVO_TARGET_AVX512 void sum_avx512(const PointView& view, const PassOptions& options,
-                                   PassSums& sums) {
+                                   PointEquations& sums) {
   sum_blocks(view, options, sums);
 }
 
@@ -112,24 +114,14 @@ void PointTerms::resize(std::size_t points) {
   }
 }
 
-Eigen::Matrix<double, kPassParameters, kPassParameters> PassSums::matrix() const {
-  Eigen::Matrix<double, kPassParameters, kPassParameters> result;
-  std::size_t pair = 0;
-  for (Eigen::Index p = 0; p < result.rows(); ++p) {
-    for (Eigen::Index q = p; q < result.cols(); ++q, ++pair) {
-      result(p, q) = H[pair];
-      result(q, p) = H[pair];
-    }
-  }
-  return result;
+void PointEquations::complete(std::size_t all_points, const PassOptions& options) {
+  total = all_points;
+  const RobustValue at_scale = robust_value(options.loss, options.loss_scale, options.loss_scale);
+  cost += static_cast<double>(total - points) * at_scale.loss;
 }
 
-Eigen::Matrix<double, kPassParameters, 1> PassSums::right_side() const {
-  return Eigen::Map<const Eigen::Matrix<double, kPassParameters, 1>>(b.data());
-}
-
-PassSums sum_points(const PointView& view, const PassOptions& options, InstructionSet set) {
-  PassSums sums;
+PointEquations sum_points(const PointView& view, const PassOptions& options, InstructionSet set) {
+  PointEquations sums;
   switch (set) {
     case InstructionSet::avx512:
       sum_avx512(view, options, sums);
@@ -140,6 +132,7 @@ PassSums sum_points(const PointView& view, const PassOptions& options, Instructi
     default:
       sum_baseline(view, options, sums);
   }
+  sums.complete(view.points.size(), options);
   return sums;
 }
 

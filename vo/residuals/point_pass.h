@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "vo/core/instruction_set.h"
+#include "vo/core/normal_equations.h"
 #include "vo/geometry/se3.h"
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
@@ -29,18 +30,17 @@ struct PassOptions {
 };
 
 constexpr std::size_t kPoseParameters = 6;
-constexpr std::size_t kPassParameters = 8;  ///< parameters: pose increment, gain, offset
-constexpr std::size_t kPassPairs = kPassParameters * (kPassParameters + 1) / 2;
+constexpr std::size_t kBrightnessParameters = 2;
+constexpr std::size_t kPassParameters = kPoseParameters + kBrightnessParameters;
 
-/// The normal equations of the increment [translation; rotation; gain; offset], left of T_cur_ref.
-struct PassSums {
-  std::array<double, kPassPairs> H{};  ///< upper triangle, row by row
-  std::array<double, kPassParameters> b{};
-  double loss = 0;
-  std::size_t seen = 0;
+/// The normal equations of the increment [translation; rotation; gain; offset], left of T_cur_ref,
+/// summed over points. An unseen point adds to the cost only, as much as a residual of the scale.
+struct PointEquations : NormalEquations<kPassParameters> {
+  std::size_t points = 0;  ///< number of points that are seen
+  std::size_t total = 0;   ///< number of points, seen or not
 
-  Eigen::Matrix<double, kPassParameters, kPassParameters> matrix() const;  ///< H
-  Eigen::Matrix<double, kPassParameters, 1> right_side() const;            ///< b
+  /// Sets the total and adds the cost of the points that are not seen.
+  void complete(std::size_t all_points, const PassOptions& options);
 };
 
 /// Each point's terms of the normal equations, one element per point in each array; its term of b
@@ -66,7 +66,7 @@ struct PointView {
 
 /// Sums the normal equations of r = I_cur(pi(T_cur_ref p_ref)) - gain I_ref - offset over all seen
 /// points.
-PassSums sum_points(const PointView& view, const PassOptions& options, InstructionSet set);
+PointEquations sum_points(const PointView& view, const PassOptions& options, InstructionSet set);
 
 /// Computes the points' terms of the normal equations; `scores` are overwritten.
 void compute_point_terms(const PointView& view, const PassOptions& options, InstructionSet set,

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include <Eigen/Cholesky>
+#include "vo/core/normal_equations.h"
 
 namespace vo {
 namespace {
@@ -18,8 +18,7 @@ Eigen::Vector3d ray_of(const PyramidLevel& level, int u, int v) {
 /// has holes or is not flat.
 std::optional<Eigen::Vector3d> fitted_plane(const PyramidLevel& level, cv::Point centre) {
   constexpr double kMaxResidual = 0.02;  // share of the inverse depth
-  Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d g = Eigen::Vector3d::Zero();
+  NormalEquations<3> equations;
   double sum_of_squares = 0;
   int count = 0;
   for (int v = centre.y - kRadius; v <= centre.y + kRadius; ++v) {
@@ -28,15 +27,13 @@ std::optional<Eigen::Vector3d> fitted_plane(const PyramidLevel& level, cv::Point
         return {};
       }
       const double inverse_depth = 1 / static_cast<double>(level.depth(v, u));
-      const Eigen::Vector3d ray = ray_of(level, u, v);
-      H += ray * ray.transpose();
-      g += inverse_depth * ray;
+      equations.add_residual(ray_of(level, u, v), -inverse_depth, 1);
       sum_of_squares += inverse_depth * inverse_depth;
       ++count;
     }
   }
-  const Eigen::Vector3d plane = H.ldlt().solve(g);
-  const double residual = (sum_of_squares - plane.dot(g)) / count;
+  const Eigen::Vector3d plane = equations.step();
+  const double residual = (sum_of_squares + plane.dot(equations.b)) / count;
   const double limit = kMaxResidual / static_cast<double>(level.depth(centre));
   if (!(residual < limit * limit)) {
     return {};

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <cstddef>
 
-#include <Eigen/Cholesky>
-
 #include "vo/alignment/host_system.h"
 #include "vo/core/damped_descent.h"
 #include "vo/core/error.h"
+#include "vo/core/normal_equations.h"
 #include "vo/residuals/linearize.h"
 
 namespace vo {
@@ -64,8 +63,8 @@ ResidualModel shown_model(const PointView& view, const AlignOptions& options) {
       model.scale = shown_scale(view, model.brightness, options);
     }
     if (affine) {
-      const LinearSystem system = linearize(view, options, model);
-      const Eigen::Vector2d step = -system.H_brightness().ldlt().solve(system.b.tail<2>());
+      const Eigen::Vector2d step =
+          linearize(view, options, model).trailing<kBrightnessParameters>().step();
       model.brightness.gain += step[0];
       model.brightness.offset += step[1];
     }
@@ -115,18 +114,14 @@ class Window {
   /// Returns the state that a damped step from `state` leads to.
   WindowState stepped(const WindowState& state, double damping) const {
     std::vector<HostSystem> systems;
-    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(pose_rows(), pose_rows());
-    Eigen::VectorXd b = Eigen::VectorXd::Zero(pose_rows());
+    auto equations = NormalEquations<Eigen::Dynamic>::zero(pose_rows());
     for (const std::size_t host : hosts_) {
       systems.push_back(system_of(host, state));
-      const HostSystem::Increments part = systems.back().increments();
-      const Eigen::MatrixXd J = increment_jacobian(host, state);
-      H += J.transpose() * part.H * J;
-      b += J.transpose() * part.b;
+      equations.add(systems.back().increments(), increment_jacobian(host, state));
     }
-    hold_poses(H, b);
-    H.diagonal() *= 1 + damping;
-    return moved(state, systems, -H.ldlt().solve(b));
+    hold_poses(equations);
+    equations.H.diagonal() *= 1 + damping;
+    return moved(state, systems, equations.step());
   }
 
  private:
@@ -204,14 +199,14 @@ class Window {
     return J;
   }
 
-  void hold_poses(Eigen::MatrixXd& H, Eigen::VectorXd& b) const {
+  void hold_poses(NormalEquations<Eigen::Dynamic>& equations) const {
     for (std::size_t f = 0; f < frames_.size(); ++f) {
       if (frames_[f].held) {
         const Eigen::Index at = kPose * static_cast<Eigen::Index>(f);
-        H.middleRows<kPose>(at).setZero();
-        H.middleCols<kPose>(at).setZero();
-        H.block<kPose, kPose>(at, at).setIdentity();
-        b.segment<kPose>(at).setZero();
+        equations.H.middleRows<kPose>(at).setZero();
+        equations.H.middleCols<kPose>(at).setZero();
+        equations.H.block<kPose, kPose>(at, at).setIdentity();
+        equations.b.segment<kPose>(at).setZero();
       }
     }
   }

@@ -71,7 +71,7 @@ TEST(Align, NeverEndsWorseThanItsGuess) {
   vo::FramePyramid finest = current;
   finest.levels.resize(1);
   const double scale = vo::AlignOptions().loss_scale;
-  const vo::LinearSystem start =
+  const vo::PointEquations start =
       vo::linearize({points.levels[0], finest.levels[0], SE3(), {}, {}}, {}, {scale, {}});
   const double before = start.cost / (scale * scale * static_cast<double>(start.total));
   for (const int iterations : {1, 2, 5, 30}) {

@@ -12,7 +12,7 @@ using vo::RobustLoss;
 using vo::SE3;
 using vo::Vector6d;
 
-/// Of H's brightness block, per point and the one more: what joint_problem.cpp adds to it.
+/// Of H's brightness block, per point and the one more: the prior that linearize() adds.
 constexpr double kBrightnessPrior = 1e-3;
 
 SE3 pose(double x, double y, double z, double a, double b, double c) {
@@ -165,14 +165,11 @@ struct FullSystem {
                                     -vo::adjoint(pair.T_cur_first.inverse()),
                                     -vo::adjoint(T_cur_second.inverse())};
     for (Eigen::Index i = 0; i < 4; ++i) {
-      const vo::LinearSystem& part = system.parts[static_cast<std::size_t>(i)];
+      const vo::PointEquations& part = system.parts[static_cast<std::size_t>(i)];
       Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(8, 14);  // d(part's parameters) / d(all)
       moved.topLeftCorner(6, 6) = J[static_cast<std::size_t>(i)];
       moved.block(6, 6 + 2 * i, 2, 2).setIdentity();
-      vo::Matrix8d H_part = part.H;
-      H_part.diagonal().tail<2>().array() +=
-          kBrightnessPrior * static_cast<double>(part.points + 1);
-      H += moved.transpose() * H_part * moved / (scale * scale);
+      H += moved.transpose() * part.H * moved / (scale * scale);
       b += moved.transpose() * part.b / (scale * scale);
     }
   }

@@ -89,7 +89,7 @@ TEST(DepthTerm, FindsTheMotionInsideABox) {
   const vo::PyramidLevel current = box_level(T_world_ref * T_cur_ref.inverse());
   SE3 estimate;
   for (int i = 0; i < 10; ++i) {
-    const vo::DepthSystem system = vo::linearize_depth({surface, current, estimate}, 1e-3);
+    const vo::NormalEquations<6> system = vo::linearize_depth({surface, current, estimate}, 1e-3);
     estimate = SE3::exp(Vector6d(-system.H.ldlt().solve(system.b))) * estimate;
   }
   EXPECT_THAT(estimate, PoseNear(T_cur_ref, support::PoseTolerance{3e-4, 0.01}));
@@ -120,7 +120,7 @@ TEST(DepthTerm, AWallDeterminesThreeDirections) {
   vo::PyramidLevel level = box_level({});
   level.depth.setTo(1.5F);
   const vo::SurfacePoints surface = vo::surface_points(level);
-  const vo::DepthSystem system = vo::linearize_depth({surface, level, SE3()}, 1e-3);
+  const vo::NormalEquations<6> system = vo::linearize_depth({surface, level, SE3()}, 1e-3);
   const Eigen::SelfAdjointEigenSolver<vo::Matrix6d> solver(system.H);
   EXPECT_LT(solver.eigenvalues()[2], 1e-4 * solver.eigenvalues()[3]);
 }

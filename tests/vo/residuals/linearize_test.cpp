@@ -139,7 +139,7 @@ TEST(Linearize, RightHandSideIsTheGradientOfTheCost) {
   Vector6d xi;
   xi << 0.01, -0.01, 0.02, 0.005, -0.005, 0.01;
   const SE3 T = SE3::exp(xi);
-  const vo::LinearSystem system =
+  const vo::PointEquations system =
       vo::linearize({points, level, T, {}, {}}, {.loss = vo::RobustLoss::none}, {1, {}});
   ASSERT_EQ(system.points, points.size()) << "all in view";
   constexpr double kCostStep = 1e-3;
@@ -153,13 +153,28 @@ TEST(Linearize, RightHandSideIsTheGradientOfTheCost) {
   }
 }
 
+/// All points have one intensity: a gain and an offset of opposite effect go unseen.
+TEST(Linearize, BrightnessCanBeEliminatedWithoutContrast) {
+  const vo::PinholeCamera camera = vo::load_camera("tum-default").pinhole;
+  const vo::PyramidLevel level = bilinear_level(camera);
+  const vo::EdgePointLevel points = grid_of_points(camera);
+  const vo::AlignOptions options{.loss = vo::RobustLoss::none,
+                                 .brightness = vo::BrightnessModel::affine};
+  const vo::PointEquations system = vo::linearize({points, level, SE3(), {}, {}}, options, {1, {}});
+  const Eigen::Vector2d columns(points.intensity.front(), 1);
+  const auto n = static_cast<double>(system.points);
+  const Eigen::Matrix2d expected =
+      n * columns * columns.transpose() + 1e-3 * (n + 1) * Eigen::Matrix2d::Identity();
+  EXPECT_LT((system.trailing<2>().H - expected).norm(), 1e-5 * n);
+}
+
 TEST(Linearize, LeavingTheViewIsNoWayToLowerTheCost) {
   const vo::PinholeCamera camera = vo::load_camera("tum-default").pinhole;
   vo::PyramidLevel level = bilinear_level(camera);
   const vo::EdgePointLevel points = grid_of_points(camera);
   const SE3 T_away(Eigen::Quaterniond::Identity(), {100, 0, 0});
   const vo::AlignOptions options;
-  const vo::LinearSystem away =
+  const vo::PointEquations away =
       vo::linearize({points, level, T_away, {}, {}}, options, {options.loss_scale, {}});
   EXPECT_EQ(away.points, 0U);
   EXPECT_NEAR(away.cost / static_cast<double>(away.total), options.loss_scale * options.loss_scale,
