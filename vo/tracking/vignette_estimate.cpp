@@ -4,6 +4,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "vo/core/normal_equations.h"
+
 namespace vo {
 namespace {
 
@@ -20,10 +22,6 @@ constexpr double kInsignificant = 4;  ///< chi^2 up to which no vignette is assu
 
 constexpr int kCoefficients = 2;
 constexpr auto kParameters = static_cast<int>(kPassParameters);
-
-/// The normal equations' types for the coefficients and the eliminated parameters.
-using Vector10d = Eigen::Matrix<double, kCoefficients + kParameters, 1>;
-using Matrix10d = Eigen::Matrix<double, kCoefficients + kParameters, kCoefficients + kParameters>;
 
 /// A pair of images between which a vignette shows.
 struct VignettePair {
@@ -57,17 +55,11 @@ VignetteResidual vignette_residual(const VignettePair& pair, const VignetteTerms
   return {value, (seen - value / 2) * logarithmic};
 }
 
-/// The normal equations H delta = -b of the coefficients, in squares of the loss's scale.
-struct VignetteSystem {
-  Eigen::Matrix2d H;
-  Eigen::Vector2d b;
-};
-
-VignetteSystem vignette_system(const VignettePair& pair) {
+/// Returns the normal equations of the coefficients, in squares of the loss's scale.
+NormalEquations<kCoefficients> vignette_equations(const VignettePair& pair) {
   const VignetteTerms terms(pair.view.image.camera);
-  Matrix10d H = Matrix10d::Zero();
-  Vector10d b = Vector10d::Zero();
-  Vector10d J;
+  NormalEquations<kCoefficients + kParameters> all;
+  decltype(all)::Vector J;
   for (std::size_t i = 0; i < pair.view.points.size(); ++i) {
     const double weight = pair.scores.weight[i];
     if (weight > 0) {
@@ -76,20 +68,13 @@ VignetteSystem vignette_system(const VignettePair& pair) {
       for (int p = 0; p < kParameters; ++p) {
         J[kCoefficients + p] = pair.scores.J[static_cast<std::size_t>(p)][i];
       }
-      H.noalias() += weight * J * J.transpose();
-      b.noalias() += weight * residual.value * J;
+      all.add_residual(J, residual.value, weight);
     }
   }
-  using Eliminated = Eigen::Matrix<double, kParameters, kParameters>;
-  Eliminated H_eliminated = H.bottomRightCorner<kParameters, kParameters>();
-  H_eliminated.diagonal() *= 1 + kDamping;
-  const Eigen::Matrix<double, kParameters, kCoefficients> shares =
-      H_eliminated.ldlt().solve(H.bottomLeftCorner<kParameters, kCoefficients>());
-  const double inverse_variance = 1 / (pair.model.scale * pair.model.scale);
-  return {
-      inverse_variance * (H.topLeftCorner<kCoefficients, kCoefficients>() -
-                          shares.transpose() * H.bottomLeftCorner<kParameters, kCoefficients>()),
-      inverse_variance * (b.head<kCoefficients>() - shares.transpose() * b.tail<kParameters>())};
+  all.H.diagonal().tail<kParameters>() *= 1 + kDamping;
+  NormalEquations<kCoefficients> result;
+  result.add(all.eliminated<kParameters>(), 1 / (pair.model.scale * pair.model.scale));
+  return result;
 }
 
 }  // namespace
@@ -108,9 +93,10 @@ void VignetteEstimate::update(std::span<const AlignReference> references,
   const ResidualModel& model = problem.models().front();
   const Vignette& present = current.frame.vignette;
   compute_point_terms(view, options, model, scores_);
-  const VignetteSystem system = vignette_system({view, scores_, model, farthest.vignette, present});
-  information_ += system.H;
-  weighted_ += system.H * present.coefficients - system.b;
+  const NormalEquations<kCoefficients> equations =
+      vignette_equations({view, scores_, model, farthest.vignette, present});
+  information_ += equations.H;
+  weighted_ += equations.H * present.coefficients - equations.b;
   const Eigen::Vector2d best = information_.ldlt().solve(weighted_);
   const double chi2 = best.dot(information_ * best) / kDependence;
   vignette_.coefficients = std::max(0.0, 1 - kInsignificant / chi2) * best;
