@@ -4,11 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/Cholesky>
-
 #include "vo/bootstrap/pair_terms.h"
 #include "vo/core/damped_descent.h"
 #include "vo/core/median.h"
+#include "vo/core/normal_equations.h"
 
 namespace vo {
 namespace {
@@ -22,48 +21,51 @@ double total_loss(const std::vector<RayPair>& pairs, const SE3& T, const std::ve
   return sum;
 }
 
+/// The normal equation of one inverse depth beside those of the pose.
+struct DepthEquation {
+  Vector6d coupling = Vector6d::Zero();
+  double H = 1e-9;  ///< starts as the information of a weak prior
+  double b = 0;
+
+  double step_with(const Vector6d& pose_step) const { return -(b + coupling.dot(pose_step)) / H; }
+};
+
 /// The normal equations of the pose, depths eliminated, and what gives the depths' steps.
 struct ReducedSystem {
-  Matrix6d H = Matrix6d::Zero();
-  Vector6d b = Vector6d::Zero();
-  std::vector<Vector6d> coupling;
-  std::vector<double> H_depth;
-  std::vector<double> b_depth;
+  NormalEquations<6> pose;
+  std::vector<DepthEquation> depths;
 };
 
 ReducedSystem reduced_system(const std::vector<RayPair>& pairs, const SE3& T,
                              const std::vector<double>& d, double scale) {
-  constexpr double kDepthPrior = 1e-9;
-  ReducedSystem system;
-  system.coupling.resize(pairs.size(), Vector6d::Zero());
-  system.H_depth.resize(pairs.size(), kDepthPrior);
-  system.b_depth.resize(pairs.size(), 0);
+  ReducedSystem system{.depths = std::vector<DepthEquation>(pairs.size())};
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const PairTerms terms = terms_of(pairs[i], T, d[i]);
     if (!terms.in_front) {
       continue;
     }
     const double w = cauchy_weight(terms.r.squaredNorm(), scale);
-    system.coupling[i] = w * terms.by_pose.transpose() * terms.by_depth;
-    system.H_depth[i] += w * terms.by_depth.squaredNorm();
-    system.b_depth[i] = w * terms.by_depth.dot(terms.r);
-    system.H += w * terms.by_pose.transpose() * terms.by_pose -
-                system.coupling[i] * system.coupling[i].transpose() / system.H_depth[i];
-    system.b += w * terms.by_pose.transpose() * terms.r -
-                system.coupling[i] * system.b_depth[i] / system.H_depth[i];
+    DepthEquation& depth = system.depths[i];
+    depth.coupling = w * terms.by_pose.transpose() * terms.by_depth;
+    depth.H += w * terms.by_depth.squaredNorm();
+    depth.b = w * terms.by_depth.dot(terms.r);
+    NormalEquations<6> pose;
+    pose.add_residuals(terms.by_pose, terms.r, w);
+    system.pose.H += pose.H - depth.coupling * depth.coupling.transpose() / depth.H;
+    system.pose.b += pose.b - depth.coupling * depth.b / depth.H;
   }
   return system;
 }
 
 /// Returns the step of the pose, keeping the length of the translation, which is undetermined.
-Vector6d pose_step(const ReducedSystem& system, const SE3& T, double damping) {
-  Matrix6d H = system.H;
+Vector6d pose_step(const NormalEquations<6>& pose, const SE3& T, double damping) {
+  NormalEquations<6> damped = pose;
   Vector6d along = Vector6d::Zero();
   along.head<3>() = T.translation().normalized();
-  H += H.trace() * along * along.transpose();
-  H.diagonal() += damping * system.H.diagonal();
-  H.diagonal().array() += 1e-12;
-  return -H.ldlt().solve(system.b);
+  damped.H += pose.H.trace() * along * along.transpose();
+  damped.H.diagonal() += damping * pose.H.diagonal();
+  damped.H.diagonal().array() += 1e-12;
+  return damped.step();
 }
 
 SE3 with_unit_translation(const SE3& T) {
@@ -79,12 +81,12 @@ struct MotionAndDepths {
 MotionAndDepths moved(const std::vector<RayPair>& pairs, const MotionAndDepths& from, double scale,
                       double damping) {
   const ReducedSystem system = reduced_system(pairs, from.T, from.d, scale);
-  const Vector6d step = pose_step(system, from.T, damping);
+  const Vector6d step = pose_step(system.pose, from.T, damping);
   MotionAndDepths next{with_unit_translation(SE3::exp(step) * from.T),
                        std::vector<double>(from.d.size())};
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     double& d = next.d[i];
-    d = from.d[i] - (system.b_depth[i] + system.coupling[i].dot(step)) / system.H_depth[i];
+    d = from.d[i] + system.depths[i].step_with(step);
     if (!(d > 0 && std::abs(d) < 1e3)) {
       d = triangulate(pairs[i], next.T);
     }
@@ -114,19 +116,16 @@ RotationFit fit_rotation(const std::vector<RayPair>& pairs) {
     }
     fit.parallax = upper_median(distances);
     const double scale = std::max(1.5 * fit.parallax, 1e-5);
-    Eigen::Matrix3d H = 1e-12 * Eigen::Matrix3d::Identity();
-    Eigen::Vector3d b = Eigen::Vector3d::Zero();
+    NormalEquations<3> rotation{1e-12 * Eigen::Matrix3d::Identity()};
     for (const RayPair& pair : pairs) {
       const PairTerms terms = terms_of(pair, fit.T_second_first, 0);
       if (terms.in_front) {
-        const double w = cauchy_weight(terms.r.squaredNorm(), scale);
-        const Eigen::Matrix<double, 2, 3> J = terms.by_pose.rightCols<3>();
-        H += w * J.transpose() * J;
-        b += w * J.transpose() * terms.r;
+        rotation.add_residuals(terms.by_pose.rightCols<3>(), terms.r,
+                               cauchy_weight(terms.r.squaredNorm(), scale));
       }
     }
     Vector6d step = Vector6d::Zero();
-    step.tail<3>() = -H.ldlt().solve(b);
+    step.tail<3>() = rotation.step();
     if (iteration < kIterations) {
       fit.T_second_first = SE3::exp(step) * fit.T_second_first;
     }
@@ -186,17 +185,15 @@ SE3 fit_pose(const std::vector<RayPair>& pairs, const std::vector<double>& inver
   constexpr int kIterations = 12;
   SE3 T = T_second_first_guess;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
-    Matrix6d H = 1e-12 * Matrix6d::Identity();
-    Vector6d b = Vector6d::Zero();
+    NormalEquations<6> pose{1e-12 * Matrix6d::Identity()};
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const PairTerms terms = terms_of(pairs[i], T, inverse_depth[i]);
       if (terms.in_front) {
-        const double w = cauchy_weight(terms.r.squaredNorm(), robust_scale);
-        H += w * terms.by_pose.transpose() * terms.by_pose;
-        b += w * terms.by_pose.transpose() * terms.r;
+        pose.add_residuals(terms.by_pose, terms.r,
+                           cauchy_weight(terms.r.squaredNorm(), robust_scale));
       }
     }
-    T = SE3::exp(-H.ldlt().solve(b)) * T;
+    T = SE3::exp(pose.step()) * T;
   }
   return T;
 }
