@@ -48,15 +48,17 @@ std::vector<double> axis_ticks(const AxisMap& axis, int count) {
   std::vector<double> values;
   const int first = static_cast<int>(std::floor(std::log10(axis.values.low)));
   const int last = static_cast<int>(std::floor(std::log10(axis.values.high)));
+  const bool has_many = 3 * (last - first) > 2 * count;
   for (int exponent = first; exponent <= last; ++exponent) {
     const double power = std::pow(10, exponent);
     for (const double factor : {1.0, 2.0, 5.0}) {
-      if (axis.values.low <= factor * power && factor * power <= axis.values.high) {
+      if ((factor == 1 || !has_many) && axis.values.low <= factor * power &&
+          factor * power <= axis.values.high) {
         values.push_back(factor * power);
       }
     }
   }
-  return values;
+  return values.size() < 2 ? ticks(axis.values, count) : values;
 }
 
 double AxisMap::operator()(double value) const {

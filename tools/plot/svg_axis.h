@@ -32,8 +32,9 @@ struct AxisMap {
   double operator()(double value) const;
 };
 
-/// Returns round values along an axis: on a logarithmic one 1, 2 and 5 times powers of ten, on a
-/// linear one about `count` equally spaced ones.
+/// Returns round values along an axis: on a linear one about `count` equally spaced ones, on a
+/// logarithmic one 1, 2 and 5 times powers of ten, or the powers alone where there are many
+/// decades; equally spaced ones, too, where a logarithmic axis has fewer than two of these.
 std::vector<double> axis_ticks(const AxisMap& axis, int count);
 
 }  // namespace tools

@@ -5,12 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/example_trajectory.h"
-#include "tools/plot/svg_axis.h"
 #include "tools/plot/trajectory_svg.h"
 
 namespace {
 
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -64,23 +62,6 @@ TEST(Report, MarkdownNamesTheFileNotItsPlace) {
   const std::string text = tools::report_markdown(small_scenario(), small_outcome());
   EXPECT_THAT(text, HasSubstr("edvo run small.toml"));
   EXPECT_EQ(text.find("somewhere"), std::string::npos);
-}
-
-TEST(SvgAxis, TicksAreRoundAndInside) {
-  EXPECT_THAT(tools::ticks({0, 10}, 5), ElementsAre(0, 2, 4, 6, 8, 10));
-  EXPECT_THAT(tools::ticks({-0.3, 0.7}, 4), ElementsAre(0, 0.5));
-  EXPECT_THAT(tools::ticks({2, 2}, 4), ElementsAre(2));
-  EXPECT_EQ(tools::tick_label(3 * 0.1), "0.3");
-  EXPECT_EQ(tools::tick_label(-1e-18), "0");
-  EXPECT_EQ(tools::tick_label(300000), "300000");
-}
-
-TEST(SvgAxis, ALogarithmicAxisSpacesRatiosEvenly) {
-  const tools::AxisMap axis{{0.1, 1000}, 0, 400, tools::AxisScale::logarithmic};
-  EXPECT_NEAR(axis(1), 100, 1e-9);
-  EXPECT_NEAR(axis(100), 300, 1e-9);
-  EXPECT_THAT(tools::axis_ticks(tools::AxisMap{{3, 60}, 0, 1, tools::AxisScale::logarithmic}, 5),
-              ElementsAre(5, 10, 20, 50));
 }
 
 TEST(TrajectorySvg, DrawsASegmentPerPairOfPosesAndNamesTheLargestError) {
