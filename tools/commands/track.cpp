@@ -15,8 +15,8 @@
 #include "tools/commands/track_arguments.h"
 #include "tools/depth/mono_run.h"
 #include "tools/pictures/panel_writer.h"
-#include "tools/plot/trajectory_svg.h"
 #include "tools/report/report.h"
+#include "tools/report/trajectory_plot.h"
 #include "vo/core/error.h"
 #include "vo/core/version.h"
 #include "vo/dataset/camera_file.h"
@@ -139,7 +139,8 @@ void write_pictures(const TrackArguments& arguments, const vo::SequenceReader& s
   const vo::Trajectory& truth = sequence.ground_truth();
   const vo::Trajectory shown =
       truth.empty() ? result.trajectory : vo::align_trajectory(truth, result.trajectory);
-  vo::write_file(beside(arguments.out, "_trajectory.svg"), draw_trajectory(truth, shown),
+  vo::write_file(beside(arguments.out, "_trajectory.svg"),
+                 draw_trajectory(truth, shown, vo::TrajectoryAlignment::se3),
                  arguments.common.existing());
 }
 

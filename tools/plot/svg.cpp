@@ -2,9 +2,15 @@
 
 #include <cstdio>
 
+#include "tools/plot/escaped_markup.h"
 #include "vo/core/error.h"
 
 namespace tools {
+
+double text_width(const std::string& text, double height_px) {
+  constexpr double kMeanCharacter = 0.6;  // of the height; most sans-serif fonts are narrower
+  return kMeanCharacter * height_px * static_cast<double>(text.size());
+}
 
 std::string px(double value) {
   std::array<char, 32> text{};
@@ -12,8 +18,13 @@ std::string px(double value) {
   return text.data();
 }
 
-std::string text_at(double x, double y, const char* anchor, const std::string& text) {
-  return vo::concat("<text x=\"", px(x), "\" y=\"", px(y), "\" text-anchor=\"", anchor, "\">", text,
+std::string text_at(double x, double y, const char* anchor, const std::string& text,
+                    const std::string& attributes, double turn_deg) {
+  if (text.empty()) {
+    return "";
+  }
+  return vo::concat("<text transform=\"translate(", px(x), " ", px(y), ") rotate(", px(-turn_deg),
+                    ")\" text-anchor=\"", anchor, "\" ", attributes, ">", escaped_markup(text),
                     "</text>\n");
 }
 
@@ -30,22 +41,9 @@ std::string polyline(const std::vector<SvgPoint>& points, const std::string& att
   return text + "\"/>\n";
 }
 
-std::string draw_x_axis(const AxisMap& x, const AxisMap& y, const std::string& title) {
-  std::string text;
-  for (const double value : axis_ticks(x, 8)) {
-    text += line(x(value), y.first_px, x(value), y.last_px, "class=\"axis\"");
-    text += text_at(x(value), y.first_px + 16, "middle", tick_label(value));
-  }
-  return text + text_at((x.first_px + x.last_px) / 2, y.first_px + 34, "middle", title);
-}
-
-std::string draw_y_axis(const AxisMap& x, const AxisMap& y, const std::string& title) {
-  std::string text;
-  for (const double value : axis_ticks(y, 6)) {
-    text += line(x.first_px, y(value), x.last_px, y(value), "class=\"axis\"");
-    text += text_at(x.first_px - 6, y(value) + 4, "end", tick_label(value));
-  }
-  return text + text_at(x.first_px - 44, y.last_px - 10, "start", title);
+std::string rectangle(double x, double y, double width, double height, const std::string& colour) {
+  return vo::concat("<rect x=\"", px(x), "\" y=\"", px(y), "\" width=\"", px(width), "\" height=\"",
+                    px(height), "\" fill=\"", colour, "\"/>\n");
 }
 
 }  // namespace tools

@@ -11,10 +11,10 @@
 #include "tools/depth/depth_pictures.h"
 #include "tools/pictures/frame_gallery.h"
 #include "tools/pictures/panel_writer.h"
-#include "tools/plot/trajectory_svg.h"
 #include "tools/report/html_report.h"
 #include "tools/report/report.h"
 #include "tools/report/scenario_report.h"
+#include "tools/report/trajectory_plot.h"
 #include "tools/scenario/mono_scenario.h"
 #include "vo/core/error.h"
 #include "vo/dataset/trajectory_file.h"
@@ -45,7 +45,8 @@ std::vector<vo::NamedBytes> result_files(const Scenario& scenario, const Outcome
       {"report.json", report_json(scenario, outcome).dump(2) + "\n"},
       {"report.md", report_markdown(scenario, outcome)}};
   if (!estimate.empty()) {
-    files.push_back({"trajectory.svg", draw_trajectory(outcome.truth, estimate)});
+    files.push_back({"trajectory.svg",
+                     draw_trajectory(outcome.truth, estimate, vo::TrajectoryAlignment::none)});
   }
   return files;
 }

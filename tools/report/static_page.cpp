@@ -1,8 +1,8 @@
 #include "tools/report/static_page.h"
 
 #include "tools/plot/escaped_markup.h"
-#include "tools/plot/trajectory_svg.h"
 #include "tools/report/report.h"
+#include "tools/report/trajectory_plot.h"
 #include "vo/core/error.h"
 
 namespace tools {
@@ -11,7 +11,7 @@ namespace {
 constexpr const char* kStyle =
     "<style>body{font:16px/1.5 sans-serif;max-width:60rem;margin:auto;padding:1rem;color:#222;"
     "background:#fff}td,th{padding:.2rem .8rem;text-align:left}.note{border:1px solid #b58900;"
-    "padding:.5rem 1rem}svg{max-width:100%}</style>\n";
+    "padding:.5rem 1rem}svg{max-width:100%;height:auto}</style>\n";
 
 std::string metric_row(const ReportedMetric& metric) {
   const std::string verdict = metric.holds ? "ok" : "VIOLATED";
@@ -34,7 +34,7 @@ std::string section(const ScenarioReport& report) {
   }
   text += "</table>\n<p><code>" + escaped_markup(report.command) + "</code></p>\n";
   if (!report.estimate.empty()) {
-    text += draw_trajectory(report.truth, report.estimate);
+    text += draw_trajectory(report.truth, report.estimate, vo::TrajectoryAlignment::none);
   }
   return text;
 }

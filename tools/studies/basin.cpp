@@ -5,7 +5,7 @@
 #include <mutex>
 #include <numbers>
 
-#include "tools/plot/heat_map.h"
+#include "tools/plot/plot.h"
 #include "tools/plot/statistics.h"
 #include "tools/processes/job_pool.h"
 #include "vo/alignment/align.h"
@@ -101,15 +101,15 @@ Table make_table(const std::vector<BasinCell>& cells) {
   return table;
 }
 
-HeatMap make_map(const std::vector<BasinCell>& cells, std::size_t steps,
-                 double (*value)(const BasinCell&)) {
-  HeatMap map{.x_title = "offset, mm", .y_title = "offset, deg"};
+PlotPanel make_map(const std::vector<BasinCell>& cells, std::size_t steps,
+                   double (*value)(const BasinCell&)) {
+  PlotPanel map{.x = {.title = "offset, mm"}, .y = {.title = "offset, deg"}};
   for (std::size_t i = 0; i < steps; ++i) {
-    map.x.push_back(std::round(kMmPerM * cells[i].translation));
-    map.y.push_back(cells[i * steps].rotation_deg);
-    map.values.emplace_back();
+    map.x.categories.push_back(tick_label(std::round(kMmPerM * cells[i].translation)));
+    map.y.categories.push_back(tick_label(cells[i * steps].rotation_deg));
+    map.cells.values.emplace_back();
     for (std::size_t j = 0; j < steps; ++j) {
-      map.values.back().push_back(value(cells[i * steps + j]));
+      map.cells.values.back().push_back(value(cells[i * steps + j]));
     }
   }
   return map;
@@ -117,16 +117,14 @@ HeatMap make_map(const std::vector<BasinCell>& cells, std::size_t steps,
 
 std::string draw(const std::string& title, const std::vector<BasinCell>& cells, int steps) {
   const auto count = static_cast<std::size_t>(steps);
-  HeatMap converged = make_map(cells, count, percent);
-  converged.title = "converged, %";
-  converged.range = {0, 100};
-  HeatMap error =
+  PlotPanel converged = make_map(cells, count, percent);
+  converged.colours = {.title = "converged, %", .range = {0, 100}};
+  PlotPanel error =
       make_map(cells, count, [](const BasinCell& cell) { return median(cell.scores.mm); });
-  error.title = "median error, mm";
-  error.range = {0.1, 100};
-  error.scale = AxisScale::logarithmic;
-  error.decimals = 1;
-  return draw_heat_maps(title, {converged, error});
+  error.colours = {
+      .title = "median error, mm", .range = {0.1, 100}, .scale = AxisScale::logarithmic};
+  error.cells.decimals = 1;
+  return draw_plot(title, {converged, error});
 }
 
 /// Returns the greatest offset along one axis of the map up to which 90 % of alignments converge.

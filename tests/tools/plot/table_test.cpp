@@ -3,18 +3,13 @@
 #include <cmath>
 #include <limits>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "tools/plot/linear_fit.h"
-#include "tools/plot/plot.h"
 #include "tools/plot/statistics.h"
 
 namespace {
-
-using testing::HasSubstr;
-using tools::PlotMark;
 
 tools::Table small_table() {
   tools::Table table{.columns = {{"what"}, {"error_mm", 2}, {"count"}}};
@@ -77,37 +72,6 @@ TEST(Spread, IsMeanAndSampleDeviationOfFiniteValues) {
   EXPECT_TRUE(std::isnan(tools::spread({}).mean));
   EXPECT_EQ(tools::median({5, 1, 3}), 3);
   EXPECT_EQ(tools::median({5, 1, 3, 4}), 3.5);
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-    ++found;
-  }
-  return found;
-}
-
-TEST(Plot, DrawsEveryFinitePointAndNamesEachSeriesOnce) {
-  const tools::PlotSeries series{
-      "edges", 0, PlotMark::line_and_points, {{1, 1}, {2, std::nan("")}, {3, 2}}};
-  const tools::PlotPanel panel{
-      .x = {.title = "points"}, .y = {.title = "error, mm"}, .series = {series}};
-  const std::string svg = tools::draw_plot("Two panels", {panel, panel});
-  EXPECT_EQ(count(svg, "<circle"), 2U * 2 + 1) << "and one in the legend";
-  EXPECT_EQ(count(svg, "<polyline"), 2U);
-  EXPECT_EQ(count(svg, ">edges<"), 1U);
-  EXPECT_EQ(count(svg, ">error, mm<"), 2U);
-  EXPECT_THAT(svg, testing::EndsWith("</svg>\n"));
-}
-
-TEST(Plot, BarsStandOnZeroAndHaveCategories) {
-  tools::PlotPanel panel{.x = {.categories = {"Canny", "Sobel"}},
-                         .y = {.title = "RPE, mm/s"},
-                         .series = {{"frame to frame", 0, PlotMark::bar, {{0, 20}, {1, 30}}}}};
-  const std::string svg = tools::draw_plot("Detectors", {panel});
-  EXPECT_EQ(count(svg, "<rect"), 1U + 1 + 2) << "background, legend, bars";
-  EXPECT_THAT(svg, HasSubstr(">Sobel<"));
-  EXPECT_THAT(svg, HasSubstr(">0<"));
 }
 
 }  // namespace

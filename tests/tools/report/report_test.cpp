@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/example_trajectory.h"
-#include "tools/plot/trajectory_svg.h"
 
 namespace {
 
@@ -32,14 +31,6 @@ tools::Outcome small_outcome() {
   return outcome;
 }
 
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-    ++found;
-  }
-  return found;
-}
-
 TEST(Report, TableShowsEveryMetricItsBoundAndTheVerdict) {
   const std::string table = tools::report_table(small_scenario(), small_outcome());
   EXPECT_THAT(table, HasSubstr("ate_rmse_m                  0.0025        <= 0.01       ok\n"));
@@ -62,21 +53,6 @@ TEST(Report, MarkdownNamesTheFileNotItsPlace) {
   const std::string text = tools::report_markdown(small_scenario(), small_outcome());
   EXPECT_THAT(text, HasSubstr("edvo run small.toml"));
   EXPECT_EQ(text.find("somewhere"), std::string::npos);
-}
-
-TEST(TrajectorySvg, DrawsASegmentPerPairOfPosesAndNamesTheLargestError) {
-  const vo::Trajectory truth = support::example_trajectory(20, 30);
-  const vo::SE3 T_shift(Eigen::Quaterniond::Identity(), {0, 0.003, 0});
-  const std::string svg = tools::draw_trajectory(truth, support::moved(T_shift, truth));
-  EXPECT_EQ(count(svg, "stroke-linecap=\"round\""), truth.size() - 1);
-  EXPECT_THAT(svg, HasSubstr("error 0 to 3 mm"));
-  EXPECT_THAT(svg, testing::EndsWith("</svg>\n"));
-}
-
-TEST(TrajectorySvg, WithoutTruthTheEstimateStandsAlone) {
-  const std::string svg = tools::draw_trajectory({}, support::example_trajectory(20, 30));
-  EXPECT_EQ(count(svg, "stroke=\"#333\""), 19U);
-  EXPECT_EQ(svg.find("error"), svg.find("error{")) << "only the style speaks of errors";
 }
 
 }  // namespace
