@@ -49,7 +49,7 @@ TEST(RealData, MonocularFollowsTheClipFromItsFirstDepthImage) {
   }
   const vo::TrajectoryErrors errors = vo::evaluate(sequence.ground_truth(), odometry.trajectory(),
                                                    {.alignment = vo::TrajectoryAlignment::sim3});
-  EXPECT_LE(errors.ate.rmse, 0.03);
+  EXPECT_LE(errors.ate.rmse, 0.009);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "vo/mapping/epipolar_search.h"
 #include "vo/mapping/lane_image.h"
+#include "vo/mapping/lane_transform.h"
 
 /// The steps of epipolar_search.cpp for 32 edges at a time, inlined once per instruction set.
 namespace vo::detail {
@@ -37,9 +38,6 @@ struct SearchView {
   const EpipolarOptions& options;
   Projection<float> host_camera, current_camera;
   LaneImage host, current;
-  Eigen::Matrix3f R;  // cur_host
-  Eigen::Vector3f t;  // cur_host, m
-  Eigen::Vector3f c;  // current camera's centre in the host frame, m
 
   SearchView(const StereoPair& stereo_pair, const EpipolarOptions& search_options)
       : pair(stereo_pair),
@@ -47,10 +45,7 @@ struct SearchView {
         host_camera(pair.host.camera),
         current_camera(pair.current.camera),
         host(pair.host.intensity),
-        current(pair.current.intensity),
-        R(pair.R_cur_host),
-        t(pair.t_cur_host),
-        c(pair.p_host_cur) {}
+        current(pair.current.intensity) {}
 };
 
 /// Edges, their epipolar lines in the current image, where s = 0 is the expected place, and the
@@ -60,6 +55,8 @@ struct alignas(64) LineBlock {
   LineRow ray_x, ray_y;                          // X/Z, Y/Z of the edge in the host
   LineRow gradient_u, gradient_v;                // intensity gradient in the host, 1/px
   LineRow inverse_depth, nearest, farthest;      // 1/m, expected and ends of the searched interval
+  LaneTransforms<kLines> cur_host;               // of the rows that see the edge
+  std::array<LineRow, 3> centre;                 // m, current camera in the host frame
   LineRow towards_x, towards_y;                  // direction of the host's line, in ray coordinates
   LineRow length;                                // px m, length of that direction in the image
   LineRow along_u, along_v;                      // unit direction of the line in the host image
@@ -100,6 +97,23 @@ EDVO_INLINE void load_targets(const TargetOf& target_of, LineBlock& block) {
   }
 }
 
+/// Finds the geometry between the rows that see each edge. The transforms are rotations to first
+/// order in the motion of the rows.
+EDVO_INLINE void place_cameras(const SearchView& view, LineBlock& block) {
+  set_transforms(view.pair, block.ray_x, block.ray_y, block.inverse_depth, block.cur_host);
+  const auto& [R, t] = block.cur_host;
+  for (std::size_t k = 0; k < 3; ++k) {
+    LineRow& centre = block.centre[k];
+    if (!view.pair.rows.is_rolling) {
+      centre.fill(view.pair.p_host_cur[static_cast<Eigen::Index>(k)]);
+      continue;
+    }
+    for (std::size_t i = 0; i < kLines; ++i) {
+      centre[i] = -(R[k][i] * t[0][i] + R[3 + k][i] * t[1][i] + R[6 + k][i] * t[2][i]);
+    }
+  }
+}
+
 /// Computes the lines in the host. An edge with too little parallax or too little gradient along
 /// its line is unobservable.
 EDVO_INLINE void aim_lines(const SearchView& view, LineBlock& block) {
@@ -109,8 +123,8 @@ EDVO_INLINE void aim_lines(const SearchView& view, LineBlock& block) {
   ImagedLanes<kLines> imaged;
   image_lanes(view.host_camera, block.ray_x, block.ray_y, imaged);
   for (std::size_t i = 0; i < kLines; ++i) {
-    const float x = view.c[0] - view.c[2] * block.ray_x[i];
-    const float y = view.c[1] - view.c[2] * block.ray_y[i];
+    const float x = block.centre[0][i] - block.centre[2][i] * block.ray_x[i];
+    const float y = block.centre[1][i] - block.centre[2][i] * block.ray_y[i];
     const float towards_u = imaged.du_dx[i] * x + imaged.du_dy[i] * y;
     const float towards_v = imaged.dv_dx[i] * x + imaged.dv_dy[i] * y;
     const float length = std::sqrt(towards_u * towards_u + towards_v * towards_v);
@@ -139,24 +153,23 @@ EDVO_INLINE void aim_lines(const SearchView& view, LineBlock& block) {
 
 /// Computes the points and their neighbours along the line in the current camera. A point behind
 /// the camera is unobservable.
-EDVO_INLINE void turn_lines(const SearchView& view, LineBlock& block, LineRow& next_x,
-                            LineRow& next_y) {
-  const Eigen::Matrix3f& R = view.R;
+EDVO_INLINE void turn_lines(LineBlock& block, LineRow& next_x, LineRow& next_y) {
+  const auto& [R, t] = block.cur_host;
   for (std::size_t i = 0; i < kLines; ++i) {
     const float x = block.ray_x[i];
     const float y = block.ray_y[i];
     const float beside_x = x + block.towards_x[i] / block.length[i];
     const float beside_y = y + block.towards_y[i] / block.length[i];
     const float d = block.inverse_depth[i];
-    block.R_ray_x[i] = (R(0, 0) * x + R(0, 1) * y) + R(0, 2);
-    block.R_ray_y[i] = (R(1, 0) * x + R(1, 1) * y) + R(1, 2);
-    block.R_ray_z[i] = (R(2, 0) * x + R(2, 1) * y) + R(2, 2);
-    const float z = block.R_ray_z[i] + d * view.t[2];
-    const float next_z = ((R(2, 0) * beside_x + R(2, 1) * beside_y) + R(2, 2)) + d * view.t[2];
-    block.q_x[i] = (block.R_ray_x[i] + d * view.t[0]) / z;
-    block.q_y[i] = (block.R_ray_y[i] + d * view.t[1]) / z;
-    next_x[i] = (((R(0, 0) * beside_x + R(0, 1) * beside_y) + R(0, 2)) + d * view.t[0]) / next_z;
-    next_y[i] = (((R(1, 0) * beside_x + R(1, 1) * beside_y) + R(1, 2)) + d * view.t[1]) / next_z;
+    block.R_ray_x[i] = (R[0][i] * x + R[1][i] * y) + R[2][i];
+    block.R_ray_y[i] = (R[3][i] * x + R[4][i] * y) + R[5][i];
+    block.R_ray_z[i] = (R[6][i] * x + R[7][i] * y) + R[8][i];
+    const float z = block.R_ray_z[i] + d * t[2][i];
+    const float next_z = ((R[6][i] * beside_x + R[7][i] * beside_y) + R[8][i]) + d * t[2][i];
+    block.q_x[i] = (block.R_ray_x[i] + d * t[0][i]) / z;
+    block.q_y[i] = (block.R_ray_y[i] + d * t[1][i]) / z;
+    next_x[i] = (((R[0][i] * beside_x + R[1][i] * beside_y) + R[2][i]) + d * t[0][i]) / next_z;
+    next_y[i] = (((R[3][i] * beside_x + R[4][i] * beside_y) + R[5][i]) + d * t[1][i]) / next_z;
     const bool in_front = (z > kMinDepthRatio) & (next_z > kMinDepthRatio);
     rule_out(!in_front, SearchOutcome::unobservable, block.outcome[i]);
   }
@@ -166,7 +179,7 @@ EDVO_INLINE void turn_lines(const SearchView& view, LineBlock& block, LineRow& n
 EDVO_INLINE void project_lines(const SearchView& view, LineBlock& block) {
   LineRow next_x;
   LineRow next_y;
-  turn_lines(view, block, next_x, next_y);
+  turn_lines(block, next_x, next_y);
   image_lanes(view.current_camera, block.q_x, block.q_y, block.imaged);
   const ImagedLanes<kLines>& imaged = block.imaged;
   const auto limit = static_cast<float>(kMaxScaleChange);
@@ -205,22 +218,22 @@ EDVO_INLINE void sample_host(const SearchView& view, LineBlock& block) {
 }
 
 /// Returns the place on the line of the point at another inverse depth, px.
-EDVO_INLINE float place_of(const SearchView& view, const LineBlock& block, std::size_t i,
-                           float inverse_depth) {
-  const float x = block.R_ray_x[i] + inverse_depth * view.t[0];
-  const float y = block.R_ray_y[i] + inverse_depth * view.t[1];
-  const float z = std::max(block.R_ray_z[i] + inverse_depth * view.t[2], kMinDepthRatio);
+EDVO_INLINE float place_of(const LineBlock& block, std::size_t i, float inverse_depth) {
+  const auto& t = block.cur_host.t;
+  const float x = block.R_ray_x[i] + inverse_depth * t[0][i];
+  const float y = block.R_ray_y[i] + inverse_depth * t[1][i];
+  const float z = std::max(block.R_ray_z[i] + inverse_depth * t[2][i], kMinDepthRatio);
   const float dq2 = block.dq_x[i] * block.dq_x[i] + block.dq_y[i] * block.dq_y[i];
   return ((x / z - block.q_x[i]) * block.dq_x[i] + (y / z - block.q_y[i]) * block.dq_y[i]) / dq2;
 }
 
 /// Computes the ends of the searched interval.
-EDVO_INLINE void bound_lines(const SearchView& view, LineBlock& block) {
+EDVO_INLINE void bound_lines(LineBlock& block) {
   constexpr float kMargin = 0.5F;  // px
   const float half = 0.5F * static_cast<float>(kMaxSearchPx);
   for (std::size_t i = 0; i < kLines; ++i) {
-    const float near = place_of(view, block, i, block.nearest[i]);
-    const float far = place_of(view, block, i, block.farthest[i]);
+    const float near = place_of(block, i, block.nearest[i]);
+    const float far = place_of(block, i, block.farthest[i]);
     block.s_min[i] = std::max(std::min(near, far) - kMargin, -half);
     block.s_max[i] = std::min(std::max(near, far) + kMargin, half);
   }

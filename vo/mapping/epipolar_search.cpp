@@ -27,6 +27,7 @@ EDVO_INLINE void find_observable(const SearchView& view, Targets targets, Indice
   for (std::size_t first = 0; first < targets.size(); first += kLines) {
     const std::size_t count = std::min(kLines, targets.size() - first);
     load_targets([&](std::size_t i) { return targets[first + std::min(i, count - 1)]; }, block);
+    place_cameras(view, block);
     aim_lines(view, block);
     for (std::size_t i = 0; i < count; ++i) {
       if (block.outcome[i] == code(SearchOutcome::found)) {
@@ -42,10 +43,11 @@ EDVO_INLINE void search_block(const SearchView& view, Targets targets,
   LineBlock block;
   load_targets([&](std::size_t i) { return targets[indices[std::min(i, indices.size() - 1)]]; },
                block);
+  place_cameras(view, block);
   aim_lines(view, block);
   project_lines(view, block);
   sample_host(view, block);
-  bound_lines(view, block);
+  bound_lines(block);
   match_lines(view, samples, block);
   refine_lines(view, block);
   LineVariance line_variance;

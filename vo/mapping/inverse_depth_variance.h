@@ -21,20 +21,21 @@ struct LinePoints {
 };
 
 /// Triangulates the matches. A point behind the camera has no match.
-EDVO_INLINE void triangulate_lines(const SearchView& view, LineBlock& block, LinePoints& points) {
+EDVO_INLINE void triangulate_lines(LineBlock& block, LinePoints& points) {
+  const auto& t = block.cur_host.t;
   for (std::size_t i = 0; i < kLines; ++i) {
     const float dq_x = block.dq_x[i];
     const float dq_y = block.dq_y[i];
     const bool by_x = std::abs(dq_x) > std::abs(dq_y);
     const float q = by_x ? block.q_x[i] + block.s[i] * dq_x : block.q_y[i] + block.s[i] * dq_y;
     const float R_ray = by_x ? block.R_ray_x[i] : block.R_ray_y[i];
-    const float t = by_x ? view.t[0] : view.t[1];
-    const float d = (R_ray - q * block.R_ray_z[i]) / (q * view.t[2] - t);
+    const float along = by_x ? t[0][i] : t[1][i];
+    const float d = (R_ray - q * block.R_ray_z[i]) / (q * t[2][i] - along);
     rule_out(!(d > 0), SearchOutcome::no_match, block.outcome[i]);
     points.inverse_depth[i] = d;
-    points.x[i] = block.R_ray_x[i] + d * view.t[0];
-    points.y[i] = block.R_ray_y[i] + d * view.t[1];
-    points.z[i] = block.R_ray_z[i] + d * view.t[2];
+    points.x[i] = block.R_ray_x[i] + d * t[0][i];
+    points.y[i] = block.R_ray_y[i] + d * t[1][i];
+    points.z[i] = block.R_ray_z[i] + d * t[2][i];
   }
 }
 
@@ -108,16 +109,17 @@ EDVO_INLINE void judge_lines(const SearchView& view, LineBlock& block,
   const auto sigma_line = static_cast<float>(view.options.sigma_line_px);
   const auto sigma_match = static_cast<float>(view.options.sigma_match_px);
   const auto sigma_grey = static_cast<float>(view.options.sigma_grey) * kGreyLevel;
+  const auto& t = block.cur_host.t;
   LinePoints points;
-  triangulate_lines(view, block, points);
+  triangulate_lines(block, points);
   LineRow pose_variance;
   vary_poses(view, block, points, pose_variance);
   for (std::size_t i = 0; i < kLines; ++i) {
     const float z = points.z[i];
     const float dq_x = block.dq_x[i];
     const float dq_y = block.dq_y[i];
-    const float by_d_x = (view.t[0] * z - points.x[i] * view.t[2]) / (z * z);
-    const float by_d_y = (view.t[1] * z - points.y[i] * view.t[2]) / (z * z);
+    const float by_d_x = (t[0][i] * z - points.x[i] * t[2][i]) / (z * z);
+    const float by_d_y = (t[1][i] * z - points.y[i] * t[2][i]) / (z * z);
     const float px_per_inverse_depth =
         (by_d_x * dq_x + by_d_y * dq_y) / (dq_x * dq_x + dq_y * dq_y);
     const float across = sigma_line * sigma_line + pose_variance[i];

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "vo/mapping/lane_image.h"
+#include "vo/mapping/lane_transform.h"
 
 namespace vo {
 namespace {
@@ -16,7 +17,9 @@ constexpr std::size_t kEdges = 32;
 using detail::ImagedLanes;
 using detail::LaneImage;
 using detail::sample_lanes;
+using detail::set_transforms;
 using Row = detail::Lanes<kEdges>;
+using Transforms = detail::LaneTransforms<kEdges>;
 
 /// The images, the hypotheses and the geometry that all edges share.
 struct MoveView {
@@ -25,8 +28,6 @@ struct MoveView {
   float relative_noise;
   Projection<float> camera;
   LaneImage host, current;
-  Eigen::Matrix3f R;  // cur_host
-  Eigen::Vector3f t;  // cur_host, m
 
   MoveView(const StereoPair& stereo_pair, const Hypotheses& edges, float noise)
       : pair(stereo_pair),
@@ -34,9 +35,7 @@ struct MoveView {
         relative_noise(noise),
         camera(pair.current.camera),
         host(pair.host.intensity),
-        current(pair.current.intensity),
-        R(pair.R_cur_host),
-        t(pair.t_cur_host) {}
+        current(pair.current.intensity) {}
 };
 
 struct alignas(64) Block {
@@ -103,17 +102,15 @@ struct MovedPlaces {
   ImagedLanes<kEdges> imaged;
 };
 
-EDVO_INLINE void move_places(const MoveView& view, const Row& u, const Row& v,
-                             const Row& inverse_depth, MovedPlaces& places) {
-  Row x;
-  Row y;
-  find_rays(view.pair.host.rays, u, v, x, y);
-  const Eigen::Matrix3f& R = view.R;
+/// Moves the points of rays (x, y); the rays become those in the current camera.
+EDVO_INLINE void move_places(const MoveView& view, const Transforms& cur_host,
+                             const Row& inverse_depth, Row& x, Row& y, MovedPlaces& places) {
+  const auto& [R, t] = cur_host;
   for (std::size_t i = 0; i < kEdges; ++i) {
     const float d = inverse_depth[i];
-    const float p_x = ((R(0, 0) * x[i] + R(0, 1) * y[i]) + R(0, 2)) + d * view.t[0];
-    const float p_y = ((R(1, 0) * x[i] + R(1, 1) * y[i]) + R(1, 2)) + d * view.t[1];
-    const float p_z = ((R(2, 0) * x[i] + R(2, 1) * y[i]) + R(2, 2)) + d * view.t[2];
+    const float p_x = ((R[0][i] * x[i] + R[1][i] * y[i]) + R[2][i]) + d * t[0][i];
+    const float p_y = ((R[3][i] * x[i] + R[4][i] * y[i]) + R[5][i]) + d * t[1][i];
+    const float p_z = ((R[6][i] * x[i] + R[7][i] * y[i]) + R[8][i]) + d * t[2][i];
     places.z[i] = p_z;
     x[i] = p_x / p_z;
     y[i] = p_y / p_z;
@@ -121,22 +118,35 @@ EDVO_INLINE void move_places(const MoveView& view, const Row& u, const Row& v,
   detail::image_lanes(view.camera, x, y, places.imaged);
 }
 
-EDVO_INLINE void move_block(const MoveView& view, Block& block) {
-  constexpr float kMinDepthRatio = 0.01F;
+/// Moves the edges and the places one pixel beside them, along their gradients.
+EDVO_INLINE void move_edges_and_besides(const MoveView& view, const Block& block,
+                                        Transforms& cur_host, MovedPlaces& edge,
+                                        MovedPlaces& beside) {
   Row beside_u;
   Row beside_v;
   for (std::size_t i = 0; i < kEdges; ++i) {
     beside_u[i] = block.u[i] + block.across_u[i];
     beside_v[i] = block.v[i] + block.across_v[i];
   }
+  Row x;
+  Row y;
+  find_rays(view.pair.host.rays, block.u, block.v, x, y);
+  set_transforms(view.pair, x, y, block.inverse_depth, cur_host);
+  move_places(view, cur_host, block.inverse_depth, x, y, edge);
+  find_rays(view.pair.host.rays, beside_u, beside_v, x, y);
+  move_places(view, cur_host, block.inverse_depth, x, y, beside);
+}
+
+EDVO_INLINE void move_block(const MoveView& view, Block& block) {
+  constexpr float kMinDepthRatio = 0.01F;
+  Transforms cur_host;
   MovedPlaces edge;
   MovedPlaces beside;
-  move_places(view, block.u, block.v, block.inverse_depth, edge);
-  move_places(view, beside_u, beside_v, block.inverse_depth, beside);
+  move_edges_and_besides(view, block, cur_host, edge, beside);
   for (std::size_t i = 0; i < kEdges; ++i) {
     const float z = edge.z[i];
     const float d = block.inverse_depth[i] / z;
-    const float growth = (z - block.inverse_depth[i] * view.t[2]) / (z * z);
+    const float growth = (z - block.inverse_depth[i] * cur_host.t[2][i]) / (z * z);
     const float noise = view.relative_noise * d;
     const float u = beside.imaged.u[i] - edge.imaged.u[i];
     const float v = beside.imaged.v[i] - edge.imaged.v[i];

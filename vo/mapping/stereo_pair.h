@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "vo/geometry/row_motion.h"
 #include "vo/geometry/se3.h"
 #include "vo/image/pyramid.h"
 
@@ -13,6 +14,23 @@ struct FrameRelation {
   Matrix6d covariance = Matrix6d::Zero();  ///< covariance of the left increment of T_cur_host
   double gain = 1;                         ///< the current image shows gain I_host + offset
   double offset = 0;                       ///< intensity, offset of the brightness
+  RowMotion host_motion = {};              ///< motion of the host's rows
+  RowMotion current_motion = {};           ///< motion of the current image's rows
+};
+
+/// The transforms [R | t] from the camera of a host's row to the camera of a current row, m, linear
+/// in how far each row is below its image's middle row: of s_host and s_current image heights it is
+/// `of_middle + s_host by_host_row + s_current (by_current_row + s_host by_both)`.
+struct RowTransforms {
+  using Matrix34f = Eigen::Matrix<float, 3, 4>;
+
+  bool is_rolling = false;  ///< whether the transform differs from row to row
+  Matrix34f of_middle = Matrix34f::Zero();
+  Matrix34f by_host_row = Matrix34f::Zero();
+  Matrix34f by_current_row = Matrix34f::Zero();
+  Matrix34f by_both = Matrix34f::Zero();
+
+  explicit RowTransforms(const FrameRelation& relation);
 };
 
 /// Two images and the geometry between them, in the precision of the loop over pixels.
@@ -24,6 +42,7 @@ struct StereoPair {
   Eigen::Vector3f p_host_cur;  ///< m, the current camera's centre in the host frame
   Eigen::Matrix<float, 6, 6> covariance;
   bool pose_is_exact;
+  RowTransforms rows;
   float gain;
   float offset;
 
@@ -36,6 +55,7 @@ struct StereoPair {
         p_host_cur(relation.T_cur_host.inverse().translation().cast<float>()),
         covariance(relation.covariance.cast<float>()),
         pose_is_exact(relation.covariance.isZero(0)),
+        rows(relation),
         gain(static_cast<float>(relation.gain)),
         offset(static_cast<float>(relation.offset)) {}
 };

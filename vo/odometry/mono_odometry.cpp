@@ -56,7 +56,6 @@ MonoOptions mono_options() {
   MonoOptions options;
   options.tracker = preset_options(TrackerPreset::best_measured);
   options.tracker.symmetric = false;
-  options.tracker.shutter = ShutterModel::given;
   options.tracker.vignette = VignetteModel::ignore;
   options.tracker.points.min_depth = 1e-3;
   options.tracker.points.max_depth = 1e3;
@@ -136,7 +135,9 @@ void MonoOdometry::report_state(MonoResult& result) const {
 
 void MonoOdometry::begin_tracking(const FramePyramid& host, Guesses guesses, MonoResult& result) {
   guesses_ = guesses;
-  tracker_ = std::make_unique<Tracker>(options_.tracker, T_world_host_);
+  TrackerOptions options = options_.tracker;
+  options.align.readout = tracker_->readout();  // of the map before, if there was one
+  tracker_ = std::make_unique<Tracker>(options, T_world_host_);
   tracker_->set_keyframe(host, T_world_host_, tracked_points());
   state_ = MonoState::tracking;
   lost_frames_ = 0;
@@ -242,6 +243,8 @@ void MonoOdometry::follow(MonoResult& result) {
 FrameRelation MonoOdometry::relation_to_host(const TrackingResult& tracked) const {
   FrameRelation relation{tracked.T_world_camera.inverse() * T_world_host_,
                          tracked.alignment.covariance};
+  relation.host_motion = tracker_->keyframe_row_motion();
+  relation.current_motion = tracker_->row_motion();
   if (tracked.reference_timestamp == map_.host().timestamp) {
     relation.gain = tracked.alignment.gain;
     relation.offset = tracked.alignment.offset;

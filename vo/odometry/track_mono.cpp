@@ -123,7 +123,7 @@ std::string format_mono_log(const std::vector<MonoResult>& frames) {
   std::string text =
       "timestamp,state,status,reason,keyframe,start_verdict,start_flow_px,start_parallax_px,"
       "hypotheses,confident,found,inconsistent,out_of_view,unobservable,ambiguous,no_match,"
-      "visible_fraction,correlation,cost\n";
+      "visible_fraction,correlation,cost,readout_s\n";
   for (const MonoResult& frame : frames) {
     const TrackingResult& tracking = frame.tracking;
     const ObservationCounts& seen = frame.observations;
@@ -139,7 +139,7 @@ std::string format_mono_log(const std::vector<MonoResult>& frames) {
       text += "," + std::to_string(count);
     }
     for (const double value : {tracking.alignment.visible_fraction, tracking.alignment.correlation,
-                               tracking.alignment.cost}) {
+                               tracking.alignment.cost, tracking.readout_s}) {
       text += "," + format_real(value);
     }
     text += "\n";

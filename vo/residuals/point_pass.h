@@ -10,7 +10,7 @@
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
 #include "vo/residuals/robust.h"
-#include "vo/residuals/row_motion.h"
+#include "vo/geometry/row_motion.h"
 
 namespace vo {
 

@@ -19,9 +19,10 @@ double ReadoutEstimate::seconds() const {
   return std::clamp(weighted_ / information_, 0.0, kMaxReadout);
 }
 
-void ReadoutEstimate::update(const LossByReadout& loss, double readout_s) {
-  information_ += loss.curvature;
-  weighted_ += loss.curvature * readout_s - loss.slope;
+void ReadoutEstimate::update(const LossByReadout& loss, double readout_s, double curvature_share) {
+  const double curvature = curvature_share * loss.curvature;
+  information_ += curvature;
+  weighted_ += curvature * readout_s - loss.slope;
 }
 
 }  // namespace vo

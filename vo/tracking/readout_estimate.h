@@ -16,8 +16,9 @@ class ReadoutEstimate {
 
   double seconds() const;
 
-  /// Adds the loss of a frame that was aligned with this read-out time, s.
-  void update(const LossByReadout& loss, double readout_s);
+  /// Adds the loss of a frame that was aligned with this read-out time, s. `curvature_share` is the
+  /// share of the loss's curvature that is left when the points' depths follow the read-out time.
+  void update(const LossByReadout& loss, double readout_s, double curvature_share = 1);
 
  private:
   double information_;  ///< 1/s^2

@@ -23,6 +23,10 @@ constexpr double kKeyframeOverlap = 0.75;
 /// Correlation of an alignment; with less a keyframe waits.
 constexpr double kKeyframeCorrelation = 0;
 
+/// Share of the loss's curvature by the read-out time that is left where the depths were found with
+/// the same read-out time: with a wrong one they absorb nine tenths of what it bends.
+constexpr double kMappedCurvatureShare = 0.1;
+
 /// Returns a finder of points at a frame's own edges, whatever else chooses points while tracking.
 EdgePointFinder own_point_finder(EdgePointOptions options) {
   options.source = EdgeSource::reference;
@@ -141,6 +145,10 @@ AlignOptions Tracker::align_options() const {
   return options;
 }
 
+RowMotion Tracker::row_motion_at(const std::optional<FrameVelocity>& velocity) const {
+  return velocity && readout() != 0 ? RowMotion(velocity->twist, readout()) : RowMotion();
+}
+
 Tracker::Attempt Tracker::aligned_from(const FramePyramid& current, const SE3& T_world_guess,
                                        Start start) const {
   Attempt attempt{start,
@@ -182,7 +190,8 @@ void Tracker::calibrate(const FramePyramid& current, const Attempt& attempt) {
   }
   const AlignResult& aligned = attempt.result.alignment;
   if (options_.shutter == ShutterModel::estimated && attempt.references.velocities_known()) {
-    readout_.update(aligned.loss_by_readout, attempt.result.readout_s);
+    readout_.update(aligned.loss_by_readout, attempt.result.readout_s,
+                    depth_is_mapped_ ? kMappedCurvatureShare : 1);
   }
   if (options_.vignette == VignetteModel::estimated) {
     vignette_.update(attempt.references.views, {current, current_points_.get(), attempt.previous},
@@ -350,6 +359,7 @@ void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyf
 
 void Tracker::update_keyframe(std::shared_ptr<const EdgePoints> points) {
   map_.set_last_points(std::move(points));
+  depth_is_mapped_ = true;
 }
 
 bool Tracker::can_be_reference(const FramePyramid& frame) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "vo/alignment/align.h"
+#include "vo/geometry/row_motion.h"
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
 #include "vo/tracking/local_map.h"
@@ -40,6 +41,14 @@ class Tracker {
   void update_keyframe(std::shared_ptr<const EdgePoints> points);
   const LocalMap& map() const { return map_; }
 
+  /// Returns the read-out time that is known by now, s.
+  double readout() const { return align_options().readout; }
+
+  /// Returns the motion of the rows of the last tracked frame, and of the last keyframe: none where
+  /// the shutter is global or the velocity is not known.
+  RowMotion row_motion() const { return row_motion_at(velocity_); }
+  RowMotion keyframe_row_motion() const { return row_motion_at(map_.last()->velocity); }
+
   /// Returns the vignette that is to be removed from the next frame.
   const Vignette& vignette() const { return vignette_.vignette(); }
 
@@ -71,6 +80,7 @@ class Tracker {
   void find_current_points(const FramePyramid& current);
   SE3 starting_pose(const FramePyramid& current) const;
   AlignOptions align_options() const;
+  RowMotion row_motion_at(const std::optional<FrameVelocity>& velocity) const;
   Attempt aligned_from(const FramePyramid& current, const SE3& T_world_guess, Start start) const;
   Attempt searched(const FramePyramid& current, Attempt first) const;
   References references_for(const FramePyramid& current, const SE3& T_world_guess) const;
@@ -93,8 +103,9 @@ class Tracker {
   std::shared_ptr<EdgePoints> current_points_;  ///< own points of the tracked frame, if symmetric
 
   int frames_since_keyframe_ = 0;
-  bool is_lost_ = false;       ///< whether the last frame was lost
-  double last_timestamp_ = 0;  ///< s, of the last tracked frame
+  bool is_lost_ = false;          ///< whether the last frame was lost
+  bool depth_is_mapped_ = false;  ///< whether the points' depths were found with the tracked poses
+  double last_timestamp_ = 0;     ///< s, of the last tracked frame
   SE3 T_world_last_;
   SE3 T_last_predicted_;                       ///< motion expected from the last frame to the next
   std::optional<MeanVelocity> mean_velocity_;  ///< between the last two frames, if known

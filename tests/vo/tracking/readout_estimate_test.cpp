@@ -6,6 +6,7 @@
 
 #include "tests/support/pose_near.h"
 #include "tests/support/textured_plane.h"
+#include "vo/odometry/mono_odometry.h"
 #include "vo/odometry/rgbd_odometry.h"
 
 namespace {
@@ -36,14 +37,13 @@ struct Drive {
   double worst_m = 0;  ///< distance from the pose of the middle row, of any frame
 };
 
-Drive drive(double readout, double start) {
-  const vo::PinholeCamera camera = vo::PinholeCamera::from_horizontal_fov(240, 180, 60);
-  vo::RgbdOdometry odometry(camera, vo::preset_options(vo::TrackerPreset::best_measured),
-                            shaken(start));
+/// Tracks a shaken camera with `track`, a function that returns the result of a frame.
+template <typename Track>
+Drive drive(const vo::PinholeCamera& camera, double readout, double start, Track track) {
   Drive found;
   for (int i = 0; i < kFrames; ++i) {
     const double time = start + i / 30.0;
-    const vo::TrackingResult result = odometry.track(rolled_frame(camera, time, readout));
+    const vo::TrackingResult result = track(rolled_frame(camera, time, readout));
     EXPECT_NE(result.status, vo::TrackingStatus::lost) << "frame " << i;
     const SE3 T_world_middle = shaken(time);
     const double distance =
@@ -54,20 +54,55 @@ Drive drive(double readout, double start) {
   return found;
 }
 
+vo::PinholeCamera shaken_camera() {
+  return vo::PinholeCamera::from_horizontal_fov(240, 180, 60);
+}
+
+Drive drive_rgbd(double readout, double start) {
+  const vo::PinholeCamera camera = shaken_camera();
+  vo::RgbdOdometry odometry(camera, vo::preset_options(vo::TrackerPreset::best_measured),
+                            shaken(start));
+  return drive(camera, readout, start,
+               [&](const vo::RgbdFrame& frame) { return odometry.track(frame); });
+}
+
+/// Drives monocular odometry that is given the depth of the first frame.
+Drive drive_mono(double readout, vo::ShutterModel shutter) {
+  const vo::PinholeCamera camera = shaken_camera();
+  vo::MonoOptions options = vo::mono_options();
+  options.bootstrap = vo::MonoBootstrap::rgbd;
+  options.tracker.shutter = shutter;
+  constexpr double kStart = 0.4;  // s
+  vo::MonoOdometry odometry(camera, options, shaken(kStart));
+  return drive(camera, readout, kStart,
+               [&](const vo::RgbdFrame& frame) { return odometry.track(frame).tracking; });
+}
+
 /// Velocities are means over 33 ms, which shakes change by a fifth. A pixel is 10 mm wide on the
 /// plane; with the shutter ignored, poses are off by 30 mm.
 TEST(ReadoutEstimate, FindsARollingShutterFromRestAndInMotion) {
   for (const double start : {0.0, 0.4}) {
-    const Drive found = drive(0.020, start);
+    const Drive found = drive_rgbd(0.020, start);
     EXPECT_NEAR(found.readout_s, 0.020, 0.004) << "from " << start << " s";
     EXPECT_LT(found.worst_m, 10e-3) << "from " << start << " s";
   }
 }
 
 TEST(ReadoutEstimate, FindsAGlobalShutter) {
-  const Drive found = drive(0, 0.4);
+  const Drive found = drive_rgbd(0, 0.4);
   EXPECT_LT(found.readout_s, 0.001);
   EXPECT_LT(found.worst_m, 1e-3) << "a tenth of a pixel";
+}
+
+TEST(ReadoutEstimate, FindsARollingShutterOnDepthsOfAMap) {
+  const Drive found = drive_mono(0.020, vo::ShutterModel::estimated);
+  const Drive ignoring = drive_mono(0.020, vo::ShutterModel::given);
+  EXPECT_NEAR(found.readout_s, 0.020, 0.006);
+  EXPECT_LT(found.worst_m, 0.5 * ignoring.worst_m);
+}
+
+TEST(ReadoutEstimate, FindsAGlobalShutterOnDepthsOfAMap) {
+  EXPECT_LT(drive_mono(0, vo::ShutterModel::estimated).readout_s, 0.002);
 }
 
 TEST(ReadoutEstimate, StartsWhereItIsTold) {

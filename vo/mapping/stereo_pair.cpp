@@ -1,0 +1,30 @@
+#include "vo/mapping/stereo_pair.h"
+
+namespace vo {
+namespace {
+
+/// Returns the matrix of the cross product w x.
+Eigen::Matrix3f cross_matrix(const Eigen::Vector3f& w) {
+  Eigen::Matrix3f matrix;
+  matrix << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
+  return matrix;
+}
+
+}  // namespace
+
+RowTransforms::RowTransforms(const FrameRelation& relation)
+    : is_rolling(!relation.host_motion.is_zero() || !relation.current_motion.is_zero()) {
+  const Eigen::Matrix3f R = relation.T_cur_host.rotation_matrix().cast<float>();
+  of_middle << R, relation.T_cur_host.translation().cast<float>();
+  if (!is_rolling) {
+    return;
+  }
+  const RowMotion& host = relation.host_motion;
+  const Eigen::Matrix3f turn = cross_matrix(relation.current_motion.angular);
+  by_host_row << R * cross_matrix(host.angular), R * host.linear;
+  by_current_row = -turn * of_middle;
+  by_current_row.col(3) -= relation.current_motion.linear;
+  by_both = -turn * by_host_row;
+}
+
+}  // namespace vo
