@@ -6,11 +6,11 @@
 
 #include "vo/core/instruction_set.h"
 #include "vo/core/normal_equations.h"
+#include "vo/geometry/row_motion.h"
 #include "vo/geometry/se3.h"
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
 #include "vo/residuals/robust.h"
-#include "vo/geometry/row_motion.h"
 
 namespace vo {
 
