@@ -38,6 +38,25 @@ vo::SE3 with_noise(const vo::SE3& T_world_camera, const MappingOptions& options,
   return T_world_camera * vo::SE3::exp(error);
 }
 
+/// Returns the motion of the rows of an image, by the mean velocity over a frame's time around it.
+/// There is none at the ends of the trajectory.
+vo::RowMotion row_motion(const vo::Trajectory& truth, double timestamp, double readout) {
+  constexpr double kHalfFrame = 1.0 / 60;  // s
+  const std::optional<vo::SE3> T_world_before = vo::pose_at(truth, timestamp - kHalfFrame);
+  const std::optional<vo::SE3> T_world_after = vo::pose_at(truth, timestamp + kHalfFrame);
+  if (readout == 0 || !T_world_before || !T_world_after) {
+    return {};
+  }
+  const vo::SE3 T_before_after = T_world_before->inverse() * *T_world_after;
+  return {T_before_after.log() / (2 * kHalfFrame), readout};
+}
+
+/// A frame's pose and the motion of its rows.
+struct FramePose {
+  vo::SE3 T_world_camera;
+  vo::RowMotion row_motion;
+};
+
 vo::PyramidOptions single_level() {
   vo::PyramidOptions options;
   options.levels = 1;
@@ -55,20 +74,23 @@ class MappingRun {
         finder_(options.edges),
         map_(options.map) {}
 
-  MappedFrame add(const vo::RgbdFrame& frame, std::size_t index, const vo::SE3& T_world_camera) {
+  MappedFrame add(const vo::RgbdFrame& frame, std::size_t index, const FramePose& pose) {
     vo::FramePyramid pyramid;
     pyramid_builder_.build({frame.timestamp, frame.image, {}}, {}, pyramid);
     vo::add_edges(pyramid, finder_);
     MappedFrame mapped{.timestamp = frame.timestamp};
     if (map_.empty()) {
       start(pyramid, frame.depth);
-      set_host(frame.depth, index, T_world_camera);
+      set_host(frame.depth, index, pose);
       mapped.is_host = true;
       mapped.errors = map_errors(map_, truth_, {});
       return mapped;
     }
-    const vo::FrameRelation relation = noisy_relation(
-        T_world_camera.inverse() * T_world_host_, options_.pose_noise_m, options_.pose_noise_deg);
+    vo::FrameRelation relation =
+        noisy_relation(pose.T_world_camera.inverse() * host_pose_.T_world_camera,
+                       options_.pose_noise_m, options_.pose_noise_deg);
+    relation.host_motion = host_pose_.row_motion;
+    relation.current_motion = pose.row_motion;
     mapped.baseline_m = relation.T_cur_host.translation().norm();
     const vo::CpuStopwatch observing;
     mapped.observations = map_.observe(pyramid, relation);
@@ -79,7 +101,7 @@ class MappingRun {
     if (map_.needs_new_host(pyramid, relation.T_cur_host)) {
       map_.propagate(pyramid, relation);
       map_.regularise();
-      set_host(frame.depth, index, T_world_camera);
+      set_host(frame.depth, index, pose);
       mapped.is_host = true;
     }
     mapped.mapping_ms += moving.elapsed_ms();
@@ -88,7 +110,7 @@ class MappingRun {
 
   const vo::DepthMap& map() const { return map_; }
   const vo::DepthImage& true_depth() const { return truth_.depth; }
-  const vo::SE3& T_world_host() const { return T_world_host_; }
+  const vo::SE3& T_world_host() const { return host_pose_.T_world_camera; }
 
  private:
   void start(const vo::FramePyramid& pyramid, const vo::DepthImage& depth) {
@@ -100,9 +122,9 @@ class MappingRun {
     }
   }
 
-  void set_host(const vo::DepthImage& depth, std::size_t index, const vo::SE3& T_world_camera) {
+  void set_host(const vo::DepthImage& depth, std::size_t index, const FramePose& pose) {
     truth_ = {depth, true_edges(sequence_, index)};
-    T_world_host_ = T_world_camera;
+    host_pose_ = pose;
   }
 
   const vo::SequenceReader& sequence_;
@@ -112,13 +134,15 @@ class MappingRun {
   vo::EdgeFinder finder_;
   vo::DepthMap map_;
   TrueView truth_;  ///< ground truth of the host
-  vo::SE3 T_world_host_;
+  FramePose host_pose_;
 };
 
 }  // namespace
 
 void MappingOptions::validate() const {
   vo::require(pose_noise_m >= 0 && pose_noise_deg >= 0, "depth: expected pose noise of at least 0");
+  vo::require(std::abs(readout) <= 1, "depth.readout: expected a time of at most 1 s, got ",
+              readout);
   vo::require(frames >= 0, "depth.frames: expected at least 0, got ", frames);
   edges.validate();
   map.validate();
@@ -159,7 +183,9 @@ std::vector<MappedFrame> map_sequence(const vo::SequenceReader& sequence,
     }
     const std::optional<vo::SE3> T_world_camera = vo::pose_at(truth, frame->timestamp);
     if (T_world_camera) {
-      frames.push_back(run.add(*frame, i, with_noise(*T_world_camera, options, i)));
+      frames.push_back(run.add(*frame, i,
+                               {with_noise(*T_world_camera, options, i),
+                                row_motion(truth, frame->timestamp, options.readout)}));
       if (observe) {
         observe(i, run.map(), run.true_depth(), run.T_world_host());
       }

@@ -27,6 +27,9 @@ constexpr double kKeyframeCorrelation = 0;
 /// the same read-out time: with a wrong one they absorb nine tenths of what it bends.
 constexpr double kMappedCurvatureShare = 0.1;
 
+/// A shorter read-out time is noise of a global shutter's where depths were found with it, s.
+constexpr double kLeastMappedReadout = 3e-3;
+
 /// Returns a finder of points at a frame's own edges, whatever else chooses points while tracking.
 EdgePointFinder own_point_finder(EdgePointOptions options) {
   options.source = EdgeSource::reference;
@@ -140,7 +143,8 @@ bool Tracker::References::velocities_known() const {
 AlignOptions Tracker::align_options() const {
   AlignOptions options = options_.align;
   if (options_.shutter == ShutterModel::estimated) {
-    options.readout = readout_.seconds();
+    const double readout = readout_.seconds();
+    options.readout = depth_is_mapped_ && readout < kLeastMappedReadout ? 0 : readout;
   }
   return options;
 }
