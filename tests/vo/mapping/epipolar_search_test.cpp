@@ -10,6 +10,7 @@
 
 #include "tests/support/instruction_sets.h"
 #include "tests/support/plane_map.h"
+#include "tests/support/textured_plane.h"
 
 namespace {
 
@@ -216,19 +217,24 @@ void expect_same(const vo::Observation& a, const vo::Observation& b) {
 
 TEST(EpipolarSearch, EveryInstructionSetGivesTheSameBits) {
   for (const vo::PinholeCamera& camera : lenses()) {
-    const Search search(camera);
-    const std::vector<vo::Observation> expected =
-        search.observe(search.targets, vo::InstructionSet::baseline);
-    for (const vo::SearchOutcome outcome :
-         {vo::SearchOutcome::found, vo::SearchOutcome::unobservable, vo::SearchOutcome::no_match}) {
-      EXPECT_TRUE(std::any_of(expected.begin(), expected.end(), [&](const vo::Observation& o) {
-        return o.outcome == outcome;
-      })) << static_cast<int>(outcome);
-    }
-    for (const vo::InstructionSet set : support::instruction_sets_of_this_machine()) {
-      const std::vector<vo::Observation> observations = search.observe(search.targets, set);
-      for (std::size_t i = 0; i < expected.size(); ++i) {
-        expect_same(observations[i], expected[i]);
+    for (const float motion : {0.0F, 0.01F}) {
+      Search search(camera);
+      search.relation.host_motion.angular = {motion, -motion, 2 * motion};
+      search.relation.current_motion.linear = {motion, 0, -motion};
+      const std::vector<vo::Observation> expected =
+          search.observe(search.targets, vo::InstructionSet::baseline);
+      for (const vo::SearchOutcome outcome :
+           {vo::SearchOutcome::found, vo::SearchOutcome::unobservable,
+            vo::SearchOutcome::no_match}) {
+        EXPECT_TRUE(std::any_of(expected.begin(), expected.end(), [&](const vo::Observation& o) {
+          return o.outcome == outcome;
+        })) << static_cast<int>(outcome);
+      }
+      for (const vo::InstructionSet set : support::instruction_sets_of_this_machine()) {
+        const std::vector<vo::Observation> observations = search.observe(search.targets, set);
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+          expect_same(observations[i], expected[i]);
+        }
       }
     }
   }
@@ -242,6 +248,62 @@ TEST(EpipolarSearch, AnEdgeIsFoundAloneAsAmongOthers) {
     expect_same(search.observe({&search.targets[i], 1}, set).front(), together[i]);
   }
   EXPECT_TRUE(search.observe({}, set).empty());
+}
+
+/// A camera that moves steadily and reads its rows one after the other.
+struct RollingCamera {
+  vo::PinholeCamera camera = small_camera();
+  vo::Vector6d velocity = (vo::Vector6d() << 0.3, -0.1, 0.05, 0.1, 0.3, -0.4).finished();
+  double readout = 0.02;  // s
+
+  SE3 T_world_row(double time, int v) const {
+    return SE3::exp(velocity * (time + readout * ((v + 0.5) / camera.height - 0.5)));
+  }
+
+  vo::FramePyramid frame(double time) const {
+    vo::RgbdFrame image = support::TexturedPlane().render_rows(
+        camera, [&](int v) { return T_world_row(time, v); }, time);
+    image.depth = vo::DepthImage();
+    vo::FramePyramid pyramid = vo::build_pyramid(image, camera, vo::PyramidOptions());
+    vo::add_edges(pyramid, vo::EdgeOptions());
+    return pyramid;
+  }
+};
+
+/// Returns the median relative error of the depths found between two frames 0.2 s apart.
+double median_error(const RollingCamera& rolling, const vo::RowMotion& believed) {
+  constexpr double kSeconds = 0.2;
+  const vo::FramePyramid host = rolling.frame(0);
+  const vo::FramePyramid current = rolling.frame(kSeconds);
+  vo::FrameRelation relation{SE3::exp(-kSeconds * rolling.velocity)};
+  relation.host_motion = relation.current_motion = believed;
+  const vo::Hypotheses edges = vo::edge_hypotheses(host.levels[0], {}, 0.5F);
+  std::vector<vo::SearchTarget> targets;
+  std::vector<double> truth;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const cv::Point pixel = edges.pixel[i];
+    truth.push_back(support::true_inverse_depth(rolling.camera, rolling.T_world_row(0, pixel.y),
+                                                pixel.x, pixel.y));
+    const auto d = static_cast<float>(truth.back());
+    targets.push_back({pixel, edges.ray[i], edges.gradient[i], 1.02F * d, 1.1F * d, 0.9F * d});
+  }
+  const vo::StereoPair pair(host.levels[0], current.levels[0], relation);
+  const std::vector<vo::Observation> seen = vo::search_epipolar_lines(pair, {}, targets);
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i].outcome == vo::SearchOutcome::found) {
+      errors.push_back(seen[i].inverse_depth / truth[i] - 1);
+    }
+  }
+  EXPECT_GT(errors.size(), 500U);
+  return support::median_magnitude(errors);
+}
+
+TEST(EpipolarSearch, FindsDepthsFromRowToRow) {
+  const RollingCamera rolling;
+  const double known = median_error(rolling, vo::RowMotion(rolling.velocity, rolling.readout));
+  EXPECT_LT(known, 0.005);
+  EXPECT_LT(known, 0.3 * median_error(rolling, {}));
 }
 
 TEST(EpipolarSearch, SaysNothingWithoutParallax) {
