@@ -46,14 +46,14 @@ struct PlotCells {
   int decimals = 0;
 };
 
-/// What the colours of a panel mean: a bar to its right, dark is low, light is high.
+/// The meaning of a panel's colours, which a bar to its right shows: dark is low, light is high.
 struct PlotColours {
   std::string title;  ///< title with unit
   Range range;        ///< range that the colours span; values beyond have the colours of its ends
   AxisScale scale = AxisScale::linear;
 };
 
-/// What one pair of axes shows.
+/// One pair of axes and all that is drawn between them.
 struct PlotPanel {
   PlotAxis x = {};
   PlotAxis y = {};

@@ -6,7 +6,8 @@
 
 namespace tools {
 
-/// Where the values of a panel are, px from the upper left corner of the area between its axes.
+/// The maps from a panel's values to positions, px from the upper left corner of the area between
+/// its axes.
 struct PlotFrame {
   AxisMap x;
   AxisMap y;

@@ -45,7 +45,7 @@ std::vector<Eigen::Vector2d> box_of(const SvgElement& text) {
   return corners;
 }
 
-/// Whether a direction of the first box's sides separates the boxes.
+/// Returns whether a direction of the first box's sides separates the boxes.
 bool is_separated(const std::vector<Eigen::Vector2d>& a, const std::vector<Eigen::Vector2d>& b) {
   for (const Eigen::Vector2d& along :
        {Eigen::Vector2d(a[1] - a[0]), Eigen::Vector2d(a[3] - a[0])}) {

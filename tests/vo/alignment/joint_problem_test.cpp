@@ -12,7 +12,7 @@ using vo::RobustLoss;
 using vo::SE3;
 using vo::Vector6d;
 
-/// Of H's brightness block, per point and the one more: the prior that linearize() adds.
+/// The prior that linearize() adds to the brightness block of H, per point and the one more.
 constexpr double kBrightnessPrior = 1e-3;
 
 SE3 pose(double x, double y, double z, double a, double b, double c) {
