@@ -80,14 +80,16 @@ void settle(const Hypotheses& from, const MovedEdge& moved, std::size_t j, Hypot
 
 MovedDepth moved_depth(const StereoPair& pair, const Eigen::Vector2f& ray, float inverse_depth,
                        float variance, float relative_noise) {
-  const Eigen::Vector3f P = pair.R_cur_host * ray.homogeneous() + inverse_depth * pair.t_cur_host;
+  const Eigen::Matrix3f R_cur_host = pair.rows.of_middle.leftCols<3>();
+  const Eigen::Vector3f t_cur_host = pair.rows.of_middle.col(3);
+  const Eigen::Vector3f P = R_cur_host * ray.homogeneous() + inverse_depth * t_cur_host;
   constexpr float kMinDepthRatio = 0.01F;
   if (!(P.z() > kMinDepthRatio)) {
     return {};
   }
   const float d = inverse_depth / P.z();
   // d d'/d d = (R ray)_z / P_z^2: equal to (d'/d)^2 where the camera does not turn.
-  const float growth = (P.z() - inverse_depth * pair.t_cur_host.z()) / (P.z() * P.z());
+  const float growth = (P.z() - inverse_depth * t_cur_host.z()) / (P.z() * P.z());
   const float noise = relative_noise * d;
   return {d, growth * growth * variance + noise * noise, P.hnormalized()};
 }

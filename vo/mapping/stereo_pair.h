@@ -37,8 +37,6 @@ struct RowTransforms {
 struct StereoPair {
   const PyramidLevel& host;
   const PyramidLevel& current;
-  Eigen::Matrix3f R_cur_host;
-  Eigen::Vector3f t_cur_host;  ///< m
   Eigen::Vector3f p_host_cur;  ///< m, the current camera's centre in the host frame
   Eigen::Matrix<float, 6, 6> covariance;
   bool pose_is_exact;
@@ -50,8 +48,6 @@ struct StereoPair {
              const FrameRelation& relation)
       : host(host_level),
         current(current_level),
-        R_cur_host(relation.T_cur_host.rotation_matrix().cast<float>()),
-        t_cur_host(relation.T_cur_host.translation().cast<float>()),
         p_host_cur(relation.T_cur_host.inverse().translation().cast<float>()),
         covariance(relation.covariance.cast<float>()),
         pose_is_exact(relation.covariance.isZero(0)),
