@@ -17,9 +17,12 @@ namespace {
 constexpr int kMajor = 4;
 constexpr int kMinor = 5;
 
+// The library stays loaded when its last context is gone: the drivers that it opened keep their
+// displays until the process ends, and their memory would leak if the variables that point to it
+// were unloaded.
 std::shared_ptr<void> open_library(const std::vector<const char*>& names, const char* package) {
   for (const char* name : names) {
-    if (void* library = dlopen(name, RTLD_NOW | RTLD_LOCAL)) {
+    if (void* library = dlopen(name, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)) {
       return {library, [](void* opened) { dlclose(opened); }};
     }
   }

@@ -76,18 +76,14 @@ struct alignas(64) FirstLanes {
   LaneMask mask;
 };
 
-/// Turns the rays that are not active into ones that end before they begin. Embree 3.13 ignores the
-/// mask on processors without AVX-512: it traces all lanes and aborts where one holds no numbers.
-/// The origins must be numbers.
-void retire_inactive(const LaneMask& active, RTCRay16& rays) {
-  for (std::size_t lane = 0; lane < active.size(); ++lane) {
-    if (active[lane] == 0) {
-      rays.dir_x[lane] = 0;
-      rays.dir_y[lane] = 0;
-      rays.dir_z[lane] = 1;
-      rays.tfar[lane] = -kInfinity;
-    }
-  }
+/// Puts a ray that ends before it begins, from the lane's own origin, into a lane that is not
+/// traced. Embree 3.13 ignores the mask on processors without AVX-512: it traces all lanes and
+/// aborts where one holds no numbers.
+void retire_lane(RTCRay16& rays, int lane) {
+  rays.dir_x[lane] = 0;
+  rays.dir_y[lane] = 0;
+  rays.dir_z[lane] = 1;
+  rays.tfar[lane] = -kInfinity;
 }
 
 /// Returns the coherence flag of shadow rays: Embree 3.13 can hang in those through instances if
@@ -171,15 +167,19 @@ void EmbreeScene::intersect(HitPacket& packet, Sight sight) const {
   const FirstLanes first(packet.size);
   for (int lane = packet.size; lane < kPacketSize; ++lane) {
     set_lane(packet.lanes.ray, lane, {Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ()});
+    retire_lane(packet.lanes.ray, lane);
   }
-  retire_inactive(first.mask, packet.lanes.ray);
   rtcIntersect16(first.mask.data(), hierarchy_.get(), &query.context, &packet.lanes);
 }
 
 void EmbreeScene::occlude(ShadowPacket& packet, ShadowHit& occluder) const {
   EmbreeQuery query = query_for(Sight::solid, shadow_coherence_);
   query.occluder = &occluder;
-  retire_inactive(packet.active, packet.lanes);
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    if (packet.active[static_cast<std::size_t>(lane)] == 0) {
+      retire_lane(packet.lanes, lane);
+    }
+  }
   rtcOccluded16(packet.active.data(), hierarchy_.get(), &query.context, &packet.lanes);
   const float* const left = packet.lanes.tfar;
   std::transform(packet.active.begin(), packet.active.end(), left, packet.active.begin(),
