@@ -15,10 +15,15 @@ function(edvo_module)
   edvo_precompile(${name})
 endfunction()
 
-# edvo_precompile(target) shares the headers that most files read among all targets.
+# edvo_precompile(target) parses the headers that most files read once for all targets; for the
+# folders of the program's commands those of the command line and of JSON, too.
 function(edvo_precompile target)
   if(target STREQUAL vo_core)
     target_precompile_headers(${target} PRIVATE ${EDVO_PRECOMPILED_HEADERS})
+  elseif(target STREQUAL tools_cli)
+    target_precompile_headers(${target} PRIVATE ${EDVO_PRECOMPILED_HEADERS} ${EDVO_PRECOMPILED_TOOLS_HEADERS})
+  elseif(target MATCHES "^(edvo|tools_.*)$" AND NOT target MATCHES "^tools_make_scenes_")
+    target_precompile_headers(${target} REUSE_FROM tools_cli)
   else()
     target_precompile_headers(${target} REUSE_FROM vo_core)
   endif()
