@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include <Eigen/LU>
@@ -41,6 +42,7 @@ struct Patch {
   std::array<float, kPixels> slope_u{};
   std::array<float, kPixels> slope_v{};
   Eigen::Matrix2f H_inverse;
+  float squares = 0;  ///< sum of the squared values
 };
 
 bool holds_patch(const GrayImage& image, const Eigen::Vector2f& centre) {
@@ -96,14 +98,17 @@ bool make_patch(const GrayImage& image, const Eigen::Vector2f& centre, Patch& pa
     return false;
   }
   patch.H_inverse = H.inverse();
+  patch.squares =
+      std::inner_product(patch.value.begin(), patch.value.end(), patch.value.begin(), 0.0F);
   return true;
 }
 
-/// Moves `centre` to where the image looks like the patch; returns the RMS difference there, or a
-/// negative value where the patch is lost.
+/// Moves `centre` to where the image looks like the patch; returns the correlation of both there,
+/// or -1 where the patch is lost.
 float follow_patch(const Patch& patch, const GrayImage& image, Eigen::Vector2f& centre) {
   constexpr int kMaxIterations = 12;
   constexpr float kConverged = 0.01F;  // px
+  float product = 0;
   float squares = 0;
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     if (!holds_patch(image, centre)) {
@@ -112,11 +117,13 @@ float follow_patch(const Patch& patch, const GrayImage& image, Eigen::Vector2f& 
     std::array<float, kPixels> values = sample_patch(image, centre);
     subtract_mean(values);
     Eigen::Vector2f right = Eigen::Vector2f::Zero();
+    product = 0;
     squares = 0;
     for (std::size_t i = 0; i < kPixels; ++i) {
       const float residual = values[i] - patch.value[i];
       right += residual * Eigen::Vector2f(patch.slope_u[i], patch.slope_v[i]);
-      squares += residual * residual;
+      product += values[i] * patch.value[i];
+      squares += values[i] * values[i];
     }
     const Eigen::Vector2f step = patch.H_inverse * right;
     centre -= step;
@@ -124,7 +131,8 @@ float follow_patch(const Patch& patch, const GrayImage& image, Eigen::Vector2f& 
       break;
     }
   }
-  return holds_patch(image, centre) ? std::sqrt(squares / kPixels) : -1;
+  return holds_patch(image, centre) && squares > 0 ? product / std::sqrt(squares * patch.squares)
+                                                   : -1;
 }
 
 /// Returns the strongest corner of a cell of the image, if any is strong enough to be followed.
@@ -173,10 +181,10 @@ std::size_t CornerTracks::alive() const {
 }
 
 bool CornerTracks::follow_one(std::size_t i, const FramePyramid& frame) {
-  constexpr float kMaxDifference = 12.0F / 255;
+  constexpr float kLeastCorrelation = 0.9F;
   constexpr double kMaxStep = 40;  // px, from frame to frame
   Eigen::Vector2d displacement = now_[i] - start_[i];
-  float difference = -1;
+  float correlation = -1;
   for (std::size_t l = frame.levels.size(); l-- > 0;) {
     const double scale = std::ldexp(1.0, -static_cast<int>(l));
     const auto at_level = [&](const Eigen::Vector2d& pixel) -> Eigen::Vector2f {
@@ -190,16 +198,15 @@ bool CornerTracks::follow_one(std::size_t i, const FramePyramid& frame) {
       continue;
     }
     const Eigen::Vector2f before = to;
-    difference = follow_patch(patch, frame.levels[l].intensity, to);
-    if (difference >= 0) {
+    correlation = follow_patch(patch, frame.levels[l].intensity, to);
+    if (correlation >= 0) {
       displacement += (to - before).cast<double>() / scale;
     } else if (l == 0) {
       return false;
     }
   }
   const Eigen::Vector2d now = start_[i] + displacement;
-  const bool found =
-      difference >= 0 && difference <= kMaxDifference && (now - now_[i]).norm() <= kMaxStep;
+  const bool found = correlation >= kLeastCorrelation && (now - now_[i]).norm() <= kMaxStep;
   now_[i] = now;
   return found;
 }

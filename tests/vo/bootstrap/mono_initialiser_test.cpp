@@ -1,9 +1,14 @@
 #include "vo/bootstrap/mono_initialiser.h"
 
+#include <functional>
+
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "tests/support/plane_map.h"
 #include "tests/support/pose_near.h"
+#include "vo/core/random_field.h"
 
 namespace {
 
@@ -35,6 +40,41 @@ TEST(CornerTracks, FollowPlacesOfThePlane) {
     right += tracks.is_alive(i) && (tracks.now(i) - truth).norm() < 0.3 ? 1 : 0;
   }
   EXPECT_GT(right, tracks.alive() * 9 / 10);
+}
+
+/// The plane as it is seen after `frame` frames of the walk, its grey values changed.
+vo::FramePyramid changed_frame(double frame, const std::function<void(cv::Mat_<float>&)>& change) {
+  vo::FramePyramid pyramid = grey_frame(small_camera(), walk(frame));
+  for (vo::PyramidLevel& level : pyramid.levels) {
+    change(level.intensity);
+  }
+  return pyramid;
+}
+
+std::size_t alive_after(const vo::FramePyramid& second) {
+  vo::CornerTracks tracks(grey_frame(small_camera(), SE3()), 200);
+  tracks.follow(second);
+  return tracks.alive() * 100 / tracks.size();
+}
+
+TEST(CornerTracks, FollowThroughBlurAndAnotherExposure) {
+  const auto share = alive_after(changed_frame(1, [](cv::Mat_<float>& image) {
+    cv::GaussianBlur(image, image, {}, 1.5);
+    image = 0.6 * image + 0.1;
+  }));
+  EXPECT_GT(share, 80U) << "percent";
+}
+
+TEST(CornerTracks, LoseWhatIsNotThereAnyMore) {
+  const auto share = alive_after(changed_frame(1, [](cv::Mat_<float>& image) {
+    const vo::RandomField noise(7, 1, 2);
+    image.forEach([&](float& value, const int* place) {
+      value = static_cast<float>(noise.uniform(place[1], place[0]));
+    });
+    cv::GaussianBlur(image, image, {}, 1);
+  }));
+  EXPECT_LT(share, 5U) << "percent";
+  EXPECT_EQ(alive_after(changed_frame(1, [](cv::Mat_<float>& image) { image = 0.5; })), 0U);
 }
 
 TEST(MonoInitialiser, FindsPosesAndDepthsOfAnUnknownPlane) {
