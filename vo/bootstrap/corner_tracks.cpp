@@ -181,7 +181,7 @@ std::size_t CornerTracks::alive() const {
 }
 
 bool CornerTracks::follow_one(std::size_t i, const FramePyramid& frame) {
-  constexpr float kLeastCorrelation = 0.9F;
+  constexpr float kLeastCorrelation = 0.8F;
   constexpr double kMaxStep = 40;  // px, from frame to frame
   Eigen::Vector2d displacement = now_[i] - start_[i];
   float correlation = -1;

@@ -16,8 +16,13 @@ constexpr double kInterpolatedSigma = 0.25;
 /// Relative standard deviation of given depths.
 constexpr double kStartSigma = 0.01;
 
-/// Least number of confident hypotheses; with fewer the map is lost.
+/// Least number of confident hypotheses that a map starts with.
 constexpr std::size_t kMinConfident = 150;
+
+/// Share of the hypotheses that are confident; with less, edges at guessed depths are tracked, too.
+/// They say little of a translation, but all of a rotation, which shows edges that no parallax has
+/// measured yet.
+constexpr double kMinConfidentShare = 0.2;
 
 /// Least median parallax of an unknown start, px at 640 px width.
 constexpr double kMinStartParallaxPx = 4;
@@ -77,6 +82,7 @@ MonoOdometry::MonoOdometry(const PinholeCamera& camera, const MonoOptions& optio
       tracker_(std::make_unique<Tracker>(options.tracker, T_world_first)),
       map_(options.map),
       start_depth_(options.start_depth),
+      T_world_start_(T_world_first),
       T_world_host_(T_world_first) {
   options_.validate();
 }
@@ -102,7 +108,7 @@ MonoResult MonoOdometry::track(const RgbdFrame& frame) {
     start_from_depth(frame.depth, result);
   } else if (state_ == MonoState::initialising && is_guess(options_.bootstrap)) {
     start_from_guesses(result);
-  } else if (state_ == MonoState::initialising || state_ == MonoState::reinitialising) {
+  } else if (state_ == MonoState::initialising) {
     initialise(result);
   } else {
     follow(result);
@@ -134,6 +140,7 @@ void MonoOdometry::report_state(MonoResult& result) const {
 }
 
 void MonoOdometry::begin_tracking(const FramePyramid& host, Guesses guesses, MonoResult& result) {
+  T_world_host_ = T_world_start_;
   guesses_ = guesses;
   TrackerOptions options = options_.tracker;
   options.align.readout = tracker_->readout();  // of the map before, if there was one
@@ -227,17 +234,31 @@ void MonoOdometry::follow(MonoResult& result) {
   result.tracking = tracker_->track(current_);
   stage_times_.alignment_ms = timer.lap_ms();
   if (result.tracking.status == TrackingStatus::lost) {
-    state_ = MonoState::lost;
-    if (++lost_frames_ >= options_.max_lost_frames) {
-      reinitialise();
-    }
+    seek(result);
     return;
   }
   state_ = MonoState::tracking;
   lost_frames_ = 0;
+  initialiser_.reset();
   update_map(result);
   stage_times_.mapping_ms = timer.lap_ms();
   trajectory_.push_back({current_.timestamp, result.tracking.T_world_camera});
+}
+
+/// Waits for what the map shows to come back into view, and after some frames looks for a new map,
+/// too, which begins where the camera was last seen, at the scale of the old one.
+void MonoOdometry::seek(MonoResult& result) {
+  if (++lost_frames_ < options_.max_lost_frames) {
+    state_ = MonoState::lost;
+    return;
+  }
+  if (state_ != MonoState::reinitialising) {
+    state_ = MonoState::reinitialising;
+    start_depth_ =
+        1 / median_inverse_depth(map_.hypotheses(), static_cast<float>(1 / start_depth_));
+    T_world_start_ = trajectory_.back().T_world_camera;
+  }
+  initialise(result);
 }
 
 FrameRelation MonoOdometry::relation_to_host(const TrackingResult& tracked) const {
@@ -269,22 +290,13 @@ void MonoOdometry::update_map(MonoResult& result) {
   } else {
     tracker_->update_keyframe(tracked_points());
   }
-  if (guesses_ == Guesses::left_out && map_.confident() < kMinConfident) {
-    state_ = MonoState::lost;
-    reinitialise();
-  }
 }
 
 std::shared_ptr<const EdgePoints> MonoOdometry::tracked_points() const {
-  return std::make_shared<const EdgePoints>(map_.points(options_.tracker.points, guesses_));
-}
-
-/// Starts a new map from where the camera was last seen, at the scale of the last map.
-void MonoOdometry::reinitialise() {
-  start_depth_ = 1 / median_inverse_depth(map_.hypotheses(), static_cast<float>(1 / start_depth_));
-  T_world_host_ = trajectory_.empty() ? T_world_host_ : trajectory_.back().T_world_camera;
-  initialiser_.reset();
-  state_ = MonoState::reinitialising;
+  const bool few = static_cast<double>(map_.confident()) <
+                   kMinConfidentShare * static_cast<double>(map_.hypotheses().size());
+  return std::make_shared<const EdgePoints>(
+      map_.points(options_.tracker.points, few ? Guesses::included : guesses_));
 }
 
 }  // namespace vo

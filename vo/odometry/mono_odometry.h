@@ -70,9 +70,9 @@ class MonoOdometry {
   void track_again(const MonoInitialiser& solved, MonoResult& result);
   void begin_tracking(const FramePyramid& host, Guesses guesses, MonoResult& result);
   void follow(MonoResult& result);
+  void seek(MonoResult& result);
   FrameRelation relation_to_host(const TrackingResult& tracked) const;
   void update_map(MonoResult& result);
-  void reinitialise();
   void report_state(MonoResult& result) const;
   std::shared_ptr<const EdgePoints> tracked_points() const;
 
@@ -85,6 +85,7 @@ class MonoOdometry {
   DepthMap map_;
   Guesses guesses_ = Guesses::left_out;  ///< whether guessed depths are tracked, too
   double start_depth_ = 1;               ///< m, median depth of an unknown start
+  SE3 T_world_start_;                    ///< pose of the first frame of the next map
   SE3 T_world_host_;
   FramePyramid current_;
   MonoState state_ = MonoState::initialising;

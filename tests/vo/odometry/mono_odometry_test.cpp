@@ -126,6 +126,31 @@ TEST(MonoOdometry, ACutIsALossAndThenANewStart) {
   EXPECT_EQ(last, MonoState::reinitialising);
 }
 
+TEST(MonoOdometry, WhatIsSeenAgainIsTheOldMap) {
+  vo::MonoOptions options = options_with(MonoBootstrap::rgbd);
+  options.max_lost_frames = 3;
+  vo::MonoOdometry odometry(small_camera(), options);
+  for (int i = 0; i < 20; ++i) {
+    odometry.track(support::plane_frame(small_camera(), sideways_walk(i), i));
+  }
+  vo::RgbdFrame covered = support::plane_frame(small_camera(), SE3(), 0);
+  covered.image = 0;
+  for (int i = 20; i < 30; ++i) {
+    covered.timestamp = support::plane_frame(small_camera(), SE3(), i).timestamp;
+    EXPECT_EQ(odometry.track(covered).tracking.status, vo::TrackingStatus::lost);
+  }
+  for (int i = 30; i < 35; ++i) {
+    const SE3 T_world_camera = sideways_walk(i - 20);
+    const vo::MonoResult result =
+        odometry.track(support::plane_frame(small_camera(), T_world_camera, i));
+    EXPECT_EQ(result.state, MonoState::tracking) << "frame " << i;
+    EXPECT_THAT(result.tracking.T_world_camera,
+                support::PoseNear(T_world_camera, support::PoseTolerance{.translation_m = 0.002,
+                                                                         .rotation_deg = 0.05}))
+        << "frame " << i;
+  }
+}
+
 TEST(MonoOdometry, WantsTheFirstDepthOnlyWhereItIsAskedFor) {
   vo::RgbdFrame frame = support::plane_frame(small_camera(), SE3(), 0);
   frame.depth = vo::DepthImage();
@@ -157,6 +182,22 @@ TEST(MonoOdometry, WithKnownDepthsItFollowsACameraThatOnlyTurns) {
     EXPECT_EQ(result.state, MonoState::tracking);
     EXPECT_LT(result.tracking.T_world_camera.translation().norm(), 0.002);
   }
+}
+
+/// Depth is known at the left border alone, which leaves the view at once.
+TEST(MonoOdometry, EdgesOfUnknownDepthTellATurn) {
+  constexpr int kFrames = 40;
+  constexpr double kTurn = 0.03;  // rad a frame
+  vo::MonoOdometry odometry(small_camera(), options_with(MonoBootstrap::rgbd));
+  for (int i = 0; i < kFrames; ++i) {
+    const SE3 turn = SE3::exp((vo::Vector6d() << 0, 0, 0, 0, kTurn * i - 0.6, 0).finished());
+    vo::RgbdFrame frame = support::plane_frame(small_camera(), turn, i);
+    frame.depth.colRange(60, frame.depth.cols) = 0;
+    ASSERT_EQ(odometry.track(frame).state, MonoState::tracking) << "frame " << i;
+  }
+  const SE3 whole = odometry.trajectory().front().T_world_camera.inverse() *
+                    odometry.trajectory().back().T_world_camera;
+  EXPECT_NEAR(whole.log().tail<3>().norm(), kTurn * (kFrames - 1), 0.01);
 }
 
 /// From its own depth image: half the plane stands still, the other half moves with the camera.
