@@ -36,7 +36,8 @@ constexpr const char* kTrackHelp =
     "T_world_camera of every tracked frame in TUM format; the world is the first camera's frame.\n"
     "With --mode mono only the images are read, and the depth of the first for --bootstrap rgbd;\n"
     "--preset and --debug-images are for --mode rgbd.\n"
-    "Frames that are lost have no pose in the file, and the exit code is then 5.\n"
+    "Frames that are lost have no pose in the file, and the exit code is then 5, as it is where\n"
+    "--mode mono knows a pose's rotation alone.\n"
     "All options that a trajectory was tracked with are written beside it (e_config.toml for\n"
     "e.txt); --config reads them.";
 
@@ -86,6 +87,8 @@ struct Tracked {
   std::vector<vo::Field> options;
   std::string log;                   ///< CSV with a line per frame
   std::optional<double> mapping_ms;  ///< of mode mono
+  std::size_t oriented_poses = 0;    ///< poses of mode mono whose rotation alone is known
+  std::string note;                  ///< what a user of the trajectory must know
 };
 
 void write_results(const TrackArguments& arguments, const Tracked& tracked) {
@@ -109,6 +112,8 @@ nlohmann::ordered_json summary(const TrackArguments& arguments, const Tracked& t
   json["ms_per_frame"] = time_json(vo::summarize(tracked.result.times));
   if (tracked.mapping_ms) {
     json["mapping_ms"] = *tracked.mapping_ms;
+    json["oriented_poses"] = tracked.oriented_poses;
+    json["note"] = tracked.note;
   } else {
     json["preset"] = arguments.preset;
   }
@@ -116,8 +121,8 @@ nlohmann::ordered_json summary(const TrackArguments& arguments, const Tracked& t
   return json;
 }
 
-/// Prints the result, `note` last, and returns the exit code.
-int print(const TrackArguments& arguments, const Tracked& tracked, const char* note = "") {
+/// Prints the result, its note last, and returns the exit code.
+int print(const TrackArguments& arguments, const Tracked& tracked) {
   std::ostream& out = vo::is_stream(arguments.out) ? std::cerr : std::cout;
   const vo::SequenceResult& result = tracked.result;
   if (arguments.common.json) {
@@ -129,9 +134,13 @@ int print(const TrackArguments& arguments, const Tracked& tracked, const char* n
         << " ms per frame (median; pyramid " << times.pyramid_ms << ", edges " << times.edges_ms
         << ", alignment " << times.alignment_ms
         << (tracked.mapping_ms ? vo::concat(", mapping ", *tracked.mapping_ms) : "") << ")\n"
-        << note;
+        << (result.trajectory.empty() || tracked.note.empty() ? "" : tracked.note + "\n");
   }
-  return result.tracked_fraction() < 1 ? exit_code::kTrackingLost : exit_code::kOk;
+  if (result.trajectory.empty() && !tracked.note.empty()) {
+    std::cerr << "edvo: " << tracked.note << "\n";
+  }
+  const bool complete = result.tracked_fraction() == 1 && tracked.oriented_poses == 0;
+  return complete ? exit_code::kOk : exit_code::kTrackingLost;
 }
 
 void write_pictures(const TrackArguments& arguments, const vo::SequenceReader& sequence,
@@ -162,6 +171,21 @@ int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCame
   return print(arguments, tracked);
 }
 
+/// Returns what a user must know of a monocular trajectory to use it.
+std::string note_on(const vo::MonoSequenceResult& result, vo::MonoBootstrap bootstrap) {
+  if (result.trajectory.empty()) {
+    return result.why_no_pose();
+  }
+  std::string note =
+      is_metric(bootstrap) ? "" : "the scale is arbitrary: evaluate with --align sim3";
+  if (result.oriented_poses > 0) {
+    note += vo::concat(note.empty() ? "" : "; ", result.oriented_poses, " of ",
+                       result.trajectory.size(),
+                       " poses are known by their rotation alone, their depths were guessed");
+  }
+  return note;
+}
+
 int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera) {
   vo::require(arguments.debug_images == 0,
               "track: --debug-images is for --mode rgbd; "
@@ -174,11 +198,11 @@ int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCame
   const Tracked tracked{.result = result.tracking(),
                         .options = vo::fields_of(options),
                         .log = vo::format_mono_log(result.frames),
-                        .mapping_ms = result.mapping_ms()};
+                        .mapping_ms = result.mapping_ms(),
+                        .oriented_poses = result.oriented_poses,
+                        .note = note_on(result, options.bootstrap)};
   write_results(arguments, tracked);
-  return print(
-      arguments, tracked,
-      is_metric(options.bootstrap) ? "" : "the scale is arbitrary: evaluate with --align sim3\n");
+  return print(arguments, tracked);
 }
 
 int track(TrackArguments& arguments) {

@@ -1,5 +1,6 @@
 #include "vo/odometry/mono_odometry.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -23,6 +24,10 @@ constexpr std::size_t kMinConfident = 150;
 /// They say little of a translation, but all of a rotation, which shows edges that no parallax has
 /// measured yet.
 constexpr double kMinConfidentShare = 0.2;
+
+/// Least correlation of a frame with edges at guessed depths, which explain a turn well or do not
+/// explain the motion.
+constexpr double kTurnCorrelation = 0.7;
 
 /// Least median parallax of an unknown start, px at 640 px width.
 constexpr double kMinStartParallaxPx = 4;
@@ -112,6 +117,9 @@ MonoResult MonoOdometry::track(const RgbdFrame& frame) {
     initialise(result);
   } else {
     follow(result);
+    if (state_ == MonoState::orienting || (state_ == MonoState::lost && initialiser_ != nullptr)) {
+      look_for_start(result);
+    }
   }
   report_state(result);
   return result;
@@ -128,7 +136,9 @@ std::optional<MonoResult> MonoOdometry::finish() {
   if (result.initialiser.verdict != InitialiserVerdict::solved) {
     return std::nullopt;
   }
-  start_from(*std::exchange(initialiser_, nullptr), result);
+  if (!start_from(*std::exchange(initialiser_, nullptr), result)) {
+    return std::nullopt;
+  }
   report_state(result);
   return result;
 }
@@ -144,13 +154,38 @@ void MonoOdometry::begin_tracking(const FramePyramid& host, Guesses guesses, Mon
   guesses_ = guesses;
   TrackerOptions options = options_.tracker;
   options.align.readout = tracker_->readout();  // of the map before, if there was one
+  if (guesses == Guesses::included && !is_guess(options_.bootstrap)) {
+    options.lost.min_correlation = std::max(options.lost.min_correlation, kTurnCorrelation);
+  }
   tracker_ = std::make_unique<Tracker>(options, T_world_host_);
   tracker_->set_keyframe(host, T_world_host_, tracked_points());
-  state_ = MonoState::tracking;
+  state_ = state_in_map();
   lost_frames_ = 0;
   result.tracking.status = TrackingStatus::initialized;
   result.tracking.T_world_camera = T_world_host_;
   result.tracking.is_keyframe = true;
+}
+
+/// Returns the state while the camera is tracked: guesses that were asked for count as known.
+MonoState MonoOdometry::state_in_map() const {
+  if (is_guess(options_.bootstrap)) {
+    return MonoState::tracking;
+  }
+  return guesses_ == Guesses::included || map_.confident() < kMinConfident ? MonoState::orienting
+                                                                           : MonoState::tracking;
+}
+
+void MonoOdometry::add_pose(double timestamp, const SE3& T_world_camera) {
+  trajectory_.push_back({timestamp, T_world_camera});
+  is_oriented_.push_back(state_ == MonoState::orienting);
+}
+
+std::size_t MonoOdometry::oriented_poses() const {
+  return static_cast<std::size_t>(std::count(is_oriented_.begin(), is_oriented_.end(), true));
+}
+
+bool MonoOdometry::follows_map() const {
+  return state_ == MonoState::tracking || state_ == MonoState::orienting;
 }
 
 void MonoOdometry::start_from_depth(const DepthImage& depth, MonoResult& result) {
@@ -164,7 +199,7 @@ void MonoOdometry::start_from_depth(const DepthImage& depth, MonoResult& result)
     return;
   }
   begin_tracking(current_, Guesses::left_out, result);
-  trajectory_.push_back({current_.timestamp, T_world_host_});
+  add_pose(current_.timestamp, T_world_host_);
 }
 
 void MonoOdometry::start_from_guesses(MonoResult& result) {
@@ -177,53 +212,97 @@ void MonoOdometry::start_from_guesses(MonoResult& result) {
     return;
   }
   begin_tracking(current_, Guesses::included, result);
-  trajectory_.push_back({current_.timestamp, T_world_host_});
+  add_pose(current_.timestamp, T_world_host_);
 }
 
 void MonoOdometry::initialise(MonoResult& result) {
+  result.tracking.reason = LostReason::undetermined;
+  if (const auto solved = solved_start(result.initialiser)) {
+    if (!start_from(*solved, result)) {
+      result.tracking.reason = LostReason::too_few_points;
+    }
+  } else if (state_ == MonoState::initialising && initialiser_->is_exhausted()) {
+    orient_from(*std::exchange(initialiser_, nullptr), result);
+  }
+}
+
+/// Adds the frame to the start that is looked for, or begins to look for one. Returns the start
+/// once it is solved, or null.
+std::unique_ptr<MonoInitialiser> MonoOdometry::solved_start(InitialiserReport& report) {
   if (initialiser_ == nullptr || initialiser_->is_exhausted()) {
     const double scale = camera_.width / 640.0;
     const StartParallax parallax{scale * kMinStartParallaxPx, scale * options_.wanted_parallax_px};
     initialiser_ = std::make_unique<MonoInitialiser>(current_, parallax, start_depth_);
-    result.tracking.reason = LostReason::undetermined;
-    return;
+    return nullptr;
   }
-  result.initialiser = initialiser_->add(current_);
-  result.tracking.reason = LostReason::undetermined;
-  if (result.initialiser.verdict != InitialiserVerdict::solved) {
-    return;
-  }
-  start_from(*std::exchange(initialiser_, nullptr), result);
+  report = initialiser_->add(current_);
+  return report.verdict == InitialiserVerdict::solved ? std::exchange(initialiser_, nullptr)
+                                                      : nullptr;
 }
 
-void MonoOdometry::start_from(const MonoInitialiser& solved, MonoResult& result) {
-  map_first_frame(solved);
-  if (map_.confident() < kMinConfident) {
+/// Tracks the rotation of frames that showed no start, by edges at guessed depths.
+void MonoOdometry::orient_from(const MonoInitialiser& unsolved, MonoResult& result) {
+  const FramePyramid& host = unsolved.frames().front().pyramid;
+  map_.start(host, start_depth_);
+  if (map_.hypotheses().size() < kMinConfident) {
     result.tracking.reason = LostReason::too_few_points;
     return;
   }
+  begin_tracking(host, Guesses::included, result);
+  track_again(unsolved, result);
+}
+
+/// Looks for a start beside frames whose rotation alone is tracked, and beside those that are then
+/// lost, for guessed depths do not follow a translation far. The start replaces the poses that its
+/// frames were given.
+void MonoOdometry::look_for_start(MonoResult& result) {
+  if (initialiser_ == nullptr || initialiser_->is_exhausted()) {
+    initialiser_.reset();
+    if (state_ == MonoState::lost) {
+      return;
+    }
+    place_next_map(result.tracking.T_world_camera);
+  }
+  if (const auto solved = solved_start(result.initialiser)) {
+    start_from(*solved, result);
+  }
+}
+
+/// Returns whether the start gives a map, in which its frames are then tracked.
+bool MonoOdometry::start_from(const MonoInitialiser& solved, MonoResult& result) {
+  DepthMap map = map_of(solved);
+  if (map.confident() < kMinConfident) {
+    return false;
+  }
+  map_ = std::move(map);
   begin_tracking(solved.frames().front().pyramid, Guesses::left_out, result);
   track_again(solved, result);
+  return true;
 }
 
-/// Starts the map at the held frame and observes its edges in all frames of the start.
-void MonoOdometry::map_first_frame(const MonoInitialiser& solved) {
+/// Returns the map of the held frame, its edges observed in all frames of the start.
+DepthMap MonoOdometry::map_of(const MonoInitialiser& solved) const {
   const std::vector<StartFrame>& frames = solved.frames();
-  map_.start(frames.front().pyramid, start_depth_);
-  map_.take_depth(solved.depth_at_edges(), kInterpolatedSigma);
+  DepthMap map(options_.map);
+  map.start(frames.front().pyramid, start_depth_);
+  map.take_depth(solved.depth_at_edges(), kInterpolatedSigma);
   for (std::size_t i = 1; i < frames.size(); ++i) {
-    map_.observe(frames[i].pyramid, {frames[i].T_frame_first});
+    map.observe(frames[i].pyramid, {frames[i].T_frame_first});
   }
-  map_.regularise();
+  map.regularise();
+  return map;
 }
 
-/// Tracks the frames of the start on the map that they gave.
-void MonoOdometry::track_again(const MonoInitialiser& solved, MonoResult& result) {
-  const std::vector<StartFrame>& frames = solved.frames();
-  if (trajectory_.empty() || trajectory_.back().timestamp < frames.front().pyramid.timestamp) {
-    trajectory_.push_back({frames.front().pyramid.timestamp, T_world_host_});
+/// Tracks the frames of a start on the map that begins with the first of them.
+void MonoOdometry::track_again(const MonoInitialiser& start, MonoResult& result) {
+  const std::vector<StartFrame>& frames = start.frames();
+  const double begin = frames.front().pyramid.timestamp;
+  while (!trajectory_.empty() && trajectory_.back().timestamp >= begin) {
+    trajectory_.pop_back();
+    is_oriented_.pop_back();
   }
-  for (std::size_t i = 1; i < frames.size() && state_ == MonoState::tracking; ++i) {
+  add_pose(begin, T_world_host_);
+  for (std::size_t i = 1; i < frames.size() && follows_map(); ++i) {
     current_ = frames[i].pyramid;
     follow(result);
   }
@@ -237,12 +316,14 @@ void MonoOdometry::follow(MonoResult& result) {
     seek(result);
     return;
   }
-  state_ = MonoState::tracking;
+  if (state_ == MonoState::reinitialising) {
+    initialiser_.reset();
+  }
   lost_frames_ = 0;
-  initialiser_.reset();
   update_map(result);
+  state_ = state_in_map();
   stage_times_.mapping_ms = timer.lap_ms();
-  trajectory_.push_back({current_.timestamp, result.tracking.T_world_camera});
+  add_pose(current_.timestamp, result.tracking.T_world_camera);
 }
 
 /// Waits for what the map shows to come back into view, and after some frames looks for a new map,
@@ -254,11 +335,17 @@ void MonoOdometry::seek(MonoResult& result) {
   }
   if (state_ != MonoState::reinitialising) {
     state_ = MonoState::reinitialising;
-    start_depth_ =
-        1 / median_inverse_depth(map_.hypotheses(), static_cast<float>(1 / start_depth_));
-    T_world_start_ = trajectory_.back().T_world_camera;
+    if (initialiser_ == nullptr) {
+      place_next_map(trajectory_.back().T_world_camera);
+    }
   }
   initialise(result);
+}
+
+/// Lets the next map begin at this pose, at the scale of the map so far.
+void MonoOdometry::place_next_map(const SE3& T_world_camera) {
+  start_depth_ = 1 / median_inverse_depth(map_.hypotheses(), static_cast<float>(1 / start_depth_));
+  T_world_start_ = T_world_camera;
 }
 
 FrameRelation MonoOdometry::relation_to_host(const TrackingResult& tracked) const {
@@ -277,7 +364,7 @@ void MonoOdometry::update_map(MonoResult& result) {
   const FrameRelation relation = relation_to_host(result.tracking);
   result.observations = map_.observe(current_, relation);
   map_.regularise();
-  if (guesses_ == Guesses::included && 2 * map_.confident() > map_.hypotheses().size()) {
+  if (is_guess(options_.bootstrap) && 2 * map_.confident() > map_.hypotheses().size()) {
     guesses_ = Guesses::left_out;
   }
   if (map_.needs_new_host(current_, relation.T_cur_host)) {

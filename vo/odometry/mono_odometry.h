@@ -16,10 +16,18 @@
 
 namespace vo {
 
-enum class MonoState { initialising, tracking, lost, reinitialising };
+/// What is known of the camera after a frame.
+enum class MonoState {
+  initialising,  ///< nothing: an unknown start waits for parallax
+  orienting,  ///< the rotation: depths are guessed until a start is found, translations mean little
+  tracking,   ///< the pose, in a map
+  lost,       ///< nothing: the map is out of view
+  reinitialising,  ///< nothing: a new map is looked for beside the lost one
+};
 
 constexpr auto enum_names(MonoState) {
   return std::array{std::pair{MonoState::initialising, "initialising"},
+                    std::pair{MonoState::orienting, "orienting"},
                     std::pair{MonoState::tracking, "tracking"}, std::pair{MonoState::lost, "lost"},
                     std::pair{MonoState::reinitialising, "reinitialising"}};
 }
@@ -55,6 +63,7 @@ class MonoOdometry {
   std::optional<MonoResult> finish();
 
   const Trajectory& trajectory() const { return trajectory_; }  ///< frames that are not lost
+  std::size_t oriented_poses() const;  ///< number of its poses whose rotation alone is known
   const StageTimes& stage_times() const { return stage_times_; }
   const DepthMap& map() const { return map_; }
   const SE3& T_world_host() const { return T_world_host_; }
@@ -65,14 +74,21 @@ class MonoOdometry {
   void start_from_depth(const DepthImage& depth, MonoResult& result);
   void start_from_guesses(MonoResult& result);
   void initialise(MonoResult& result);
-  void start_from(const MonoInitialiser& solved, MonoResult& result);
-  void map_first_frame(const MonoInitialiser& solved);
-  void track_again(const MonoInitialiser& solved, MonoResult& result);
+  void orient_from(const MonoInitialiser& unsolved, MonoResult& result);
+  void look_for_start(MonoResult& result);
+  std::unique_ptr<MonoInitialiser> solved_start(InitialiserReport& report);
+  bool start_from(const MonoInitialiser& solved, MonoResult& result);
+  DepthMap map_of(const MonoInitialiser& solved) const;
+  void track_again(const MonoInitialiser& start, MonoResult& result);
   void begin_tracking(const FramePyramid& host, Guesses guesses, MonoResult& result);
   void follow(MonoResult& result);
   void seek(MonoResult& result);
+  void place_next_map(const SE3& T_world_camera);
   FrameRelation relation_to_host(const TrackingResult& tracked) const;
   void update_map(MonoResult& result);
+  MonoState state_in_map() const;
+  void add_pose(double timestamp, const SE3& T_world_camera);
+  bool follows_map() const;  ///< whether the last frame has a pose
   void report_state(MonoResult& result) const;
   std::shared_ptr<const EdgePoints> tracked_points() const;
 
@@ -81,7 +97,7 @@ class MonoOdometry {
   PyramidBuilder pyramid_builder_;
   EdgeFinder edge_finder_;
   std::unique_ptr<Tracker> tracker_;
-  std::unique_ptr<MonoInitialiser> initialiser_;  ///< null unless initialising
+  std::unique_ptr<MonoInitialiser> initialiser_;  ///< null unless a start is looked for
   DepthMap map_;
   Guesses guesses_ = Guesses::left_out;  ///< whether guessed depths are tracked, too
   double start_depth_ = 1;               ///< m, median depth of an unknown start
@@ -92,6 +108,7 @@ class MonoOdometry {
   bool is_first_ = true;
   int lost_frames_ = 0;
   Trajectory trajectory_;
+  std::vector<bool> is_oriented_;  ///< for each pose of the trajectory
   StageTimes stage_times_;
 };
 

@@ -1,6 +1,8 @@
 #include "vo/odometry/track_mono.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "vo/core/error.h"
@@ -59,6 +61,22 @@ double MonoSequenceResult::mapping_ms() const {
   return percentile(observed, 0.5);
 }
 
+std::string MonoSequenceResult::why_no_pose() const {
+  std::map<std::string, int> counts;
+  double parallax_px = 0;
+  for (const MonoResult& frame : frames) {
+    const bool looked = frame.tracking.reason == LostReason::undetermined;
+    ++counts[std::string(looked ? to_string(frame.initialiser.verdict)
+                                : to_string(frame.tracking.reason))];
+    parallax_px = std::max(parallax_px, frame.initialiser.parallax_px);
+  }
+  std::string text = "no frame has a pose:";
+  for (const auto& [reason, count] : counts) {
+    text += concat(" ", reason, " ", count, ",");
+  }
+  return concat(text, " the largest parallax of a start was ", format_real(parallax_px), " px");
+}
+
 MonoFrames::MonoFrames(const MonoInput& input, MonoBootstrap bootstrap)
     : sequence_(input.folder, input.camera, input.max_time_difference, SequenceContent::colour) {
   if (bootstrap == MonoBootstrap::file) {
@@ -106,6 +124,7 @@ MonoSequenceResult track_mono_images(const MonoImages& images, const MonoOptions
     progress(result.frames.size(), images.size);
   }
   result.trajectory = odometry.trajectory();
+  result.oriented_poses = odometry.oriented_poses();
   return result;
 }
 

@@ -25,9 +25,11 @@ struct MonoSequenceResult {
   std::vector<MonoResult> frames;
   std::vector<StageTimes> times;
   Trajectory trajectory;
+  std::size_t oriented_poses = 0;  ///< poses of the trajectory whose rotation alone is known
 
   SequenceResult tracking() const;  ///< what the RGB-D odometry would return, too
   double mapping_ms() const;        ///< median over the frames in which the map was observed
+  std::string why_no_pose() const;  ///< sentence on a run without any pose: how often which reason
 };
 
 /// Called after each frame.

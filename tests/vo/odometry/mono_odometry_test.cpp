@@ -1,5 +1,8 @@
 #include "vo/odometry/mono_odometry.h"
 
+#include <algorithm>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/error_text.h"
@@ -71,6 +74,56 @@ TEST(MonoOdometry, DoesNotPretendWhileTheCameraOnlyTurns) {
   }
   EXPECT_FALSE(odometry.finish());
   EXPECT_TRUE(odometry.trajectory().empty());
+}
+
+/// A turn of so many frames, 0.03 rad each, then a walk.
+SE3 turn_and_walk(int frame, int turning) {
+  const double turned = 0.03 * std::min(frame, turning) - 0.5;
+  const double walked = 0.03 * std::max(0, frame - turning);
+  return SE3::exp((vo::Vector6d() << 0, 0, 0, 0, turned, 0).finished()) *
+         SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(walked, 0.3 * walked, 0));
+}
+
+TEST(MonoOdometry, ATurnWithoutParallaxIsFollowedByItsRotation) {
+  constexpr int kFrames = 40;
+  vo::MonoOdometry odometry(small_camera(), options_with(MonoBootstrap::automatic));
+  MonoState last = MonoState::initialising;
+  for (int i = 0; i < kFrames; ++i) {
+    last = odometry.track(support::plane_frame(small_camera(), turn_and_walk(i, kFrames), i)).state;
+  }
+  EXPECT_EQ(last, MonoState::orienting);
+  const vo::Trajectory& estimate = odometry.trajectory();
+  ASSERT_EQ(estimate.size(), std::size_t{kFrames});
+  EXPECT_EQ(odometry.oriented_poses(), std::size_t{kFrames});
+  for (int i = 0; i < kFrames; ++i) {
+    const SE3 moved = estimate.front().T_world_camera.inverse() *
+                      estimate[static_cast<std::size_t>(i)].T_world_camera;
+    EXPECT_NEAR(moved.log().tail<3>().norm(), 0.03 * i, 0.005) << "frame " << i;
+  }
+}
+
+TEST(MonoOdometry, AStartReplacesTheRotationsOfItsFrames) {
+  constexpr int kTurning = 22;  // then the first frame of the turn is out of view
+  constexpr int kFrames = 50;
+  vo::MonoOdometry odometry(small_camera(), options_with(MonoBootstrap::automatic));
+  vo::Trajectory truth;
+  std::vector<MonoState> states;
+  for (int i = 0; i < kFrames; ++i) {
+    const SE3 T_world_camera = turn_and_walk(i, kTurning);
+    const vo::RgbdFrame frame = support::plane_frame(small_camera(), T_world_camera, i);
+    states.push_back(odometry.track(frame).state);
+    truth.push_back({frame.timestamp, T_world_camera});
+  }
+  EXPECT_EQ(states[kTurning], MonoState::orienting);
+  EXPECT_EQ(states.back(), MonoState::tracking);
+  ASSERT_EQ(odometry.trajectory().size(), std::size_t{kFrames});
+  EXPECT_NEAR(static_cast<double>(odometry.oriented_poses()), kTurning, 1);
+  const auto walk = [](const vo::Trajectory& whole) {
+    return vo::Trajectory(whole.begin() + kTurning + 1, whole.end());
+  };
+  const vo::TrajectoryErrors errors = vo::evaluate(walk(truth), walk(odometry.trajectory()),
+                                                   {.alignment = vo::TrajectoryAlignment::sim3});
+  EXPECT_LT(errors.ate.rmse, 0.02 * vo::path_length(walk(truth)));
 }
 
 TEST(MonoOdometry, TheEndOfASequenceMakesTheStartThatWaited) {
@@ -193,7 +246,7 @@ TEST(MonoOdometry, EdgesOfUnknownDepthTellATurn) {
     const SE3 turn = SE3::exp((vo::Vector6d() << 0, 0, 0, 0, kTurn * i - 0.6, 0).finished());
     vo::RgbdFrame frame = support::plane_frame(small_camera(), turn, i);
     frame.depth.colRange(60, frame.depth.cols) = 0;
-    ASSERT_EQ(odometry.track(frame).state, MonoState::tracking) << "frame " << i;
+    ASSERT_NE(odometry.track(frame).tracking.status, vo::TrackingStatus::lost) << "frame " << i;
   }
   const SE3 whole = odometry.trajectory().front().T_world_camera.inverse() *
                     odometry.trajectory().back().T_world_camera;

@@ -1,5 +1,6 @@
 #include "vo/odometry/track_mono.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/plane_frames.h"
@@ -33,6 +34,21 @@ TEST(TrackMono, ASequenceThatEndsWhileTheStartWaitsHasPosesAllTheSame) {
   EXPECT_EQ(result.frames[result.frames.size() - 2].state, vo::MonoState::initialising);
   ASSERT_EQ(told.size(), result.frames.size());
   EXPECT_EQ(told.back(), vo::MonoState::tracking);
+}
+
+TEST(TrackMono, ARunWithoutAPoseSaysWhy) {
+  int next = 0;
+  const vo::MonoImages images{
+      .camera = support::small_camera(), .size = 4, .next = [&]() -> std::optional<vo::RgbdFrame> {
+        const int i = next++;
+        return i < 4 ? std::optional(support::plane_frame(support::small_camera(), vo::SE3(), i))
+                     : std::nullopt;
+      }};
+  const vo::MonoSequenceResult result =
+      vo::track_mono_images(images, vo::mono_options(), {}, [](std::size_t, std::size_t) {});
+  EXPECT_TRUE(result.trajectory.empty());
+  EXPECT_THAT(result.why_no_pose(),
+              testing::StartsWith("no frame has a pose: waiting 4, the largest parallax"));
 }
 
 }  // namespace
