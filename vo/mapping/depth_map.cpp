@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "vo/core/hash.h"
+#include "vo/core/median.h"
 #include "vo/geometry/projection.h"
 #include "vo/image/depth_span.h"
 #include "vo/mapping/chains.h"
@@ -73,6 +74,25 @@ void DepthMap::guess_random(std::uint64_t seed) {
   for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
     const double uniform = mixed_uniform(mixed(seed) + i);
     hypotheses_.forget(i, static_cast<float>(far + uniform * (near - far)));
+  }
+}
+
+void DepthMap::correct(const EdgePointLevel& points) {
+  std::vector<float> change(hypotheses_.size(), 0);
+  std::vector<float> changes;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto i = static_cast<std::size_t>(hypotheses_.index(points.pixel[k]));
+    change[i] = 1 / (points.z_ref[k] * hypotheses_.smoothed[i]);
+    changes.push_back(change[i]);
+  }
+  if (changes.empty()) {
+    return;
+  }
+  const float median = upper_median(changes);
+  for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
+    const float factor = change[i] > 0 ? change[i] : median;
+    hypotheses_.inverse_depth[i] *= factor;
+    hypotheses_.smoothed[i] *= factor;
   }
 }
 

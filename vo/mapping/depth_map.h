@@ -46,6 +46,10 @@ class DepthMap {
   /// Sets random guesses between the options' limits, uniform in inverse depth.
   void guess_random(std::uint64_t seed);
 
+  /// Takes the depths that an adjustment found for the finest points of `points()`. The other
+  /// edges' depths change as those do in the median; what is known of their uncertainty stays.
+  void correct(const EdgePointLevel& points);
+
   ObservationCounts observe(const FramePyramid& current, const FrameRelation& relation,
                             const ObservationListener& listener = {});
 

@@ -54,8 +54,6 @@ void MonoOptions::validate() const {
           "mono.points: expected source = reference and selection = edges, the map's points");
   require(tracker.vignette == VignetteModel::ignore,
           "mono.vignette: expected ignore, the map looks edges up in images as they are");
-  require(tracker.window.adjust == WindowAdjustment::none,
-          "mono.window.adjust: expected none, the map finds the depths of its points");
   require(tracker.align.max_depth_ratio == 0,
           "mono.align.max_depth_ratio: expected 0, there is no current depth to test against");
   tracker.validate();
@@ -371,11 +369,20 @@ void MonoOdometry::update_map(MonoResult& result) {
     tracker_->update_keyframe(tracked_points());
     map_.propagate(current_, relation);
     map_.regularise();
-    T_world_host_ = result.tracking.T_world_camera;
-    tracker_->set_keyframe(current_, T_world_host_, tracked_points());
+    tracker_->set_keyframe(current_, result.tracking.T_world_camera, tracked_points());
+    take_adjusted(*tracker_->map().last(), result);
     result.tracking.is_keyframe = true;
   } else {
     tracker_->update_keyframe(tracked_points());
+  }
+}
+
+/// Takes the pose and the depths of the newest keyframe as the tracker's window has adjusted them.
+void MonoOdometry::take_adjusted(const Keyframe& keyframe, MonoResult& result) {
+  T_world_host_ = keyframe.T_world_keyframe;
+  result.tracking.T_world_camera = keyframe.T_world_keyframe;
+  if (options_.tracker.window.adjust == WindowAdjustment::depth) {
+    map_.correct(keyframe.points->levels.front());
   }
 }
 

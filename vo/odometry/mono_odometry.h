@@ -13,6 +13,7 @@
 #include "vo/mapping/depth_map.h"
 #include "vo/odometry/mono_options.h"
 #include "vo/odometry/rgbd_odometry.h"
+#include "vo/tracking/local_map.h"
 
 namespace vo {
 
@@ -86,6 +87,7 @@ class MonoOdometry {
   void place_next_map(const SE3& T_world_camera);
   FrameRelation relation_to_host(const TrackingResult& tracked) const;
   void update_map(MonoResult& result);
+  void take_adjusted(const Keyframe& keyframe, MonoResult& result);
   MonoState state_in_map() const;
   void add_pose(double timestamp, const SE3& T_world_camera);
   bool follows_map() const;  ///< whether the last frame has a pose

@@ -110,6 +110,9 @@ void LocalMap::set_last_velocity(const FrameVelocity& velocity) {
 void LocalMap::set_last_points(std::shared_ptr<const EdgePoints> points) {
   Keyframe keyframe = *keyframes_.back();
   keyframe.points = std::move(points);
+  if (!keyframe.measured_depth.empty()) {
+    keyframe.measured_depth = keyframe.points->levels.front().z_ref;
+  }
   keyframes_.back() = std::make_shared<const Keyframe>(std::move(keyframe));
 }
 

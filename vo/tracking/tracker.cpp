@@ -307,9 +307,6 @@ void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyf
   }
   set_keyframe(keyframe, T_world_keyframe,
                options_.symmetric ? current_points_ : std::exchange(current_points_, nullptr));
-  if (options_.window.adjust != WindowAdjustment::none) {
-    adjust_keyframes();
-  }
 }
 
 /// Returns the window's frames, those that are moved first. At least one is held: the oldest.
@@ -359,6 +356,9 @@ void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyf
   map_.add({keyframe, std::move(points), T_world_keyframe, velocity_, std::move(surface),
             std::move(measured_depth)});
   frames_since_keyframe_ = 0;
+  if (options_.window.adjust != WindowAdjustment::none) {
+    adjust_keyframes();
+  }
 }
 
 void Tracker::update_keyframe(std::shared_ptr<const EdgePoints> points) {

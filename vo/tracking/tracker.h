@@ -31,10 +31,11 @@ class Tracker {
   /// Returns whether the frame of this result should become a keyframe: it is time for one, and the
   /// frame is fit to be one.
   bool needs_keyframe(const FramePyramid& current, const TrackingResult& result) const;
-  /// Makes a frame a keyframe with points of its own depth, and adjusts the window if that is on.
+  /// Makes a frame a keyframe with points of its own depth, and adjusts the window if there is one.
   void set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyframe);
 
-  /// Makes a frame a keyframe with points of a depth map instead of the frame's own depth.
+  /// Makes a frame a keyframe with points of a depth map instead of the frame's own depth, and
+  /// adjusts the window if there is one.
   void set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyframe,
                     std::shared_ptr<const EdgePoints> points);
   /// Replaces the last keyframe's points by what the depth map knows of them by now.

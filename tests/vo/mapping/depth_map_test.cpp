@@ -153,6 +153,28 @@ TEST(DepthMap, AStationaryCameraLeavesItAsItIs) {
   EXPECT_EQ(map.hypotheses().inverse_depth, before);
 }
 
+/// Half of the edges' depths are told to have grown by a tenth.
+TEST(DepthMap, ACorrectionMovesTheOtherEdgesAlong) {
+  vo::DepthMap map{vo::DepthMapOptions()};
+  const vo::RgbdFrame frame = support::plane_frame(support::small_camera(), vo::SE3(), 0);
+  map.start(support::grey_frame(support::small_camera(), vo::SE3()), 1);
+  map.take_depth(frame.depth, 0.01);
+  map.regularise();
+  const vo::Hypotheses before = map.hypotheses();
+  vo::EdgePointLevel points = map.points(vo::EdgePointOptions{.fraction = 0.5}).levels.front();
+  ASSERT_LT(points.size(), before.size() * 2 / 3);
+  std::vector<float> farther;
+  for (const float z : points.z_ref) {
+    farther.push_back(1.1F * z);
+  }
+  points.z_ref = farther;
+  map.correct(points);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_NEAR(before.smoothed[i] / map.hypotheses().smoothed[i], 1.1F, 1e-4F);
+    EXPECT_EQ(before.variance[i], map.hypotheses().variance[i]);
+  }
+}
+
 TEST(DepthMap, RefusesOptionsThatMakeNoSense) {
   EXPECT_EQ(support::error_text([] { vo::DepthMap map({.min_depth = 3, .max_depth = 2}); }),
             "depth_map: expected 0 < min_depth < max_depth, got 3 and 2");

@@ -1,6 +1,7 @@
 #include "vo/odometry/mono_odometry.h"
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include "tests/support/plane_frames.h"
 #include "tests/support/pose_near.h"
 #include "tests/support/sideways_walk.h"
+#include "vo/core/fields.h"
 #include "vo/evaluation/evaluate.h"
 
 namespace {
@@ -48,12 +50,24 @@ vo::MonoOptions options_with(MonoBootstrap bootstrap) {
 }
 
 /// 0.25 % of a path of 0.4 m is 1 mm; a pixel is 7 mm wide on the plane.
-TEST(MonoOdometry, KeepsTheScaleOfADepthImage) {
-  const TrackedWalk done = tracked(options_with(MonoBootstrap::rgbd), 25);
+class MonoWindow : public testing::TestWithParam<vo::WindowAdjustment> {};
+
+TEST_P(MonoWindow, KeepsTheScaleOfADepthImage) {
+  vo::MonoOptions options = options_with(MonoBootstrap::rgbd);
+  options.tracker.window.adjust = GetParam();
+  options.map.host.every = 3;
+  const TrackedWalk done = tracked(options, 25);
   ASSERT_EQ(done.estimate.size(), 25U);
   const vo::TrajectoryErrors errors = vo::evaluate(done.truth, done.estimate);
   EXPECT_LT(errors.ate.rmse, 0.0025 * vo::path_length(done.truth));
 }
+
+INSTANTIATE_TEST_SUITE_P(MonoOdometry, MonoWindow,
+                         testing::Values(vo::WindowAdjustment::none, vo::WindowAdjustment::poses,
+                                         vo::WindowAdjustment::depth),
+                         [](const auto& adjust) {
+                           return std::string(vo::to_string(adjust.param));
+                         });
 
 TEST(MonoOdometry, FindsAnUnknownPlaneUpToScale) {
   const TrackedWalk done = tracked(options_with(MonoBootstrap::automatic), 60);

@@ -9,7 +9,6 @@
 #include "tests/support/pose_near.h"
 #include "vo/core/error.h"
 #include "vo/core/instruction_set.h"
-#include "vo/odometry/mono_options.h"
 
 namespace {
 
@@ -173,14 +172,6 @@ TEST(WindowOptions, OutOfRangeAreErrors) {
   EXPECT_THROW(vo::WindowOptions{.max_iterations = 0}.validate(), vo::Error);
   EXPECT_THROW(vo::WindowOptions{.min_overlap = 1.1}.validate(), vo::Error);
   EXPECT_THROW(vo::WindowOptions{.depth_noise = 0}.validate(), vo::Error);
-}
-
-/// A monocular map finds depths by itself: two would move the same points.
-TEST(WindowOptions, AreNoneForAMonocularMap) {
-  vo::MonoOptions options = vo::mono_options();
-  EXPECT_NO_THROW(options.validate());
-  options.tracker.window.adjust = WindowAdjustment::poses;
-  EXPECT_THROW(options.validate(), vo::Error);
 }
 
 }  // namespace
