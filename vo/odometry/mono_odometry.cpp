@@ -131,10 +131,8 @@ std::optional<MonoResult> MonoOdometry::finish() {
   result.tracking.timestamp = current_.timestamp;
   result.tracking.T_world_camera = T_world_host_;
   result.initialiser = initialiser_->finish();
-  if (result.initialiser.verdict != InitialiserVerdict::solved) {
-    return std::nullopt;
-  }
-  if (!start_from(*std::exchange(initialiser_, nullptr), result)) {
+  if (result.initialiser.verdict != InitialiserVerdict::solved ||
+      !start_from(*std::exchange(initialiser_, nullptr), result)) {
     return std::nullopt;
   }
   report_state(result);
@@ -200,17 +198,24 @@ void MonoOdometry::start_from_depth(const DepthImage& depth, MonoResult& result)
   add_pose(current_.timestamp, T_world_host_);
 }
 
-void MonoOdometry::start_from_guesses(MonoResult& result) {
-  map_.start(current_, options_.start_depth);
+/// Begins to track on a map of guessed depths at this frame. Returns whether it has edges enough.
+bool MonoOdometry::guess_map(const FramePyramid& host, MonoResult& result) {
+  map_.start(host, start_depth_);
   if (options_.bootstrap == MonoBootstrap::random) {
     map_.guess_random(options_.seed);
   }
   if (map_.hypotheses().size() < kMinConfident) {
     result.tracking.reason = LostReason::too_few_points;
-    return;
+    return false;
   }
-  begin_tracking(current_, Guesses::included, result);
-  add_pose(current_.timestamp, T_world_host_);
+  begin_tracking(host, Guesses::included, result);
+  return true;
+}
+
+void MonoOdometry::start_from_guesses(MonoResult& result) {
+  if (guess_map(current_, result)) {
+    add_pose(current_.timestamp, T_world_host_);
+  }
 }
 
 void MonoOdometry::initialise(MonoResult& result) {
@@ -240,14 +245,9 @@ std::unique_ptr<MonoInitialiser> MonoOdometry::solved_start(InitialiserReport& r
 
 /// Tracks the rotation of frames that showed no start, by edges at guessed depths.
 void MonoOdometry::orient_from(const MonoInitialiser& unsolved, MonoResult& result) {
-  const FramePyramid& host = unsolved.frames().front().pyramid;
-  map_.start(host, start_depth_);
-  if (map_.hypotheses().size() < kMinConfident) {
-    result.tracking.reason = LostReason::too_few_points;
-    return;
+  if (guess_map(unsolved.frames().front().pyramid, result)) {
+    track_again(unsolved, result);
   }
-  begin_tracking(host, Guesses::included, result);
-  track_again(unsolved, result);
 }
 
 /// Looks for a start beside frames whose rotation alone is tracked, and beside those that are then

@@ -17,7 +17,7 @@
 
 namespace vo {
 
-/// What is known of the camera after a frame.
+/// The state of the odometry says what is known of the camera after a frame.
 enum class MonoState {
   initialising,  ///< nothing: an unknown start waits for parallax
   orienting,  ///< the rotation: depths are guessed until a start is found, translations mean little
@@ -73,6 +73,7 @@ class MonoOdometry {
 
  private:
   void start_from_depth(const DepthImage& depth, MonoResult& result);
+  bool guess_map(const FramePyramid& host, MonoResult& result);
   void start_from_guesses(MonoResult& result);
   void initialise(MonoResult& result);
   void orient_from(const MonoInitialiser& unsolved, MonoResult& result);
