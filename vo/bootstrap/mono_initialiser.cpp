@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vo/bootstrap/start_shutter.h"
 #include "vo/core/median.h"
+#include "vo/geometry/row_motion.h"
 
 namespace vo {
 namespace {
@@ -30,10 +32,12 @@ void place(StartViews& start, double robust_scale) {
   SE3 T_before;
   for (StartView& view : start.views) {
     std::vector<double> inverse_depth;
-    for (const std::size_t place : view.places) {
-      inverse_depth.push_back(start.inverse_depth[place]);
+    std::vector<RayPair> pairs;
+    for (std::size_t k = 0; k < view.pairs.size(); ++k) {
+      inverse_depth.push_back(start.inverse_depth[view.places[k]]);
+      pairs.push_back(view.unbent(k, start.readout));
     }
-    view.T_frame_first = fit_pose(view.pairs, inverse_depth, T_before, robust_scale);
+    view.T_frame_first = fit_pose(pairs, inverse_depth, T_before, robust_scale);
     T_before = view.T_frame_first;
   }
 }
@@ -41,29 +45,52 @@ void place(StartViews& start, double robust_scale) {
 /// Returns at most `count` views, evenly spread, the last one included.
 StartViews spread(const StartViews& start, std::size_t count) {
   const std::size_t stride = (start.views.size() + count - 1) / count;
-  StartViews few{{}, start.inverse_depth};
+  StartViews few{{}, start.inverse_depth, start.readout, start.readout_is_known};
   for (std::size_t back = 0; back < start.views.size(); back += stride) {
     few.views.insert(few.views.begin(), start.views[start.views.size() - 1 - back]);
   }
   return few;
 }
 
-/// Returns poses and depths that fit all frames, from depths that fit the last frame.
-StartViews adjusted(StartViews start, double robust_scale) {
+/// Adjusts some of the views and all depths, and fits all views to these.
+void adjust_some(const std::vector<double>& timestamps, double robust_scale, StartViews& start) {
   constexpr std::size_t kMaxViews = 12;
-  place(start, robust_scale);
+  bend_pairs(start_velocities(start, timestamps), start);
   StartViews few = spread(start, kMaxViews);
   adjust(few, robust_scale);
   start.inverse_depth = std::move(few.inverse_depth);
+  start.readout = few.readout;
   place(start, robust_scale);
+}
+
+/// Returns poses, depths and read-out time that fit all frames, from depths that fit the last
+/// frame. What a read-out time bends depends on poses and depths, hence more rounds than one.
+StartViews adjusted(StartViews start, const std::vector<double>& timestamps, double robust_scale) {
+  constexpr int kRounds = 3;
+  constexpr double kLeastReadout = 3e-3;  // s; less is noise of a global shutter's
+  bend_pairs(std::vector<Vector6d>(timestamps.size(), Vector6d::Zero()), start);
+  place(start, robust_scale);
+  for (int round = 0; round < kRounds; ++round) {
+    adjust_some(timestamps, robust_scale, start);
+  }
+  if (!start.readout_is_known && start.readout < kLeastReadout) {
+    start.readout = 0;
+    start.readout_is_known = true;
+    place(start, robust_scale);
+    adjust_some(timestamps, robust_scale, start);
+  }
   return start;
 }
 
 }  // namespace
 
 MonoInitialiser::MonoInitialiser(const FramePyramid& first, const StartParallax& parallax,
-                                 double median_depth)
-    : parallax_(parallax), median_depth_(median_depth), tracks_(first, kCorners) {
+                                 double median_depth, std::optional<double> known_readout)
+    : parallax_(parallax),
+      median_depth_(median_depth),
+      readout_(known_readout.value_or(0)),
+      readout_is_known_(known_readout.has_value()),
+      tracks_(first, kCorners) {
   frames_.push_back({first, SE3()});
 }
 
@@ -82,10 +109,15 @@ bool MonoInitialiser::is_running_out() const {
 
 std::vector<RayPair> MonoInitialiser::ray_pairs() const {
   const PinholeCamera& camera = frames_.front().pyramid.levels.front().camera;
+  const auto row = [inverse_height = 1 / static_cast<float>(camera.height)](double v) {
+    return static_cast<double>(below_middle(static_cast<float>(v), inverse_height));
+  };
   std::vector<RayPair> pairs;
   for (const std::size_t i : corners_.back()) {
-    pairs.push_back({camera.unproject(tracks_.start(i), 1).head<2>(),
-                     camera.unproject(tracks_.now(i), 1).head<2>()});
+    const Eigen::Vector2d& start = tracks_.start(i);
+    const Eigen::Vector2d& now = tracks_.now(i);
+    pairs.push_back({camera.unproject(start, 1).head<2>(), camera.unproject(now, 1).head<2>(),
+                     row(start.y()), row(now.y())});
   }
   return pairs;
 }
@@ -149,7 +181,12 @@ InitialiserVerdict MonoInitialiser::solve(const RotationFit& turn, double parall
   if (parallax_px < kMinSignal * focal_px * fit.residual) {
     return InitialiserVerdict::waiting;
   }
-  take(adjusted(views(fit.inverse_depth), kRobustPx / focal_px));
+  std::vector<double> timestamps;
+  for (const StartFrame& frame : frames_) {
+    timestamps.push_back(frame.pyramid.timestamp);
+  }
+  const StartViews start = adjusted(views(fit.inverse_depth), timestamps, kRobustPx / focal_px);
+  take(start, start_velocities(start, timestamps));
   return InitialiserVerdict::solved;
 }
 
@@ -159,7 +196,7 @@ StartViews MonoInitialiser::views(const std::vector<double>& inverse_depth) cons
   for (std::size_t k = 0; k < corners_.back().size(); ++k) {
     place_of_corner[corners_.back()[k]] = static_cast<int>(k);
   }
-  StartViews start{{}, inverse_depth};
+  StartViews start{{}, inverse_depth, readout_, readout_is_known_};
   for (std::size_t f = 0; f < pairs_.size(); ++f) {
     StartView& view = start.views.emplace_back();
     for (std::size_t k = 0; k < pairs_[f].size(); ++k) {
@@ -174,7 +211,7 @@ StartViews MonoInitialiser::views(const std::vector<double>& inverse_depth) cons
 }
 
 /// Takes the result of the adjustment, scaled to the median depth that was asked for.
-void MonoInitialiser::take(const StartViews& adjusted) {
+void MonoInitialiser::take(const StartViews& adjusted, const std::vector<Vector6d>& velocities) {
   const double scale = median_depth_ * upper_median(adjusted.inverse_depth);
   for (std::size_t k = 0; k < adjusted.inverse_depth.size(); ++k) {
     known_pixels_.push_back(tracks_.start(corners_.back()[k]));
@@ -182,6 +219,10 @@ void MonoInitialiser::take(const StartViews& adjusted) {
   }
   for (std::size_t f = 0; f < adjusted.views.size(); ++f) {
     frames_[f + 1].T_frame_first = scaled(adjusted.views[f].T_frame_first, scale);
+  }
+  readout_ = adjusted.readout;
+  for (std::size_t f = 0; f < frames_.size(); ++f) {
+    frames_[f].velocity << scale * velocities[f].head<3>(), velocities[f].tail<3>();
   }
 }
 

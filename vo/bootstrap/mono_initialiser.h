@@ -41,10 +41,11 @@ struct StartParallax {
   double wanted_px = 12;  ///< waited for as long as corners and time allow
 };
 
-/// A frame of the start and its pose relative to the first.
+/// A frame of the start, its pose relative to the first and its velocity.
 struct StartFrame {
   FramePyramid pyramid;
   SE3 T_frame_first;
+  Vector6d velocity = Vector6d::Zero();  ///< in the camera's own frame, m/s and rad/s
 };
 
 /// Initialises a monocular map: finds structure and motion of an unknown scene together. The first
@@ -53,7 +54,9 @@ struct StartFrame {
 /// scale is chosen so that the median depth is what was asked for.
 class MonoInitialiser {
  public:
-  MonoInitialiser(const FramePyramid& first, const StartParallax& parallax, double median_depth);
+  /// Without a known read-out time, s, that of a rolling shutter is estimated, too.
+  MonoInitialiser(const FramePyramid& first, const StartParallax& parallax, double median_depth,
+                  std::optional<double> known_readout = {});
 
   InitialiserReport add(const FramePyramid& frame);
 
@@ -63,9 +66,10 @@ class MonoInitialiser {
   /// Returns whether the held frame is out of view, or too many frames were seen, to start anew.
   bool is_exhausted() const;
 
-  /// Once solved, these return all frames, the first included, and the depth of the first frame at
-  /// every edge pixel, interpolated between corners.
+  /// Once solved, these return all frames, the first included, the read-out time, s, and the depth
+  /// of the first frame at every edge pixel, interpolated between corners.
   const std::vector<StartFrame>& frames() const { return frames_; }
+  double readout() const { return readout_; }
   DepthImage depth_at_edges() const;
 
  private:
@@ -74,11 +78,13 @@ class MonoInitialiser {
   InitialiserVerdict solve(const RotationFit& turn, double parallax_px);
   bool is_running_out() const;
   StartViews views(const std::vector<double>& inverse_depth) const;
-  void take(const StartViews& adjusted);
+  void take(const StartViews& adjusted, const std::vector<Vector6d>& velocities);
 
   StartParallax parallax_;
   std::size_t frames_to_least_ = 0;  ///< frames until the least parallax, 0 before
   double median_depth_;
+  double readout_;  ///< s
+  bool readout_is_known_;
   CornerTracks tracks_;
   std::vector<StartFrame> frames_;
   std::vector<std::vector<RayPair>> pairs_;        ///< ray pairs of each frame after the first

@@ -9,18 +9,42 @@ namespace {
 
 constexpr Eigen::Index kPose = 6;
 
-/// The normal equations of all poses and of each place's inverse depth.
+/// The standard deviation of read-out times, s, before anything is known.
+constexpr double kReadoutSigma = 0.03;
+
+/// Errors of a corner are alike from frame to frame: a hundred pairs are worth one.
+constexpr double kDependence = 100;
+
+/// The normal equations of all poses, then the read-out time, and of each place's inverse depth.
 struct System {
-  NormalEquations<Eigen::Dynamic> poses;
+  NormalEquations<Eigen::Dynamic> motion;
   SeparateUnknowns<> depths;
 };
 
+/// Adds the terms of the read-out time, whose derivative of a pair's residual is `bend`.
+void add_readout(const PairTerms& terms, const Eigen::Vector2d& bend, double w, Eigen::Index view,
+                 Eigen::Index place, System& system) {
+  auto& [motion, depths] = system;
+  const Eigen::Index last = motion.b.size() - 1;
+  const Eigen::Matrix<double, kPose, 1> mixed = w * terms.by_pose.transpose() * bend;
+  motion.H.block<kPose, 1>(view, last) += mixed;
+  motion.H.block<1, kPose>(last, view) += mixed.transpose();
+  motion.H(last, last) += w * bend.squaredNorm();
+  motion.b[last] += w * bend.dot(terms.r);
+  depths.coupling(last, place) += w * bend.dot(terms.by_depth);
+}
+
+/// Returns the information of a read-out time of 0 before any pair is seen.
+double readout_prior(double scale) {
+  return kDependence * scale * scale / (kReadoutSigma * kReadoutSigma);
+}
+
 System system_of(const StartViews& start, double scale) {
   constexpr double kDepthPrior = 1e-9;
-  const auto poses = kPose * static_cast<Eigen::Index>(start.views.size());
+  const auto unknowns = kPose * static_cast<Eigen::Index>(start.views.size()) + 1;
   const auto places = static_cast<Eigen::Index>(start.inverse_depth.size());
-  System system{NormalEquations<Eigen::Dynamic>::zero(poses),
-                {Eigen::MatrixXd::Zero(poses, places),
+  System system{NormalEquations<Eigen::Dynamic>::zero(unknowns),
+                {Eigen::MatrixXd::Zero(unknowns, places),
                  Eigen::VectorXd::Constant(places, kDepthPrior), Eigen::VectorXd::Zero(places)}};
   for (std::size_t f = 0; f < start.views.size(); ++f) {
     const StartView& view = start.views[f];
@@ -28,8 +52,8 @@ System system_of(const StartViews& start, double scale) {
     NormalEquations<kPose> pose;
     for (std::size_t k = 0; k < view.pairs.size(); ++k) {
       const auto place = static_cast<Eigen::Index>(view.places[k]);
-      const PairTerms terms =
-          terms_of(view.pairs[k], view.T_frame_first, start.inverse_depth[view.places[k]]);
+      const PairTerms terms = terms_of(view.unbent(k, start.readout), view.T_frame_first,
+                                       start.inverse_depth[view.places[k]]);
       if (terms.in_front) {
         const double w = cauchy_weight(terms.r.squaredNorm(), scale);
         pose.add_residuals(terms.by_pose, terms.r, w);
@@ -37,26 +61,33 @@ System system_of(const StartViews& start, double scale) {
             w * terms.by_pose.transpose() * terms.by_depth;
         system.depths.H[place] += w * terms.by_depth.squaredNorm();
         system.depths.b[place] += w * terms.by_depth.dot(terms.r);
+        add_readout(terms, view.bend[k], w, at, place, system);
       }
     }
-    system.poses.H.block<kPose, kPose>(at, at) = pose.H;
-    system.poses.b.segment<kPose>(at) = pose.b;
+    system.motion.H.block<kPose, kPose>(at, at) = pose.H;
+    system.motion.b.segment<kPose>(at) = pose.b;
   }
+  system.motion.H(unknowns - 1, unknowns - 1) += readout_prior(scale);
+  system.motion.b[unknowns - 1] += readout_prior(scale) * start.readout;
   return system;
 }
 
-/// Returns the damped step of all poses; the last translation keeps its length.
-Eigen::VectorXd pose_step(const System& system, const SE3& T_last, double damping) {
-  const auto& [poses, depths] = system;
+/// Returns the damped step of all poses and the read-out time; the last translation keeps its
+/// length, and a known read-out time its value.
+Eigen::VectorXd motion_step(const System& system, const StartViews& start, double damping) {
+  constexpr double kHeld = 1e12;
+  const auto& [motion, depths] = system;
   const Eigen::VectorXd inverse = depths.H.cwiseInverse();
   NormalEquations<Eigen::Dynamic> reduced{
-      poses.H - depths.coupling * inverse.asDiagonal() * depths.coupling.transpose(),
-      poses.b - depths.coupling * inverse.cwiseProduct(depths.b)};
-  const Eigen::Vector3d along = T_last.translation().normalized();
-  reduced.H.diagonal() += damping * poses.H.diagonal();
+      motion.H - depths.coupling * inverse.asDiagonal() * depths.coupling.transpose(),
+      motion.b - depths.coupling * inverse.cwiseProduct(depths.b)};
+  const Eigen::Vector3d along = start.views.back().T_frame_first.translation().normalized();
+  reduced.H.diagonal() += damping * motion.H.diagonal();
   reduced.H.diagonal().array() += 1e-12;
-  reduced.H.bottomRightCorner<kPose, kPose>().topLeftCorner<3, 3>() +=
-      poses.H.trace() * along * along.transpose();
+  const Eigen::Index poses = motion.b.size() - 1;
+  reduced.H.block<3, 3>(poses - kPose, poses - kPose) +=
+      motion.H.topLeftCorner(poses, poses).trace() * along * along.transpose();
+  reduced.H(poses, poses) *= start.readout_is_known ? kHeld : 1;
   return reduced.step();
 }
 
@@ -67,6 +98,7 @@ StartViews moved(const StartViews& start, const System& system, const Eigen::Vec
     SE3& T = next.views[f].T_frame_first;
     T = SE3::exp(step.segment<kPose>(kPose * static_cast<Eigen::Index>(f))) * T;
   }
+  next.readout += start.readout_is_known ? 0 : step[step.size() - 1];
   const double scale = next.views.back().T_frame_first.translation().norm() /
                        start.views.back().T_frame_first.translation().norm();
   const Eigen::VectorXd depth_step = system.depths.step_with(step);
@@ -81,11 +113,11 @@ StartViews moved(const StartViews& start, const System& system, const Eigen::Vec
 }
 
 double loss_of(const StartViews& start, double scale) {
-  double sum = 0;
+  double sum = readout_prior(scale) * start.readout * start.readout;
   for (const StartView& view : start.views) {
     for (std::size_t k = 0; k < view.pairs.size(); ++k) {
-      sum +=
-          pair_loss(view.pairs[k], view.T_frame_first, start.inverse_depth[view.places[k]], scale);
+      sum += pair_loss(view.unbent(k, start.readout), view.T_frame_first,
+                       start.inverse_depth[view.places[k]], scale);
     }
   }
   return sum;
@@ -93,10 +125,16 @@ double loss_of(const StartViews& start, double scale) {
 
 }  // namespace
 
+RayPair StartView::unbent(std::size_t pair, double readout) const {
+  RayPair result = pairs[pair];
+  result.second -= readout * bend[pair];
+  return result;
+}
+
 void adjust(StartViews& start, double robust_scale) {
   const auto step = [&](const StartViews& from, double damping) {
     const System system = system_of(from, robust_scale);
-    return moved(from, system, pose_step(system, from.views.back().T_frame_first, damping));
+    return moved(from, system, motion_step(system, from, damping));
   };
   const auto loss = [&](const StartViews& at) { return loss_of(at, robust_scale); };
   descend(start, step, loss, {.iterations = 25, .converged = 1e-6});

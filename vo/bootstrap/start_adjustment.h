@@ -12,7 +12,11 @@ namespace vo {
 struct StartView {
   SE3 T_frame_first;
   std::vector<RayPair> pairs;
-  std::vector<std::size_t> places;  ///< index of each pair's place
+  std::vector<std::size_t> places;    ///< index of each pair's place
+  std::vector<Eigen::Vector2d> bend;  ///< 1/s, what a read-out time moves each pair's second ray by
+
+  /// Returns what the pair's rays would be with a global shutter.
+  RayPair unbent(std::size_t pair, double readout) const;
 };
 
 /// The start of a map: places by their inverse depths in the first frame, and the views of other
@@ -20,12 +24,15 @@ struct StartView {
 struct StartViews {
   std::vector<StartView> views;
   std::vector<double> inverse_depth;  ///< of each place, in the scale of the poses
+  double readout = 0;                 ///< s, time in which a rolling shutter reads all rows
+  bool readout_is_known = false;      ///< whether it is held
 };
 
 /// Adjusts poses and inverse depths together by bundle adjustment (Triggs, McLauchlan, Hartley,
 /// Fitzgibbon 2000): Levenberg-Marquardt steps with the depths eliminated place by place (Schur
 /// complement) and Cauchy's loss. The length of the last view's translation is fixed, as it is the
-/// scale. The first frame defines the places, without an error of its own.
+/// scale. The first frame defines the places, without an error of its own. The read-out time is
+/// adjusted with them, to first order, unless it is known.
 void adjust(StartViews& start, double robust_scale);
 
 }  // namespace vo

@@ -8,10 +8,13 @@
 
 namespace vo {
 
-/// One place seen in two frames, as rays (X/Z, Y/Z).
+/// One place seen in two frames, as rays (X/Z, Y/Z), and how far below the middle row each is seen,
+/// in image heights.
 struct RayPair {
   Eigen::Vector2d first{0, 0};
   Eigen::Vector2d second{0, 0};
+  double first_row = 0;
+  double second_row = 0;
 };
 
 /// The rotation that explains the pairs best without any translation, and the median distance that

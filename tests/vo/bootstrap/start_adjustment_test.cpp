@@ -54,6 +54,7 @@ vo::StartViews disturbed_start(double noise_px) {
             {ray(place),
              seen + noise_px / kFocal * Eigen::Vector2d(hash_noise(noise), hash_noise(noise + 1))});
         view.places.push_back(place);
+        view.bend.emplace_back(0, 0);
       }
     }
     start.views.push_back(view);
