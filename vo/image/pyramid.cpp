@@ -213,4 +213,19 @@ std::size_t memory_bytes(const FramePyramid& pyramid) {
   return bytes;
 }
 
+bool is_noticeable(const Vignette& removed, const Vignette& vignette) {
+  constexpr double kNoticeable = 0.01;  // share of the intensity at the corners
+  const Eigen::Vector2d corner = Eigen::Vector2d::Ones();
+  return std::abs(vignette.gain(corner) - removed.gain(corner)) > kNoticeable;
+}
+
+FramePyramid without_vignette(FramePyramid pyramid, const Vignette& vignette) {
+  for (PyramidLevel& level : pyramid.levels) {
+    level.intensity = level.intensity.clone();  // other copies of the frame keep theirs
+    take_out(vignette, level.camera, pyramid.vignette, level.intensity);
+  }
+  pyramid.vignette = vignette;
+  return pyramid;
+}
+
 }  // namespace vo

@@ -115,4 +115,11 @@ void halve_depth(const DepthImage& depth, DepthImage& half);
 /// Returns half the differences of the neighbours in u and in v, intensity per px; 0 on the border.
 cv::Vec2f central_gradient(const GrayImage& image, cv::Point pixel);
 
+/// Returns whether an image looks different without another vignette than the one that has been
+/// removed from it.
+bool is_noticeable(const Vignette& removed, const Vignette& vignette);
+
+/// Returns the pyramid as it would be if this vignette had been removed from its image.
+FramePyramid without_vignette(FramePyramid pyramid, const Vignette& vignette);
+
 }  // namespace vo

@@ -4,41 +4,12 @@
 #include <cmath>
 
 #include "vo/mapping/moved_edges.h"
+#include "vo/mapping/nearest_edge.h"
 
 namespace vo {
 namespace {
 
 constexpr double kPropagationSigma = 0.002;  // relative, added when the host changes
-constexpr float kSnapDistance = 1;           // px, distance across the edge
-constexpr float kMaxTurn = 0.7071F;          // least cosine of the gradients in both images
-
-/// Returns the nearest edge pixel of a similar direction within reach across its edge, or -1.
-int nearest_edge(const Hypotheses& next, const MovedEdge& moved) {
-  constexpr int kRadius = 1;
-  const cv::Point centre(static_cast<int>(std::lround(moved.position.x())),
-                         static_cast<int>(std::lround(moved.position.y())));
-  int best = -1;
-  float best_distance2 = 1e9F;
-  for (int dv = -kRadius; dv <= kRadius; ++dv) {
-    for (int du = -kRadius; du <= kRadius; ++du) {
-      const int candidate = next.index(centre + cv::Point(du, dv));
-      if (candidate < 0) {
-        continue;
-      }
-      const auto j = static_cast<std::size_t>(candidate);
-      const cv::Vec2f& across = next.across[j];
-      const cv::Vec2f edge = next.edge_position(j);
-      const Eigen::Vector2f away = moved.position - Eigen::Vector2f(edge[0], edge[1]);
-      const float distance = std::abs(away.x() * across[0] + away.y() * across[1]);
-      const float turn = moved.direction.x() * across[0] + moved.direction.y() * across[1];
-      if (distance <= kSnapDistance && turn >= kMaxTurn && away.squaredNorm() < best_distance2) {
-        best_distance2 = away.squaredNorm();
-        best = candidate;
-      }
-    }
-  }
-  return best;
-}
 
 /// Puts a moved hypothesis at an edge pixel of the next host, or decides which one stays there.
 void settle(const Hypotheses& from, const MovedEdge& moved, std::size_t j, Hypotheses& next,

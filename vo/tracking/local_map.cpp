@@ -26,14 +26,12 @@ void take_out(const Vignette& vignette, const PinholeCamera& camera, const Vigne
 
 /// Returns the keyframe as it would be if this vignette had been removed from its image.
 Keyframe without_vignette(Keyframe keyframe, const Vignette& vignette) {
-  const Vignette before = std::exchange(keyframe.pyramid.vignette, vignette);
   EdgePoints points = *keyframe.points;
-  for (std::size_t l = 0; l < keyframe.pyramid.levels.size(); ++l) {
-    PyramidLevel& level = keyframe.pyramid.levels[l];
-    level.intensity = level.intensity.clone();
-    take_out(vignette, level.camera, before, level.intensity);
-    take_out(vignette, level.camera, before, points.levels[l]);
+  for (std::size_t l = 0; l < points.levels.size(); ++l) {
+    take_out(vignette, keyframe.pyramid.levels[l].camera, keyframe.pyramid.vignette,
+             points.levels[l]);
   }
+  keyframe.pyramid = without_vignette(std::move(keyframe.pyramid), vignette);
   keyframe.points = std::make_shared<const EdgePoints>(std::move(points));
   return keyframe;
 }
@@ -91,11 +89,8 @@ std::size_t LocalMap::memory_bytes() const {
 }
 
 void LocalMap::take_out(const Vignette& vignette) {
-  constexpr double kNoticeable = 0.01;  // share of the intensity at the corners
   for (std::shared_ptr<const Keyframe>& keyframe : keyframes_) {
-    const Eigen::Vector2d corner = Eigen::Vector2d::Ones();
-    const double change = vignette.gain(corner) - keyframe->pyramid.vignette.gain(corner);
-    if (std::abs(change) > kNoticeable) {
+    if (is_noticeable(keyframe->pyramid.vignette, vignette)) {
       keyframe = std::make_shared<const Keyframe>(without_vignette(*keyframe, vignette));
     }
   }
