@@ -69,7 +69,7 @@ struct alignas(64) LineBlock {
   LineRow s_min, s_max;                          // px, ends of the searched interval
   LineRow s;                                     // px, place of the match on the line
   LineRow information;                           // sum of squared slopes, per px^2
-  LineRow squares;                               // sum of squared differences
+  LineRow squares;                               // sum of squared differences, less their offset's
   std::array<LineRow, kSampled> host_intensity;  // scaled to the current brightness
   LineOutcomes outcome;
 };

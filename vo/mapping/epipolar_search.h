@@ -51,8 +51,9 @@ struct Observation {
 float epipolar_cos2(const StereoPair& pair, cv::Point pixel, const cv::Vec2f& gradient);
 
 /// Looks for edges of the host along their epipolar lines in the current image: the least sum of
-/// squared differences of five samples one host pixel apart along the line, refined by Gauss-Newton
-/// on the position along the line. The variance of the inverse depth is
+/// squared differences of five samples one host pixel apart along the line, but for the share of
+/// their common offset that is none of the edge's (`kCommonOffset`), refined by
+/// Gauss-Newton on the position along the line. The variance of the inverse depth is
 ///
 ///   alpha^2 ((s_line^2 + s_pose^2) / cos^2 + s_I^2 / sum dI^2 + s_match^2)
 ///
