@@ -85,10 +85,14 @@ vo::MonoOptions chosen_mono_options(const TrackArguments& arguments) {
 struct Tracked {
   vo::SequenceResult result;
   std::vector<vo::Field> options;
-  std::string log;                   ///< CSV with a line per frame
-  std::optional<double> mapping_ms;  ///< of mode mono
-  std::size_t oriented_poses = 0;    ///< poses of mode mono whose rotation alone is known
-  std::string note;                  ///< what a user of the trajectory must know
+  std::string log;                               ///< CSV with a line per frame
+  const vo::MonoSequenceResult* mono = nullptr;  ///< result of mode mono
+  std::string note;                              ///< what a user of the trajectory must know
+
+  bool is_complete() const {
+    return result.tracked_fraction() == 1 &&
+           (mono == nullptr || mono->oriented_poses + mono->scale_uncertain_poses == 0);
+  }
 };
 
 void write_results(const TrackArguments& arguments, const Tracked& tracked) {
@@ -100,19 +104,34 @@ void write_results(const TrackArguments& arguments, const Tracked& tracked) {
   }
 }
 
+/// Returns what is known of the scale at each keyframe of a monocular run.
+nlohmann::ordered_json scales_json(const vo::MonoSequenceResult& mono) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const vo::MonoResult& frame : mono.frames) {
+    if (frame.tracking.is_keyframe) {
+      json.push_back({{"timestamp", frame.tracking.timestamp},
+                      {"scale_drift", frame.scale.drift},
+                      {"scale_sigma", frame.scale.sigma}});
+    }
+  }
+  return json;
+}
+
 nlohmann::ordered_json summary(const TrackArguments& arguments, const Tracked& tracked) {
   nlohmann::ordered_json json = {
       {"edvo", vo::version()}, {"sequence", arguments.sequence}, {"estimate", arguments.out}};
-  if (tracked.mapping_ms) {
+  if (tracked.mono != nullptr) {
     json["mode"] = arguments.mode;
   }
   json["frames"] = tracked.result.frames.size();
   json["tracked_fraction"] = tracked.result.tracked_fraction();
   json["keyframes"] = tracked.result.keyframes();
   json["ms_per_frame"] = time_json(vo::summarize(tracked.result.times));
-  if (tracked.mapping_ms) {
-    json["mapping_ms"] = *tracked.mapping_ms;
-    json["oriented_poses"] = tracked.oriented_poses;
+  if (tracked.mono != nullptr) {
+    json["mapping_ms"] = tracked.mono->mapping_ms();
+    json["oriented_poses"] = tracked.mono->oriented_poses;
+    json["scale_uncertain_poses"] = tracked.mono->scale_uncertain_poses;
+    json["keyframe_scales"] = scales_json(*tracked.mono);
     json["note"] = tracked.note;
   } else {
     json["preset"] = arguments.preset;
@@ -133,14 +152,14 @@ int print(const TrackArguments& arguments, const Tracked& tracked) {
         << " frames tracked, " << result.keyframes() << " keyframes, " << times.median_ms
         << " ms per frame (median; pyramid " << times.pyramid_ms << ", edges " << times.edges_ms
         << ", alignment " << times.alignment_ms
-        << (tracked.mapping_ms ? vo::concat(", mapping ", *tracked.mapping_ms) : "") << ")\n"
+        << (tracked.mono != nullptr ? vo::concat(", mapping ", tracked.mono->mapping_ms()) : "")
+        << ")\n"
         << (result.trajectory.empty() || tracked.note.empty() ? "" : tracked.note + "\n");
   }
   if (result.trajectory.empty() && !tracked.note.empty()) {
     std::cerr << "edvo: " << tracked.note << "\n";
   }
-  const bool complete = result.tracked_fraction() == 1 && tracked.oriented_poses == 0;
-  return complete ? exit_code::kOk : exit_code::kTrackingLost;
+  return tracked.is_complete() ? exit_code::kOk : exit_code::kTrackingLost;
 }
 
 void write_pictures(const TrackArguments& arguments, const vo::SequenceReader& sequence,
@@ -183,6 +202,11 @@ std::string note_on(const vo::MonoSequenceResult& result, vo::MonoBootstrap boot
                        result.trajectory.size(),
                        " poses are known by their rotation alone, their depths were guessed");
   }
+  if (result.scale_uncertain_poses > 0) {
+    note += vo::concat(note.empty() ? "" : "; ", result.scale_uncertain_poses, " of ",
+                       result.trajectory.size(),
+                       " poses are of uncertain scale: it may have changed by a quarter or more");
+  }
   return note;
 }
 
@@ -198,8 +222,7 @@ int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCame
   const Tracked tracked{.result = result.tracking(),
                         .options = vo::fields_of(options),
                         .log = vo::format_mono_log(result.frames),
-                        .mapping_ms = result.mapping_ms(),
-                        .oriented_poses = result.oriented_poses,
+                        .mono = &result,
                         .note = note_on(result, options.bootstrap)};
   write_results(arguments, tracked);
   return print(arguments, tracked);

@@ -2,10 +2,6 @@
 
 namespace tools {
 
-bool is_metric(vo::MonoBootstrap bootstrap) {
-  return bootstrap == vo::MonoBootstrap::rgbd || bootstrap == vo::MonoBootstrap::file;
-}
-
 MapJudge::MapJudge(const vo::SequenceReader& truth, vo::MonoBootstrap bootstrap)
     : truth_(truth), is_metric_(is_metric(bootstrap)) {
   for (std::size_t i = 0; i < truth_.size(); ++i) {
@@ -26,7 +22,7 @@ void MapJudge::read_truth(double timestamp) {
 
 std::optional<MappedFrame> MapJudge::judge(const vo::MonoOdometry& odometry,
                                            const vo::MonoResult& result) {
-  if (odometry.map().empty() || result.state != vo::MonoState::tracking) {
+  if (odometry.map().empty() || !vo::is_in_map(result.state)) {
     return std::nullopt;
   }
   read_truth(odometry.map().host().timestamp);

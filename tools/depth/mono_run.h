@@ -9,9 +9,6 @@
 
 namespace tools {
 
-/// Returns whether the bootstrap gives metric depths.
-bool is_metric(vo::MonoBootstrap bootstrap);
-
 /// Compares the map of a monocular run with the true depth of its host. Unless the bootstrap is
 /// metric, each frame's map is divided by its median scale first; that scale over time shows its
 /// drift.

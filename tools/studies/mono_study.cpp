@@ -86,7 +86,7 @@ MonoScore mono_measure(const Clip& clip, const vo::MonoOptions& options) {
   const vo::MonoSequenceResult result = vo::track_mono_images(
       images_of(clip, next), options,
       [&](const vo::RgbdFrame&, const vo::MonoOdometry& odometry, const vo::MonoResult& frame) {
-        if (next == clip.frames.size() && frame.state == vo::MonoState::tracking) {
+        if (next == clip.frames.size() && vo::is_in_map(frame.state)) {
           score.errors = judged(clip, odometry, metric);
         }
       },

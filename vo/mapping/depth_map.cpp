@@ -96,6 +96,23 @@ void DepthMap::correct(const EdgePointLevel& points) {
   }
 }
 
+void DepthMap::take_out(const Vignette& vignette) {
+  if (is_noticeable(host_.vignette, vignette)) {
+    host_ = without_vignette(std::move(host_), vignette);
+  }
+}
+
+void DepthMap::rescale(double factor) {
+  const auto growth = static_cast<float>(1 / factor);
+  for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
+    hypotheses_.inverse_depth[i] *= growth;
+    hypotheses_.smoothed[i] *= growth;
+    hypotheses_.offset_covariance[i] *= growth;
+    hypotheses_.variance[i] *= growth * growth;
+    hypotheses_.smoothed_variance[i] *= growth * growth;
+  }
+}
+
 bool DepthMap::needs_new_host(const FramePyramid& current, const SE3& T_cur_host) const {
   return options_.propagate == PropagationPolicy::always ||
          (options_.host.every > 0 && frames_since_host_ >= options_.host.every) ||

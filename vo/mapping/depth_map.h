@@ -50,6 +50,12 @@ class DepthMap {
   /// edges' depths change as those do in the median; what is known of their uncertainty stays.
   void correct(const EdgePointLevel& points);
 
+  /// Removes a vignette from the host's image where it makes a difference.
+  void take_out(const Vignette& vignette);
+
+  /// Multiplies all depths by a factor.
+  void rescale(double factor);
+
   ObservationCounts observe(const FramePyramid& current, const FrameRelation& relation,
                             const ObservationListener& listener = {});
 

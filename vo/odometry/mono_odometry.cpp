@@ -29,52 +29,14 @@ constexpr double kMinConfidentShare = 0.2;
 /// explain the motion.
 constexpr double kTurnCorrelation = 0.7;
 
-/// Least median parallax of an unknown start, px at 640 px width.
-constexpr double kMinStartParallaxPx = 4;
+/// Standard deviation of an unknown start's logarithmic scale from place to place: what its poses
+/// are off bends its depths, which no later map contradicts.
+constexpr double kUnknownStartScaleSigma = 0.04;
 
-bool needs_depth(MonoBootstrap bootstrap) {
-  return bootstrap == MonoBootstrap::rgbd || bootstrap == MonoBootstrap::file;
-}
-
-bool is_guess(MonoBootstrap bootstrap) {
-  return bootstrap == MonoBootstrap::flat || bootstrap == MonoBootstrap::random;
-}
+/// Standard deviation of the map's logarithmic scale up to which it is trusted: a factor of 1.28.
+constexpr double kTrustedScaleSigma = 0.25;
 
 }  // namespace
-
-void MonoOptions::validate() const {
-  require(start_depth > 0, "mono.start_depth: expected above 0, got ", start_depth);
-  require(max_lost_frames >= 1, "mono.max_lost_frames: expected at least 1, got ", max_lost_frames);
-  require(wanted_parallax_px >= kMinStartParallaxPx, "mono.wanted_parallax_px: expected at least ",
-          kMinStartParallaxPx, ", got ", wanted_parallax_px);
-  require(!tracker.symmetric,
-          "mono.symmetric: expected false, the current frame's points have no depth of their own");
-  require(tracker.points.source == EdgeSource::reference &&
-              tracker.points.selection == PointSelection::edges,
-          "mono.points: expected source = reference and selection = edges, the map's points");
-  require(tracker.vignette == VignetteModel::ignore,
-          "mono.vignette: expected ignore, the map looks edges up in images as they are");
-  require(tracker.align.max_depth_ratio == 0,
-          "mono.align.max_depth_ratio: expected 0, there is no current depth to test against");
-  tracker.validate();
-  map.validate();
-}
-
-MonoOptions mono_options() {
-  MonoOptions options;
-  options.tracker = preset_options(TrackerPreset::best_measured);
-  options.tracker.symmetric = false;
-  options.tracker.vignette = VignetteModel::ignore;
-  options.tracker.points.min_depth = 1e-3;
-  options.tracker.points.max_depth = 1e3;
-  options.tracker.points.discontinuity_radius = 0;
-  options.tracker.align.depth_noise = 1;
-  options.tracker.align.min_translation = 5e-5;  // finer steps than depths of a map are worth
-  options.tracker.align.min_rotation_deg = 2e-3;
-  options.tracker.align.step_limit_growth = 2;
-  options.tracker.map.references = 6;
-  return options;
-}
 
 MonoOdometry::MonoOdometry(const PinholeCamera& camera, const MonoOptions& options,
                            const SE3& T_world_first)
@@ -98,14 +60,14 @@ MonoResult MonoOdometry::track(const RgbdFrame& frame) {
   require(frame.image.size() == cv::Size(camera_.width, camera_.height),
           "mono: expected an image of the camera's ", camera_.width, "x", camera_.height, " px");
   Stopwatch timer;
-  pyramid_builder_.build({frame.timestamp, frame.image, {}}, {}, current_);
+  pyramid_builder_.build({frame.timestamp, frame.image, {}}, tracker_->vignette(), current_);
   stage_times_ = {.pyramid_ms = timer.lap_ms()};
   add_edges(current_, edge_finder_);
   stage_times_.edges_ms = timer.lap_ms();
   MonoResult result;
   result.tracking.timestamp = frame.timestamp;
   result.tracking.T_world_camera = T_world_host_;
-  const bool depth_is_due = needs_depth(options_.bootstrap) && (!frame.depth.empty() || is_first_);
+  const bool depth_is_due = is_metric(options_.bootstrap) && (!frame.depth.empty() || is_first_);
   is_first_ = false;
   if (state_ == MonoState::initialising && depth_is_due) {
     start_from_depth(frame.depth, result);
@@ -143,13 +105,15 @@ void MonoOdometry::report_state(MonoResult& result) const {
   result.state = state_;
   result.hypotheses = map_.hypotheses().size();
   result.confident = map_.confident();
+  result.scale = scale_watch_.scale();
 }
 
-void MonoOdometry::begin_tracking(const FramePyramid& host, Guesses guesses, MonoResult& result) {
+void MonoOdometry::begin_tracking(const FramePyramid& host, Guesses guesses, MonoResult& result,
+                                  std::optional<double> readout) {
   T_world_host_ = T_world_start_;
   guesses_ = guesses;
   TrackerOptions options = options_.tracker;
-  options.align.readout = tracker_->readout();  // of the map before, if there was one
+  options.align.readout = readout.value_or(tracker_->readout());
   if (guesses == Guesses::included && !is_guess(options_.bootstrap)) {
     options.lost.min_correlation = std::max(options.lost.min_correlation, kTurnCorrelation);
   }
@@ -167,21 +131,24 @@ MonoState MonoOdometry::state_in_map() const {
   if (is_guess(options_.bootstrap)) {
     return MonoState::tracking;
   }
-  return guesses_ == Guesses::included || map_.confident() < kMinConfident ? MonoState::orienting
-                                                                           : MonoState::tracking;
+  if (guesses_ == Guesses::included || map_.confident() < kMinConfident) {
+    return MonoState::orienting;
+  }
+  return scale_watch_.scale().sigma > kTrustedScaleSigma ? MonoState::scale_uncertain
+                                                         : MonoState::tracking;
 }
 
 void MonoOdometry::add_pose(double timestamp, const SE3& T_world_camera) {
   trajectory_.push_back({timestamp, T_world_camera});
-  is_oriented_.push_back(state_ == MonoState::orienting);
+  pose_states_.push_back(state_);
 }
 
-std::size_t MonoOdometry::oriented_poses() const {
-  return static_cast<std::size_t>(std::count(is_oriented_.begin(), is_oriented_.end(), true));
+std::size_t MonoOdometry::poses_in(MonoState state) const {
+  return static_cast<std::size_t>(std::count(pose_states_.begin(), pose_states_.end(), state));
 }
 
 bool MonoOdometry::follows_map() const {
-  return state_ == MonoState::tracking || state_ == MonoState::orienting;
+  return is_in_map(state_) || state_ == MonoState::orienting;
 }
 
 void MonoOdometry::start_from_depth(const DepthImage& depth, MonoResult& result) {
@@ -235,7 +202,10 @@ std::unique_ptr<MonoInitialiser> MonoOdometry::solved_start(InitialiserReport& r
   if (initialiser_ == nullptr || initialiser_->is_exhausted()) {
     const double scale = camera_.width / 640.0;
     const StartParallax parallax{scale * kMinStartParallaxPx, scale * options_.wanted_parallax_px};
-    initialiser_ = std::make_unique<MonoInitialiser>(current_, parallax, start_depth_);
+    const bool is_given = options_.tracker.shutter == ShutterModel::given;
+    initialiser_ = std::make_unique<MonoInitialiser>(
+        current_, parallax, start_depth_,
+        is_given ? std::optional(options_.tracker.align.readout) : std::nullopt);
     return nullptr;
   }
   report = initialiser_->add(current_);
@@ -246,6 +216,7 @@ std::unique_ptr<MonoInitialiser> MonoOdometry::solved_start(InitialiserReport& r
 /// Tracks the rotation of frames that showed no start, by edges at guessed depths.
 void MonoOdometry::orient_from(const MonoInitialiser& unsolved, MonoResult& result) {
   if (guess_map(unsolved.frames().front().pyramid, result)) {
+    forget_poses_since(unsolved.frames().front().pyramid.timestamp);
     track_again(unsolved, result);
   }
 }
@@ -273,7 +244,9 @@ bool MonoOdometry::start_from(const MonoInitialiser& solved, MonoResult& result)
     return false;
   }
   map_ = std::move(map);
-  begin_tracking(solved.frames().front().pyramid, Guesses::left_out, result);
+  forget_poses_since(solved.frames().front().pyramid.timestamp);
+  begin_scale();
+  begin_tracking(solved.frames().front().pyramid, Guesses::left_out, result, solved.readout());
   track_again(solved, result);
   return true;
 }
@@ -285,21 +258,35 @@ DepthMap MonoOdometry::map_of(const MonoInitialiser& solved) const {
   map.start(frames.front().pyramid, start_depth_);
   map.take_depth(solved.depth_at_edges(), kInterpolatedSigma);
   for (std::size_t i = 1; i < frames.size(); ++i) {
-    map.observe(frames[i].pyramid, {frames[i].T_frame_first});
+    FrameRelation relation{frames[i].T_frame_first};
+    relation.host_motion = RowMotion(frames.front().velocity, solved.readout());
+    relation.current_motion = RowMotion(frames[i].velocity, solved.readout());
+    map.observe(frames[i].pyramid, relation);
   }
   map.regularise();
   return map;
 }
 
+/// Lets the scale of a new map be that of the run, or a guess where an earlier map had defined it.
+void MonoOdometry::begin_scale() {
+  if (std::any_of(pose_states_.begin(), pose_states_.end(), is_in_map)) {
+    scale_watch_.lose_scale();
+  } else {
+    scale_watch_ = ScaleWatch(kUnknownStartScaleSigma);
+  }
+}
+
+void MonoOdometry::forget_poses_since(double timestamp) {
+  while (!trajectory_.empty() && trajectory_.back().timestamp >= timestamp) {
+    trajectory_.pop_back();
+    pose_states_.pop_back();
+  }
+}
+
 /// Tracks the frames of a start on the map that begins with the first of them.
 void MonoOdometry::track_again(const MonoInitialiser& start, MonoResult& result) {
   const std::vector<StartFrame>& frames = start.frames();
-  const double begin = frames.front().pyramid.timestamp;
-  while (!trajectory_.empty() && trajectory_.back().timestamp >= begin) {
-    trajectory_.pop_back();
-    is_oriented_.pop_back();
-  }
-  add_pose(begin, T_world_host_);
+  add_pose(frames.front().pyramid.timestamp, T_world_host_);
   for (std::size_t i = 1; i < frames.size() && follows_map(); ++i) {
     current_ = frames[i].pyramid;
     follow(result);
@@ -359,13 +346,15 @@ FrameRelation MonoOdometry::relation_to_host(const TrackingResult& tracked) cons
 }
 
 void MonoOdometry::update_map(MonoResult& result) {
-  const FrameRelation relation = relation_to_host(result.tracking);
+  map_.take_out(tracker_->vignette());
+  FrameRelation relation = relation_to_host(result.tracking);
   result.observations = map_.observe(current_, relation);
   map_.regularise();
   if (is_guess(options_.bootstrap) && 2 * map_.confident() > map_.hypotheses().size()) {
     guesses_ = Guesses::left_out;
   }
   if (map_.needs_new_host(current_, relation.T_cur_host)) {
+    watch_scale(relation, result);
     tracker_->update_keyframe(tracked_points());
     map_.propagate(current_, relation);
     map_.regularise();
@@ -374,6 +363,20 @@ void MonoOdometry::update_map(MonoResult& result) {
     result.tracking.is_keyframe = true;
   } else {
     tracker_->update_keyframe(tracked_points());
+  }
+}
+
+/// Compares the map that is carried on with earlier ones. Where its scale is corrected, the motion
+/// since its host is, too.
+void MonoOdometry::watch_scale(FrameRelation& relation, MonoResult& result) {
+  const ScaleEstimate& scale = scale_watch_.add(
+      {map_.host(), map_.hypotheses(), T_world_host_, tracker_->keyframe_row_motion()});
+  if (scale.correction != 0) {
+    const double factor = std::exp(scale.correction);
+    const SE3& T = relation.T_cur_host;
+    map_.rescale(factor);
+    relation.T_cur_host = {T.rotation(), factor * T.translation()};
+    result.tracking.T_world_camera = T_world_host_ * relation.T_cur_host.inverse();
   }
 }
 

@@ -13,6 +13,7 @@
 #include "vo/mapping/depth_map.h"
 #include "vo/odometry/mono_options.h"
 #include "vo/odometry/rgbd_odometry.h"
+#include "vo/scale/scale_watch.h"
 #include "vo/tracking/local_map.h"
 
 namespace vo {
@@ -22,15 +23,23 @@ enum class MonoState {
   initialising,  ///< nothing: an unknown start waits for parallax
   orienting,  ///< the rotation: depths are guessed until a start is found, translations mean little
   tracking,   ///< the pose, in a map
-  lost,       ///< nothing: the map is out of view
-  reinitialising,  ///< nothing: a new map is looked for beside the lost one
+  scale_uncertain,  ///< the pose, in a map whose scale may have drifted by more than a quarter
+  lost,             ///< nothing: the map is out of view
+  reinitialising,   ///< nothing: a new map is looked for beside the lost one
 };
 
 constexpr auto enum_names(MonoState) {
   return std::array{std::pair{MonoState::initialising, "initialising"},
                     std::pair{MonoState::orienting, "orienting"},
-                    std::pair{MonoState::tracking, "tracking"}, std::pair{MonoState::lost, "lost"},
+                    std::pair{MonoState::tracking, "tracking"},
+                    std::pair{MonoState::scale_uncertain, "scale_uncertain"},
+                    std::pair{MonoState::lost, "lost"},
                     std::pair{MonoState::reinitialising, "reinitialising"}};
+}
+
+/// Returns whether the pose is known in a map in this state.
+constexpr bool is_in_map(MonoState state) {
+  return state == MonoState::tracking || state == MonoState::scale_uncertain;
 }
 
 /// The result of one frame.
@@ -41,6 +50,7 @@ struct MonoResult {
   std::size_t hypotheses = 0;
   std::size_t confident = 0;
   ObservationCounts observations;
+  ScaleEstimate scale;  ///< of the map, as known since its last host
 };
 
 /// Monocular edge-direct odometry: the RGB-D odometry's tracker on an inverse-depth map that is
@@ -64,7 +74,7 @@ class MonoOdometry {
   std::optional<MonoResult> finish();
 
   const Trajectory& trajectory() const { return trajectory_; }  ///< frames that are not lost
-  std::size_t oriented_poses() const;  ///< number of its poses whose rotation alone is known
+  std::size_t poses_in(MonoState state) const;  ///< number of its poses in that state
   const StageTimes& stage_times() const { return stage_times_; }
   const DepthMap& map() const { return map_; }
   const SE3& T_world_host() const { return T_world_host_; }
@@ -82,7 +92,8 @@ class MonoOdometry {
   bool start_from(const MonoInitialiser& solved, MonoResult& result);
   DepthMap map_of(const MonoInitialiser& solved) const;
   void track_again(const MonoInitialiser& start, MonoResult& result);
-  void begin_tracking(const FramePyramid& host, Guesses guesses, MonoResult& result);
+  void begin_tracking(const FramePyramid& host, Guesses guesses, MonoResult& result,
+                      std::optional<double> readout = {});
   void follow(MonoResult& result);
   void seek(MonoResult& result);
   void place_next_map(const SE3& T_world_camera);
@@ -91,7 +102,10 @@ class MonoOdometry {
   void take_adjusted(const Keyframe& keyframe, MonoResult& result);
   MonoState state_in_map() const;
   void add_pose(double timestamp, const SE3& T_world_camera);
+  void forget_poses_since(double timestamp);
+  void begin_scale();
   bool follows_map() const;  ///< whether the last frame has a pose
+  void watch_scale(FrameRelation& relation, MonoResult& result);
   void report_state(MonoResult& result) const;
   std::shared_ptr<const EdgePoints> tracked_points() const;
 
@@ -102,6 +116,7 @@ class MonoOdometry {
   std::unique_ptr<Tracker> tracker_;
   std::unique_ptr<MonoInitialiser> initialiser_;  ///< null unless a start is looked for
   DepthMap map_;
+  ScaleWatch scale_watch_;
   Guesses guesses_ = Guesses::left_out;  ///< whether guessed depths are tracked, too
   double start_depth_ = 1;               ///< m, median depth of an unknown start
   SE3 T_world_start_;                    ///< pose of the first frame of the next map
@@ -111,7 +126,7 @@ class MonoOdometry {
   bool is_first_ = true;
   int lost_frames_ = 0;
   Trajectory trajectory_;
-  std::vector<bool> is_oriented_;  ///< for each pose of the trajectory
+  std::vector<MonoState> pose_states_;  ///< for each pose of the trajectory
   StageTimes stage_times_;
 };
 

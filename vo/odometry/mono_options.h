@@ -25,6 +25,19 @@ constexpr auto enum_names(MonoBootstrap) {
                     std::pair{MonoBootstrap::automatic, "auto"}};
 }
 
+/// Returns whether the bootstrap gives metric depths.
+constexpr bool is_metric(MonoBootstrap bootstrap) {
+  return bootstrap == MonoBootstrap::rgbd || bootstrap == MonoBootstrap::file;
+}
+
+/// Returns whether the bootstrap's depths are guesses.
+constexpr bool is_guess(MonoBootstrap bootstrap) {
+  return bootstrap == MonoBootstrap::flat || bootstrap == MonoBootstrap::random;
+}
+
+/// Least median parallax of an unknown start, px at 640 px width.
+inline constexpr double kMinStartParallaxPx = 4;
+
 struct MonoOptions {
   MonoBootstrap bootstrap = MonoBootstrap::automatic;
   double start_depth = 1;          ///< m, depth of a flat start; median depth of an unknown one

@@ -25,7 +25,8 @@ struct MonoSequenceResult {
   std::vector<MonoResult> frames;
   std::vector<StageTimes> times;
   Trajectory trajectory;
-  std::size_t oriented_poses = 0;  ///< poses of the trajectory whose rotation alone is known
+  std::size_t oriented_poses = 0;         ///< poses of the trajectory whose rotation alone is known
+  std::size_t scale_uncertain_poses = 0;  ///< poses of the trajectory in a map of uncertain scale
 
   SequenceResult tracking() const;  ///< what the RGB-D odometry would return, too
   double mapping_ms() const;        ///< median over the frames in which the map was observed

@@ -47,6 +47,17 @@ TEST(DepthMap, FindsAnUnknownPlaneFromKnownPoses) {
   EXPECT_LT(static_cast<double>(outliers), 0.02 * static_cast<double>(errors.size()));
 }
 
+TEST(DepthMap, RescalingKeepsWhatIsRelative) {
+  const vo::DepthMap before = map_after(10, {}, 100);
+  vo::DepthMap after = before;
+  after.rescale(2);
+  EXPECT_EQ(after.confident(), before.confident());
+  for (std::size_t i = 0; i < before.hypotheses().size(); ++i) {
+    EXPECT_FLOAT_EQ(after.hypotheses().smoothed[i], before.hypotheses().smoothed[i] / 2);
+    EXPECT_FLOAT_EQ(after.hypotheses().relative_sigma(i), before.hypotheses().relative_sigma(i));
+  }
+}
+
 TEST(DepthMap, IsCarriedFromHostToHost) {
   const vo::DepthMap map = map_after(20, {}, 5);
   const std::vector<double> errors = relative_errors(map, small_camera(), walk(20));
