@@ -7,7 +7,6 @@
 
 #include "vo/core/hash.h"
 #include "vo/core/median.h"
-#include "vo/geometry/projection.h"
 #include "vo/image/depth_span.h"
 #include "vo/mapping/chains.h"
 #include "vo/mapping/fuse.h"
@@ -123,25 +122,9 @@ bool DepthMap::view_has_changed(const FramePyramid& current, const SE3& T_cur_ho
   const HostOptions& options = options_.host;
   constexpr std::size_t kStride = 8;  // every eighth edge is enough
   const StereoPair pair(host_.levels.front(), current.levels.front(), {T_cur_host});
-  const Projection<float> projection(pair.current.camera);
-  const SeenBounds bounds(pair.current.camera.width, pair.current.camera.height);
-  double asked = 0;
-  double seen = 0;
-  double flow = 0;
-  for (std::size_t i = 0; i < hypotheses_.size(); i += kStride) {
-    const cv::Vec2f& ray = hypotheses_.ray[i];
-    const MovedDepth moved =
-        moved_depth(pair, {ray[0], ray[1]}, hypotheses_.inverse_depth[i], 0, 0);
-    const ImagedDirection<float> imaged = image_direction(projection, moved.ray.x(), moved.ray.y());
-    asked += 1;
-    if (moved.inverse_depth > 0 && bounds.holds(imaged.u, imaged.v)) {
-      seen += 1;
-      flow += std::hypot(imaged.u - static_cast<float>(hypotheses_.pixel[i].x),
-                         imaged.v - static_cast<float>(hypotheses_.pixel[i].y));
-    }
-  }
-  return seen < kMinHostOverlap * asked ||
-         flow > seen * options.max_flow * pair.current.camera.width;
+  const SeenEdges edges = seen_edges(pair, hypotheses_, kStride);
+  return edges.seen < kMinHostOverlap * edges.asked ||
+         edges.flow_px > edges.seen * options.max_flow * pair.current.camera.width;
 }
 
 SearchTarget DepthMap::target(std::size_t i) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vo/geometry/projection.h"
 #include "vo/mapping/moved_edges.h"
 #include "vo/mapping/nearest_edge.h"
 
@@ -86,6 +87,24 @@ PropagationCounts propagate(const StereoPair& pair, const Hypotheses& hypotheses
     settle(hypotheses, moved, static_cast<std::size_t>(j), next, counts);
   }
   return counts;
+}
+
+SeenEdges seen_edges(const StereoPair& pair, const Hypotheses& hypotheses, std::size_t stride) {
+  const Projection<float> projection(pair.current.camera);
+  const SeenBounds bounds(pair.current.camera.width, pair.current.camera.height);
+  SeenEdges edges;
+  for (std::size_t i = 0; i < hypotheses.size(); i += stride) {
+    const cv::Vec2f& ray = hypotheses.ray[i];
+    const MovedDepth moved = moved_depth(pair, {ray[0], ray[1]}, hypotheses.inverse_depth[i], 0, 0);
+    const ImagedDirection<float> imaged = image_direction(projection, moved.ray.x(), moved.ray.y());
+    edges.asked += 1;
+    if (moved.inverse_depth > 0 && bounds.holds(imaged.u, imaged.v)) {
+      edges.seen += 1;
+      edges.flow_px += std::hypot(imaged.u - static_cast<float>(hypotheses.pixel[i].x),
+                                  imaged.v - static_cast<float>(hypotheses.pixel[i].y));
+    }
+  }
+  return edges;
 }
 
 }  // namespace vo

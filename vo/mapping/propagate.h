@@ -29,4 +29,14 @@ MovedDepth moved_depth(const StereoPair& pair, const Eigen::Vector2f& ray, float
 /// `next`. Each hypothesis snaps to the nearest edge of a similar direction.
 PropagationCounts propagate(const StereoPair& pair, const Hypotheses& hypotheses, Hypotheses& next);
 
+/// What another view shows of some of a host's edges, guesses included.
+struct SeenEdges {
+  double asked = 0;    ///< number of edges that were looked for
+  double seen = 0;     ///< number of those that are in view
+  double flow_px = 0;  ///< sum of the displacements of those in view
+};
+
+/// Looks for every `stride`-th edge at the depth that is known or guessed.
+SeenEdges seen_edges(const StereoPair& pair, const Hypotheses& hypotheses, std::size_t stride);
+
 }  // namespace vo

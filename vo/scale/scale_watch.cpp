@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "vo/core/median.h"
-#include "vo/geometry/projection.h"
 #include "vo/mapping/moved_edges.h"
 #include "vo/mapping/nearest_edge.h"
 #include "vo/mapping/propagate.h"
@@ -44,21 +43,10 @@ FrameRelation relation_of(const PastMap& earlier, const PastMap& later) {
 bool is_seen_again(const PastMap& earlier, const PastMap& later) {
   constexpr std::size_t kStride = 64;  // every 64th edge is enough
   constexpr double kMinSeen = 0.1;
-  const PyramidLevel& view = later.host.levels.front();
-  const StereoPair pair(earlier.host.levels.front(), view, relation_of(earlier, later));
-  const Projection<float> projection(view.camera);
-  const SeenBounds bounds(view.camera.width, view.camera.height);
-  double asked = 0;
-  double seen = 0;
-  const Hypotheses& edges = earlier.hypotheses;
-  for (std::size_t i = 0; i < edges.size(); i += kStride) {
-    const MovedDepth moved =
-        moved_depth(pair, {edges.ray[i][0], edges.ray[i][1]}, edges.inverse_depth[i], 0, 0);
-    const ImagedDirection<float> imaged = image_direction(projection, moved.ray.x(), moved.ray.y());
-    asked += 1;
-    seen += moved.inverse_depth > 0 && bounds.holds(imaged.u, imaged.v) ? 1 : 0;
-  }
-  return seen > kMinSeen * asked;
+  const StereoPair pair(earlier.host.levels.front(), later.host.levels.front(),
+                        relation_of(earlier, later));
+  const SeenEdges edges = seen_edges(pair, earlier.hypotheses, kStride);
+  return edges.seen > kMinSeen * edges.asked;
 }
 
 /// Returns the logarithms of the depth ratios, later over earlier, of the edges that both know.

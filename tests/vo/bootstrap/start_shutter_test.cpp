@@ -28,7 +28,7 @@ SE3 T_world_camera(double t) {
   return SE3::exp(xi);
 }
 
-/// What a rolling shutter sees of a point, and when its row is read.
+/// A point as a rolling-shutter camera sees it in the row that is read at that time.
 struct Sight {
   Eigen::Vector2d ray{0, 0};
   double inverse_depth = 0;
