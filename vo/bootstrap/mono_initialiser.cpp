@@ -101,8 +101,8 @@ bool MonoInitialiser::is_exhausted() const {
 /// Returns whether waiting for more parallax would cost too many corners or too much time.
 bool MonoInitialiser::is_running_out() const {
   constexpr double kMinAlive = 0.4;
-  const double patience =
-      static_cast<double>(frames_to_least_) * parallax_.wanted_px / parallax_.least_px;
+  constexpr double kPatience = 3;  // times the frames until the least parallax
+  const double patience = kPatience * static_cast<double>(frames_to_least_);
   return static_cast<double>(frames_.size()) >= std::min(patience, kMaxFrames - 1.0) ||
          static_cast<double>(tracks_.alive()) < kMinAlive * static_cast<double>(tracks_.size());
 }

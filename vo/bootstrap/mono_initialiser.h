@@ -38,7 +38,7 @@ struct InitialiserReport {
 /// The distance that the camera must have moved, as the median parallax of the corners.
 struct StartParallax {
   double least_px = 4;    ///< enough to solve with when corners or time run out
-  double wanted_px = 12;  ///< waited for as long as corners and time allow
+  double wanted_px = 25;  ///< waited for as long as corners and time allow
 };
 
 /// A frame of the start, its pose relative to the first and its velocity.

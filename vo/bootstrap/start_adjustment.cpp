@@ -12,8 +12,8 @@ constexpr Eigen::Index kPose = 6;
 /// The standard deviation of read-out times, s, before anything is known.
 constexpr double kReadoutSigma = 0.03;
 
-/// Errors of a corner are alike from frame to frame: a hundred pairs are worth one.
-constexpr double kDependence = 100;
+/// Errors of a corner are alike from frame to frame: four pairs are worth one.
+constexpr double kDependence = 4;
 
 /// The normal equations of all poses, then the read-out time, and of each place's inverse depth.
 struct System {

@@ -43,7 +43,7 @@ struct MonoOptions {
   double start_depth = 1;          ///< m, depth of a flat start; median depth of an unknown one
   std::uint64_t seed = 0;          ///< seed of random depths
   int max_lost_frames = 15;        ///< consecutive lost frames after which a new map is started
-  double wanted_parallax_px = 12;  ///< median that an unknown start waits for, px at 640 px width
+  double wanted_parallax_px = 25;  ///< median that an unknown start waits for, px at 640 px width
   TrackerOptions tracker;
   DepthMapOptions map;
 
