@@ -13,8 +13,8 @@ inline vo::SE3 sideways_walk(int frame) {
                           .finished());
 }
 
-/// So many frames of it have a parallax between the 2 px and 6 px that an unknown start needs and
-/// waits for at a width of 320 px.
+/// So many frames of it have a parallax between the 2 px that an unknown start needs at a width of
+/// 320 px and the 12.5 px that it waits for, and are too few for its patience to end.
 inline constexpr int kShortWalk = 24;
 
 }  // namespace support

@@ -111,7 +111,8 @@ nlohmann::ordered_json scales_json(const vo::MonoSequenceResult& mono) {
     if (frame.tracking.is_keyframe) {
       json.push_back({{"timestamp", frame.tracking.timestamp},
                       {"scale_drift", frame.scale.drift},
-                      {"scale_sigma", frame.scale.sigma}});
+                      {"scale_sigma", frame.scale.sigma},
+                      {"joins_maps", frame.joins_maps}});
     }
   }
   return json;

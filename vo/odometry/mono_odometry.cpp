@@ -6,16 +6,12 @@
 
 #include "vo/core/error.h"
 #include "vo/core/stopwatch.h"
+#include "vo/odometry/lost_map.h"
+#include "vo/odometry/start_maps.h"
 #include "vo/tracking/tracker.h"
 
 namespace vo {
 namespace {
-
-/// Relative standard deviation of a start's depths, which are interpolated between corners.
-constexpr double kInterpolatedSigma = 0.25;
-
-/// Relative standard deviation of given depths.
-constexpr double kStartSigma = 0.01;
 
 /// Least number of confident hypotheses that a map starts with.
 constexpr std::size_t kMinConfident = 150;
@@ -138,15 +134,6 @@ MonoState MonoOdometry::state_in_map() const {
                                                          : MonoState::tracking;
 }
 
-void MonoOdometry::add_pose(double timestamp, const SE3& T_world_camera) {
-  trajectory_.push_back({timestamp, T_world_camera});
-  pose_states_.push_back(state_);
-}
-
-std::size_t MonoOdometry::poses_in(MonoState state) const {
-  return static_cast<std::size_t>(std::count(pose_states_.begin(), pose_states_.end(), state));
-}
-
 bool MonoOdometry::follows_map() const {
   return is_in_map(state_) || state_ == MonoState::orienting;
 }
@@ -155,33 +142,31 @@ void MonoOdometry::start_from_depth(const DepthImage& depth, MonoResult& result)
   require(depth.size() == cv::Size(camera_.width, camera_.height),
           "mono: expected the first frame's depth image with the camera's ", camera_.width, "x",
           camera_.height, " px for the bootstrap, got ", depth.cols, "x", depth.rows, " px");
-  map_.start(current_, options_.start_depth);
-  map_.take_depth(depth, kStartSigma);
+  map_ = measured_map(current_, depth, options_);
   if (map_.confident() < kMinConfident) {
     result.tracking.reason = LostReason::too_few_points;
     return;
   }
   begin_tracking(current_, Guesses::left_out, result);
-  add_pose(current_.timestamp, T_world_host_);
+  poses_.add(current_.timestamp, T_world_host_, state_);
 }
 
 /// Begins to track on a map of guessed depths at this frame. Returns whether it has edges enough.
 bool MonoOdometry::guess_map(const FramePyramid& host, MonoResult& result) {
-  map_.start(host, start_depth_);
-  if (options_.bootstrap == MonoBootstrap::random) {
-    map_.guess_random(options_.seed);
-  }
-  if (map_.hypotheses().size() < kMinConfident) {
+  DepthMap map = guessed_map(host, start_depth_, options_);
+  if (map.hypotheses().size() < kMinConfident) {
     result.tracking.reason = LostReason::too_few_points;
     return false;
   }
+  leave_map();
+  map_ = std::move(map);
   begin_tracking(host, Guesses::included, result);
   return true;
 }
 
 void MonoOdometry::start_from_guesses(MonoResult& result) {
   if (guess_map(current_, result)) {
-    add_pose(current_.timestamp, T_world_host_);
+    poses_.add(current_.timestamp, T_world_host_, state_);
   }
 }
 
@@ -216,7 +201,7 @@ std::unique_ptr<MonoInitialiser> MonoOdometry::solved_start(InitialiserReport& r
 /// Tracks the rotation of frames that showed no start, by edges at guessed depths.
 void MonoOdometry::orient_from(const MonoInitialiser& unsolved, MonoResult& result) {
   if (guess_map(unsolved.frames().front().pyramid, result)) {
-    forget_poses_since(unsolved.frames().front().pyramid.timestamp);
+    poses_.forget_since(unsolved.frames().front().pyramid.timestamp);
     track_again(unsolved, result);
   }
 }
@@ -239,54 +224,45 @@ void MonoOdometry::look_for_start(MonoResult& result) {
 
 /// Returns whether the start gives a map, in which its frames are then tracked.
 bool MonoOdometry::start_from(const MonoInitialiser& solved, MonoResult& result) {
-  DepthMap map = map_of(solved);
+  DepthMap map = solved_map(solved, start_depth_, options_);
   if (map.confident() < kMinConfident) {
     return false;
   }
+  leave_map();
   map_ = std::move(map);
-  forget_poses_since(solved.frames().front().pyramid.timestamp);
+  poses_.forget_since(solved.frames().front().pyramid.timestamp);
   begin_scale();
   begin_tracking(solved.frames().front().pyramid, Guesses::left_out, result, solved.readout());
   track_again(solved, result);
   return true;
 }
 
-/// Returns the map of the held frame, its edges observed in all frames of the start.
-DepthMap MonoOdometry::map_of(const MonoInitialiser& solved) const {
-  const std::vector<StartFrame>& frames = solved.frames();
-  DepthMap map(options_.map);
-  map.start(frames.front().pyramid, start_depth_);
-  map.take_depth(solved.depth_at_edges(), kInterpolatedSigma);
-  for (std::size_t i = 1; i < frames.size(); ++i) {
-    FrameRelation relation{frames[i].T_frame_first};
-    relation.host_motion = RowMotion(frames.front().velocity, solved.readout());
-    relation.current_motion = RowMotion(frames[i].velocity, solved.readout());
-    map.observe(frames[i].pyramid, relation);
-  }
-  map.regularise();
-  return map;
-}
-
 /// Lets the scale of a new map be that of the run, or a guess where an earlier map had defined it.
 void MonoOdometry::begin_scale() {
-  if (std::any_of(pose_states_.begin(), pose_states_.end(), is_in_map)) {
+  if (poses_.has_pose_in_map()) {
     scale_watch_.lose_scale();
   } else {
     scale_watch_ = ScaleWatch(kUnknownStartScaleSigma);
   }
 }
 
-void MonoOdometry::forget_poses_since(double timestamp) {
-  while (!trajectory_.empty() && trajectory_.back().timestamp >= timestamp) {
-    trajectory_.pop_back();
-    pose_states_.pop_back();
+/// Keeps the map, which a new one is about to replace, to join the two when they meet. The first
+/// map of a run stays: its scale defines that of the others.
+void MonoOdometry::leave_map() {
+  if (lost_map_ == nullptr && guesses_ == Guesses::left_out && poses_.has_pose_in_map()) {
+    scale_watch_.add(
+        {map_.host(), map_.hypotheses(), T_world_host_, tracker_->keyframe_row_motion()});
+    lost_map_ = std::make_unique<LostMap>(LostMap{*tracker_, scale_watch_});
   }
 }
 
 /// Tracks the frames of a start on the map that begins with the first of them.
 void MonoOdometry::track_again(const MonoInitialiser& start, MonoResult& result) {
+  if (lost_map_ != nullptr) {
+    lost_map_->first_pose = poses_.size();
+  }
   const std::vector<StartFrame>& frames = start.frames();
-  add_pose(frames.front().pyramid.timestamp, T_world_host_);
+  poses_.add(frames.front().pyramid.timestamp, T_world_host_, state_);
   for (std::size_t i = 1; i < frames.size() && follows_map(); ++i) {
     current_ = frames[i].pyramid;
     follow(result);
@@ -308,7 +284,7 @@ void MonoOdometry::follow(MonoResult& result) {
   update_map(result);
   state_ = state_in_map();
   stage_times_.mapping_ms = timer.lap_ms();
-  add_pose(current_.timestamp, result.tracking.T_world_camera);
+  poses_.add(current_.timestamp, result.tracking.T_world_camera, state_);
 }
 
 /// Waits for what the map shows to come back into view, and after some frames looks for a new map,
@@ -321,7 +297,7 @@ void MonoOdometry::seek(MonoResult& result) {
   if (state_ != MonoState::reinitialising) {
     state_ = MonoState::reinitialising;
     if (initialiser_ == nullptr) {
-      place_next_map(trajectory_.back().T_world_camera);
+      place_next_map(poses_.trajectory().back().T_world_camera);
     }
   }
   initialise(result);
@@ -361,9 +337,32 @@ void MonoOdometry::update_map(MonoResult& result) {
     tracker_->set_keyframe(current_, result.tracking.T_world_camera, tracked_points());
     take_adjusted(*tracker_->map().last(), result);
     result.tracking.is_keyframe = true;
+    join_lost_map(result);
   } else {
     tracker_->update_keyframe(tracked_points());
   }
+}
+
+/// Moves map and poses into the map that was lost, if the new keyframe is found in it.
+void MonoOdometry::join_lost_map(MonoResult& result) {
+  if (lost_map_ == nullptr) {
+    return;
+  }
+  const std::optional<MapJoint> joint = lost_map_->joint_with(
+      {current_, map_.hypotheses(), T_world_host_, tracker_->keyframe_row_motion()});
+  if (!joint) {
+    return;
+  }
+  map_.rescale(joint->scale);
+  T_world_host_ = joint->T_to_camera;
+  *tracker_ = std::move(lost_map_->tracker);
+  scale_watch_ = std::move(lost_map_->scale_watch);
+  tracker_->set_keyframe(current_, T_world_host_, tracked_points());
+  poses_.join_since(lost_map_->first_pose, *joint,
+                    scale_watch_.scale().sigma <= kTrustedScaleSigma);
+  lost_map_.reset();
+  result.tracking.T_world_camera = T_world_host_;
+  result.joins_maps = true;
 }
 
 /// Compares the map that is carried on with earlier ones. Where its scale is corrected, the motion

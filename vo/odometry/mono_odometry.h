@@ -1,9 +1,7 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "vo/bootstrap/mono_initialiser.h"
@@ -12,35 +10,15 @@
 #include "vo/geometry/trajectory.h"
 #include "vo/mapping/depth_map.h"
 #include "vo/odometry/mono_options.h"
+#include "vo/odometry/mono_state.h"
+#include "vo/odometry/pose_history.h"
 #include "vo/odometry/rgbd_odometry.h"
 #include "vo/scale/scale_watch.h"
 #include "vo/tracking/local_map.h"
 
 namespace vo {
 
-/// The state of the odometry says what is known of the camera after a frame.
-enum class MonoState {
-  initialising,  ///< nothing: an unknown start waits for parallax
-  orienting,  ///< the rotation: depths are guessed until a start is found, translations mean little
-  tracking,   ///< the pose, in a map
-  scale_uncertain,  ///< the pose, in a map whose scale may have drifted by more than a quarter
-  lost,             ///< nothing: the map is out of view
-  reinitialising,   ///< nothing: a new map is looked for beside the lost one
-};
-
-constexpr auto enum_names(MonoState) {
-  return std::array{std::pair{MonoState::initialising, "initialising"},
-                    std::pair{MonoState::orienting, "orienting"},
-                    std::pair{MonoState::tracking, "tracking"},
-                    std::pair{MonoState::scale_uncertain, "scale_uncertain"},
-                    std::pair{MonoState::lost, "lost"},
-                    std::pair{MonoState::reinitialising, "reinitialising"}};
-}
-
-/// Returns whether the pose is known in a map in this state.
-constexpr bool is_in_map(MonoState state) {
-  return state == MonoState::tracking || state == MonoState::scale_uncertain;
-}
+struct LostMap;
 
 /// The result of one frame.
 struct MonoResult {
@@ -50,7 +28,8 @@ struct MonoResult {
   std::size_t hypotheses = 0;
   std::size_t confident = 0;
   ObservationCounts observations;
-  ScaleEstimate scale;  ///< of the map, as known since its last host
+  ScaleEstimate scale;      ///< of the map, as known since its last host
+  bool joins_maps = false;  ///< whether the map and the one that was lost became one
 };
 
 /// Monocular edge-direct odometry: the RGB-D odometry's tracker on an inverse-depth map that is
@@ -73,8 +52,8 @@ class MonoOdometry {
   /// for the last frame is returned; else nothing is returned and nothing changes.
   std::optional<MonoResult> finish();
 
-  const Trajectory& trajectory() const { return trajectory_; }  ///< frames that are not lost
-  std::size_t poses_in(MonoState state) const;  ///< number of its poses in that state
+  const Trajectory& trajectory() const { return poses_.trajectory(); }  ///< frames not lost
+  const PoseHistory& poses() const { return poses_; }  ///< the same with their states
   const StageTimes& stage_times() const { return stage_times_; }
   const DepthMap& map() const { return map_; }
   const SE3& T_world_host() const { return T_world_host_; }
@@ -90,7 +69,6 @@ class MonoOdometry {
   void look_for_start(MonoResult& result);
   std::unique_ptr<MonoInitialiser> solved_start(InitialiserReport& report);
   bool start_from(const MonoInitialiser& solved, MonoResult& result);
-  DepthMap map_of(const MonoInitialiser& solved) const;
   void track_again(const MonoInitialiser& start, MonoResult& result);
   void begin_tracking(const FramePyramid& host, Guesses guesses, MonoResult& result,
                       std::optional<double> readout = {});
@@ -101,8 +79,8 @@ class MonoOdometry {
   void update_map(MonoResult& result);
   void take_adjusted(const Keyframe& keyframe, MonoResult& result);
   MonoState state_in_map() const;
-  void add_pose(double timestamp, const SE3& T_world_camera);
-  void forget_poses_since(double timestamp);
+  void leave_map();
+  void join_lost_map(MonoResult& result);
   void begin_scale();
   bool follows_map() const;  ///< whether the last frame has a pose
   void watch_scale(FrameRelation& relation, MonoResult& result);
@@ -125,8 +103,8 @@ class MonoOdometry {
   MonoState state_ = MonoState::initialising;
   bool is_first_ = true;
   int lost_frames_ = 0;
-  Trajectory trajectory_;
-  std::vector<MonoState> pose_states_;  ///< for each pose of the trajectory
+  PoseHistory poses_;
+  std::unique_ptr<LostMap> lost_map_;  ///< the first map that the camera has left, or null
   StageTimes stage_times_;
 };
 

@@ -124,8 +124,8 @@ MonoSequenceResult track_mono_images(const MonoImages& images, const MonoOptions
     progress(result.frames.size(), images.size);
   }
   result.trajectory = odometry.trajectory();
-  result.oriented_poses = odometry.poses_in(MonoState::orienting);
-  result.scale_uncertain_poses = odometry.poses_in(MonoState::scale_uncertain);
+  result.oriented_poses = odometry.poses().count(MonoState::orienting);
+  result.scale_uncertain_poses = odometry.poses().count(MonoState::scale_uncertain);
   return result;
 }
 
@@ -143,7 +143,7 @@ std::string format_mono_log(const std::vector<MonoResult>& frames) {
   std::string text =
       "timestamp,state,status,reason,keyframe,start_verdict,start_flow_px,start_parallax_px,"
       "hypotheses,confident,found,inconsistent,out_of_view,unobservable,ambiguous,no_match,"
-      "visible_fraction,correlation,cost,readout_s,scale_drift,scale_sigma\n";
+      "visible_fraction,correlation,cost,readout_s,scale_drift,scale_sigma,joins_maps\n";
   for (const MonoResult& frame : frames) {
     const TrackingResult& tracking = frame.tracking;
     const ObservationCounts& seen = frame.observations;
@@ -163,7 +163,7 @@ std::string format_mono_log(const std::vector<MonoResult>& frames) {
           tracking.alignment.cost, tracking.readout_s, frame.scale.drift, frame.scale.sigma}) {
       text += "," + format_real(value);
     }
-    text += "\n";
+    text += frame.joins_maps ? ",1\n" : ",0\n";
   }
   return text;
 }

@@ -24,6 +24,9 @@ constexpr double kAlike = 32;
 /// Standard deviation of a step about which the maps say nothing: a factor of 1.6.
 constexpr double kUnknownStep = 0.5;
 
+/// Standard deviation of the relative scale of two maps up to which they are joined.
+constexpr double kMostJointSigma = 0.05;
+
 constexpr double kSignificant = 3;  ///< standard deviations of a drift that is corrected
 constexpr double kLeastCorrection = 0.02;
 
@@ -131,6 +134,23 @@ void ScaleWatch::look_back(const PastMap& map) {
     }
     return;
   }
+}
+
+std::optional<double> ScaleWatch::take_up(const PastMap& map) {
+  const Kept* best = nullptr;
+  RelativeScale relative{.sigma = kMostJointSigma};
+  for (const Kept& past : past_) {
+    const std::optional<RelativeScale> found = relative_scale(past.map, map);
+    if (found && found->sigma < relative.sigma) {
+      relative = *found;
+      best = &past;
+    }
+  }
+  if (best == nullptr) {
+    return std::nullopt;
+  }
+  scale_ = {best->scale.drift, std::hypot(best->scale.sigma, relative.sigma)};
+  return relative.log_scale;
 }
 
 void ScaleWatch::lose_scale() {

@@ -52,6 +52,11 @@ class ScaleWatch {
   /// significant; the caller must make it.
   const ScaleEstimate& add(PastMap map);
 
+  /// Takes up a map that was begun elsewhere, once the pose of its host is known among the past
+  /// maps. Returns the natural logarithm of its depths over those of the past map that tells it
+  /// best, after which it counts as corrected; or nothing where none tells it well.
+  std::optional<double> take_up(const PastMap& map);
+
   /// Begins a map whose scale is a guess.
   void lose_scale();
 

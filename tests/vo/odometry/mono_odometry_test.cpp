@@ -109,7 +109,7 @@ TEST(MonoOdometry, ATurnWithoutParallaxIsFollowedByItsRotation) {
   EXPECT_EQ(last, MonoState::orienting);
   const vo::Trajectory& estimate = odometry.trajectory();
   ASSERT_EQ(estimate.size(), std::size_t{kFrames});
-  EXPECT_EQ(odometry.poses_in(MonoState::orienting), std::size_t{kFrames});
+  EXPECT_EQ(odometry.poses().count(MonoState::orienting), std::size_t{kFrames});
   for (int i = 0; i < kFrames; ++i) {
     const SE3 moved = estimate.front().T_world_camera.inverse() *
                       estimate[static_cast<std::size_t>(i)].T_world_camera;
@@ -132,7 +132,7 @@ TEST(MonoOdometry, AStartReplacesTheRotationsOfItsFrames) {
   EXPECT_EQ(states[kTurning], MonoState::orienting);
   EXPECT_EQ(states.back(), MonoState::tracking);
   ASSERT_EQ(odometry.trajectory().size(), std::size_t{kFrames});
-  EXPECT_NEAR(static_cast<double>(odometry.poses_in(MonoState::orienting)), kTurning, 1);
+  EXPECT_NEAR(static_cast<double>(odometry.poses().count(MonoState::orienting)), kTurning, 1);
   const auto walk = [](const vo::Trajectory& whole) {
     return vo::Trajectory(whole.begin() + kTurning + 1, whole.end());
   };
@@ -202,7 +202,7 @@ TEST(MonoOdometry, AMapAfterALossIsOfUncertainScale) {
   for (int i = 0; i < 5; ++i) {
     odometry.track(support::plane_frame(small_camera(), sideways_walk(i), i));
   }
-  EXPECT_EQ(odometry.poses_in(MonoState::tracking), 5U);
+  EXPECT_EQ(odometry.poses().count(MonoState::tracking), 5U);
   const SE3 elsewhere(Eigen::Quaterniond::Identity(), {7, 5, 0});
   vo::MonoResult last;
   for (int i = 5; i < 80; ++i) {
@@ -210,8 +210,8 @@ TEST(MonoOdometry, AMapAfterALossIsOfUncertainScale) {
   }
   EXPECT_EQ(last.state, MonoState::scale_uncertain);
   EXPECT_GT(last.scale.sigma, 0.4);
-  EXPECT_EQ(odometry.poses_in(MonoState::tracking), 5U);
-  EXPECT_GT(odometry.poses_in(MonoState::scale_uncertain), 20U);
+  EXPECT_EQ(odometry.poses().count(MonoState::tracking), 5U);
+  EXPECT_GT(odometry.poses().count(MonoState::scale_uncertain), 20U);
 }
 
 /// Corners a third darker than the middle.
@@ -261,6 +261,32 @@ TEST(MonoOdometry, WhatIsSeenAgainIsTheOldMap) {
                                                                          .rotation_deg = 0.05}))
         << "frame " << i;
   }
+}
+
+/// A metric map is lost by a jump of 3 m, and the camera comes back in a new one, whose scale is a
+/// guess: where they meet, the new map's poses become metric. The bound is a thousandth of the way.
+TEST(MonoOdometry, ANewMapIsJoinedToTheLostOneWhereTheyMeet) {
+  constexpr int kJump = 20;
+  vo::MonoOptions options = options_with(MonoBootstrap::rgbd);
+  options.max_lost_frames = 3;
+  vo::MonoOdometry odometry(small_camera(), options);
+  vo::Trajectory truth;
+  int joined = 0;
+  for (int i = 0; i < 110; ++i) {
+    const double back = i < kJump ? 0 : 3 - 0.04 * (i - kJump);
+    const SE3 T_world_camera = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(back, 0, 0)) *
+                               sideways_walk(std::min(i, kJump));
+    const vo::MonoResult result =
+        odometry.track(support::plane_frame(small_camera(), T_world_camera, i));
+    joined += result.joins_maps ? 1 : 0;
+    truth.push_back({result.tracking.timestamp, T_world_camera});
+  }
+  EXPECT_EQ(joined, 1);
+  EXPECT_EQ(odometry.poses().count(MonoState::scale_uncertain), 0U);
+  EXPECT_GT(odometry.poses().size(), 100U);
+  const vo::TrajectoryErrors errors =
+      vo::evaluate(truth, odometry.trajectory(), {.alignment = vo::TrajectoryAlignment::se3});
+  EXPECT_LT(errors.ate.rmse, 0.002);
 }
 
 TEST(MonoOdometry, WantsTheFirstDepthOnlyWhereItIsAskedFor) {
