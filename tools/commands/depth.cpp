@@ -41,6 +41,7 @@ struct DepthArguments {
   std::string depth_file;
   int every = 20;
   double max_time_difference = 0.02;
+  double depth_noise = 0;
 };
 
 std::string examples() {
@@ -49,7 +50,8 @@ std::string examples() {
          "  edvo depth sequence\n"
          "  edvo depth sequence --out maps --every 10   # maps/depth.csv, 000010.png, cloud.ply\n"
          "  edvo depth sequence --set pose_noise_m=0.002 --set map.propagate=always --json\n"
-         "  edvo depth sequence --track --bootstrap rgbd --out maps\n\n"
+         "  edvo depth sequence --track --bootstrap rgbd --out maps\n"
+         "  edvo depth recording --camera tum-fr1 --track --depth-noise 0.0019\n\n"
          "Keys of --set, with their values:\n" +
          describe_fields(vo::fields_of(options));
 }
@@ -65,7 +67,9 @@ Options assigned(const DepthArguments& arguments, Options options) {
 }
 
 MappingOptions mapping_options(const DepthArguments& arguments) {
-  MappingOptions options = assigned(arguments, MappingOptions());
+  MappingOptions initial;
+  initial.depth_noise = arguments.depth_noise;
+  MappingOptions options = assigned(arguments, initial);
   check_usage([&] { options.validate(); });
   return options;
 }
@@ -124,6 +128,7 @@ int depth(const DepthArguments& arguments) {
   if (arguments.track) {
     frames = track_and_judge(
         {arguments.sequence, camera, arguments.max_time_difference, arguments.depth_file}, tracking,
+        arguments.depth_noise,
         observer(is_metric(tracking.bootstrap) ? MapScale::metric : MapScale::arbitrary),
         bar.callback());
   } else {
@@ -167,6 +172,10 @@ void add_depth_command(CLI::App& program, int& exit_code) {
       ->allow_extra_args(false);
   command.add_option("--max-time-difference", arguments->max_time_difference,
                      "between the stamps of colour and depth, s [0.02]");
+  command
+      .add_option("--depth-noise", arguments->depth_noise,
+                  "of the sequence's depth, sigma / depth^2, 1/m: 0.0019 for a Kinect [0]")
+      ->check(CLI::NonNegativeNumber);
   add_common_options(command, arguments->common);
   command.callback([arguments, &exit_code] { exit_code = depth(*arguments); });
 }

@@ -108,7 +108,8 @@ std::vector<DepthSample> depth_samples(const vo::DepthMap& map, const TrueView& 
     if (hypotheses.state[i] == vo::DepthState::none || expected == 0) {
       continue;
     }
-    const double sigma = std::sqrt(hypotheses.smoothed_variance[i]) / scale;
+    const double sigma =
+        std::hypot(std::sqrt(hypotheses.smoothed_variance[i]) / scale, truth.depth_noise);
     const double cos2 = vo::epipolar_cos2(pair, hypotheses.pixel[i], hypotheses.gradient[i]);
     samples.push_back({estimate / expected, (estimate - expected) / sigma,
                        std::acos(std::sqrt(std::min(cos2, 1.0))) * 180 / std::numbers::pi,

@@ -17,7 +17,7 @@ enum class EdgeKind { surface, depth_step };
 /// One depth hypothesis compared with the truth.
 struct DepthSample {
   double ratio = 1;             ///< estimated over true inverse depth
-  double normalized_error = 0;  ///< error of inverse depth over its standard deviation
+  double normalized_error = 0;  ///< difference of inverse depth over its standard deviation
   double angle_deg = 0;         ///< angle between gradient and epipolar line, 0..90 deg
   bool is_confident = false;
   EdgeKind kind = EdgeKind::surface;

@@ -8,10 +8,11 @@
 
 namespace tools {
 
-/// Ground truth of one view.
+/// Ground truth of one view, or what a depth sensor measured of it.
 struct TrueView {
   vo::DepthImage depth;
   synth::EdgeLabels causes;  ///< causes of the view's edges; empty where unknown
+  double depth_noise = 0;    ///< standard deviation of the inverse depth, 1/m; 0 where it is exact
 };
 
 /// Returns the renderer's exact edges of a frame, from the channel `edges` (`edvo render --channels

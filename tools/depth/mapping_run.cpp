@@ -123,7 +123,7 @@ class MappingRun {
   }
 
   void set_host(const vo::DepthImage& depth, std::size_t index, const FramePose& pose) {
-    truth_ = {depth, true_edges(sequence_, index)};
+    truth_ = {depth, true_edges(sequence_, index), options_.depth_noise};
     host_pose_ = pose;
   }
 
@@ -143,6 +143,7 @@ void MappingOptions::validate() const {
   vo::require(pose_noise_m >= 0 && pose_noise_deg >= 0, "depth: expected pose noise of at least 0");
   vo::require(std::abs(readout) <= 1, "depth.readout: expected a time of at most 1 s, got ",
               readout);
+  vo::require(depth_noise >= 0, "depth.depth_noise: expected at least 0, got ", depth_noise);
   vo::require(frames >= 0, "depth.frames: expected at least 0, got ", frames);
   edges.validate();
   map.validate();

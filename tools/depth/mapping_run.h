@@ -33,6 +33,7 @@ struct MappingOptions {
   double pose_noise_deg = 0;  ///< standard deviation of rotation per axis
   std::uint64_t seed = 0;     ///< seed of random depths and pose noise
   double readout = 0;         ///< s, from the first to the last row: a rolling shutter
+  double depth_noise = 0;     ///< 1/m, standard deviation of the sequence's inverse depths
   int frames = 0;             ///< greatest number of frames; 0 = all
   vo::EdgeOptions edges;
   vo::DepthMapOptions map;
@@ -47,6 +48,8 @@ void visit_fields(Visitor& visit, MappingOptions& options) {
   visit("pose_noise_deg", options.pose_noise_deg, "likewise, deg");
   visit("seed", options.seed, "of random depths and pose noise");
   visit("readout", options.readout, "time from the first to the last row, s: a rolling shutter");
+  visit("depth_noise", options.depth_noise,
+        "standard deviation of the sequence's own inverse depths, which the NEES allows for, 1/m");
   visit("frames", options.frames, "at most; 0 is all");
   visit("edges", options.edges, "");
   visit("map", options.map, "");

@@ -2,8 +2,8 @@
 
 namespace tools {
 
-MapJudge::MapJudge(const vo::SequenceReader& truth, vo::MonoBootstrap bootstrap)
-    : truth_(truth), is_metric_(is_metric(bootstrap)) {
+MapJudge::MapJudge(const vo::SequenceReader& truth, vo::MonoBootstrap bootstrap, double depth_noise)
+    : truth_(truth), is_metric_(is_metric(bootstrap)), depth_noise_(depth_noise) {
   for (std::size_t i = 0; i < truth_.size(); ++i) {
     index_of_[truth_.timestamp(i)] = i;
   }
@@ -14,9 +14,9 @@ void MapJudge::read_truth(double timestamp) {
     return;
   }
   const auto found = index_of_.find(timestamp);
-  host_ = found == index_of_.end()
-              ? TrueView()
-              : TrueView{truth_.read(found->second).depth, true_edges(truth_, found->second)};
+  host_ = found == index_of_.end() ? TrueView()
+                                   : TrueView{truth_.read(found->second).depth,
+                                              true_edges(truth_, found->second), depth_noise_};
   timestamp_ = timestamp;
 }
 
@@ -41,9 +41,10 @@ std::optional<MappedFrame> MapJudge::judge(const vo::MonoOdometry& odometry,
 }
 
 std::vector<MappedFrame> track_and_judge(const vo::MonoInput& input, const vo::MonoOptions& options,
-                                         const MapObserver& observe, const vo::Progress& progress) {
+                                         double depth_noise, const MapObserver& observe,
+                                         const vo::Progress& progress) {
   const vo::SequenceReader truth(input.folder, input.camera, input.max_time_difference);
-  MapJudge judge(truth, options.bootstrap);
+  MapJudge judge(truth, options.bootstrap, depth_noise);
   std::vector<MappedFrame> frames;
   std::size_t index = 0;
   vo::track_mono_sequence(

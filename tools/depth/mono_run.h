@@ -14,8 +14,9 @@ namespace tools {
 /// drift.
 class MapJudge {
  public:
-  /// `truth` must outlive the judge; its depth images are the ground truth.
-  MapJudge(const vo::SequenceReader& truth, vo::MonoBootstrap bootstrap);
+  /// `truth` must outlive the judge; its depth images are the ground truth, but for the standard
+  /// deviation of inverse depth, 1/m, that is given.
+  MapJudge(const vo::SequenceReader& truth, vo::MonoBootstrap bootstrap, double depth_noise = 0);
 
   /// Returns the map's errors; empty while not tracking or without a depth image of the host.
   std::optional<MappedFrame> judge(const vo::MonoOdometry& odometry, const vo::MonoResult& result);
@@ -27,13 +28,16 @@ class MapJudge {
 
   const vo::SequenceReader& truth_;
   bool is_metric_;
+  double depth_noise_;
   std::map<double, std::size_t> index_of_;  ///< frame index by image timestamp
   double timestamp_ = -1;
   TrueView host_;
 };
 
-/// Tracks and maps a sequence as `edvo track --mode mono` does and evaluates each map.
+/// Tracks and maps a sequence as `edvo track --mode mono` does and evaluates each map with its
+/// depth images, whose inverse depths have that standard deviation, 1/m.
 std::vector<MappedFrame> track_and_judge(const vo::MonoInput& input, const vo::MonoOptions& options,
-                                         const MapObserver& observe, const vo::Progress& progress);
+                                         double depth_noise, const MapObserver& observe,
+                                         const vo::Progress& progress);
 
 }  // namespace tools

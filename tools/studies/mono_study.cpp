@@ -62,7 +62,7 @@ std::optional<MapErrors> judged(const Clip& clip, const vo::MonoOdometry& odomet
   if (host == clip.frames.end() || host->depth.empty()) {
     return std::nullopt;
   }
-  return map_errors(odometry.map(), {host->depth, {}}, {}, metric ? 1 : 0);
+  return map_errors(odometry.map(), {.depth = host->depth, .causes = {}}, {}, metric ? 1 : 0);
 }
 
 void judge_trajectory(const Clip& clip, const vo::Trajectory& estimate, bool metric,

@@ -90,7 +90,7 @@ TEST(MapErrors, CountWhatWasPutIn) {
   const double outliers = in_columns(0, kStep - 1);
   const double count = outliers + in_columns(kStep + 1, camera.width);
   map.take_depth(wrong, 0.03);
-  const tools::MapErrors errors = tools::map_errors(map, {truth, {}}, {});
+  const tools::MapErrors errors = tools::map_errors(map, {.depth = truth, .causes = {}}, {});
   EXPECT_EQ(static_cast<double>(errors.confident.count), count);
   EXPECT_NEAR(errors.confident.outliers_percent, 100 * outliers / count, 1e-9);
   EXPECT_NEAR(errors.confident.median_percent, 2.9, 0.6);
@@ -98,6 +98,30 @@ TEST(MapErrors, CountWhatWasPutIn) {
   EXPECT_NEAR(errors.density_percent, 100 * count / static_cast<double>(pixels.size()), 1e-9);
   EXPECT_EQ(errors.depth_step.count, 0U);
   EXPECT_EQ(errors.without_cause.count, 0U) << "nobody knows the causes";
+}
+
+/// Errors of equal deviation s, judged by a reference of deviation r, have 1 + (r/s)^2 times less
+/// NEES.
+TEST(MapErrors, AllowForTheNoiseOfTheReference) {
+  const vo::PinholeCamera camera = support::small_camera();
+  const vo::RgbdFrame frame = support::TexturedPlane().render(camera, {});
+  vo::FramePyramid host = vo::build_pyramid({0, frame.image, {}}, camera, vo::PyramidOptions());
+  vo::add_edges(host, vo::EdgeOptions());
+  vo::DepthMap map({});
+  map.start(host, 2);
+  vo::DepthImage wrong = frame.depth.clone();
+  wrong *= 1.02F;
+  map.take_depth(wrong, 0.03);
+  const std::vector<float>& variances = map.hypotheses().smoothed_variance;
+  const auto [least, most] = std::minmax_element(variances.begin(), variances.end());
+  constexpr double kNoise = 0.05;  // 1/m
+  const double exact =
+      tools::map_errors(map, {.depth = frame.depth, .causes = {}}, {}).confident.nees;
+  const double noisy =
+      tools::map_errors(map, {.depth = frame.depth, .causes = {}, .depth_noise = kNoise}, {})
+          .confident.nees;
+  EXPECT_GE(exact / noisy, 1 + kNoise * kNoise / *most);
+  EXPECT_LE(exact / noisy, 1 + kNoise * kNoise / *least);
 }
 
 /// Left albedo, right crease and shadow, nothing between.
@@ -120,7 +144,8 @@ TEST(MapErrors, AreToldByTheCausesOfEdges) {
     left += pixel.x <= kLeft ? 1U : 0U;
     right += pixel.x >= kRight - 1 ? 1U : 0U;
   }
-  const tools::MapErrors errors = tools::map_errors(map, {frame.depth, causes}, {});
+  const tools::MapErrors errors =
+      tools::map_errors(map, {.depth = frame.depth, .causes = causes}, {});
   EXPECT_EQ(errors.by_cause[0].count, 0U);
   EXPECT_EQ(errors.by_cause[1].count, right);
   EXPECT_EQ(errors.by_cause[2].count, left);
