@@ -21,10 +21,10 @@ Json number_or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-double number_at(const nlohmann::json& json, const std::string& key) {
+double number_at(const Json& json, const std::string& key,
+                 double otherwise = std::numeric_limits<double>::quiet_NaN()) {
   const auto found = json.find(key);
-  return found != json.end() && found->is_number() ? found->get<double>()
-                                                   : std::numeric_limits<double>::quiet_NaN();
+  return found != json.end() && found->is_number() ? found->get<double>() : otherwise;
 }
 
 Json scenario_json(const ScenarioResult& scenario) {
@@ -39,7 +39,8 @@ Json scenario_json(const ScenarioResult& scenario) {
   }
   json["bounds"] = Json::object();
   for (const BoundCheck& check : scenario.checks) {
-    json["bounds"][check.metric] = {{"min", number_or_null(check.bound.min)},
+    json["bounds"][check.metric] = {{"measured", number_or_null(check.measured)},
+                                    {"min", number_or_null(check.bound.min)},
                                     {"max", number_or_null(check.bound.max)},
                                     {"holds", check.holds}};
   }
@@ -50,21 +51,26 @@ Json scenario_json(const ScenarioResult& scenario) {
   return json;
 }
 
-std::vector<BoundCheck> checks_from_json(const nlohmann::json& bounds) {
+std::vector<BoundCheck> checks_from_json(const Json& bounds) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::vector<BoundCheck> checks;
   for (const auto& [metric, bound] : bounds.items()) {
-    checks.push_back({.metric = metric, .holds = bound.at("holds").get<bool>()});
+    checks.push_back(
+        {.metric = metric,
+         .measured = number_at(bound, "measured"),
+         .bound = {number_at(bound, "min", -kInfinity), number_at(bound, "max", kInfinity)},
+         .holds = bound.at("holds").get<bool>()});
   }
   return checks;
 }
 
-ScenarioResult scenario_from_json(const nlohmann::json& json) {
+ScenarioResult scenario_from_json(const Json& json) {
   ScenarioResult scenario{.name = json.at("name").get<std::string>(),
                           .why = json.value("why", std::string())};
-  for (const nlohmann::json& trial : json.at("trials")) {
+  for (const Json& trial : json.at("trials")) {
     scenario.trials.push_back(trial_from_json(trial));
   }
-  scenario.checks = checks_from_json(json.value("bounds", nlohmann::json::object()));
+  scenario.checks = checks_from_json(json.value("bounds", Json::object()));
   return scenario;
 }
 
@@ -81,11 +87,11 @@ Json trial_json(const TrialResult& trial) {
   return json;
 }
 
-TrialResult trial_from_json(const nlohmann::json& json) {
+TrialResult trial_from_json(const Json& json) {
   TrialResult trial{.seed = json.at("seed").get<int>(),
                     .sequence = json.at("sequence").get<std::string>(),
                     .frames = json.at("frames").get<std::size_t>()};
-  const nlohmann::json& metrics = json.at("metrics");
+  const Json& metrics = json.at("metrics");
   trial.metrics = make_metrics([&](const std::string& name) { return number_at(metrics, name); });
   trial.problem = json.value("problem", std::string());
   return trial;
@@ -104,7 +110,7 @@ Json results_json(const TestResults& results) {
 TestResults read_results(const std::filesystem::path& file) {
   const std::string text = vo::read_file(file);
   try {
-    const nlohmann::json json = nlohmann::json::parse(text);
+    const Json json = Json::parse(text);
     vo::require(json.value("schema", std::string()) == kSchema, file.string(),
                 ": expected the results of `edvo test --json`");
     const int found = json.at("schema_version").get<int>();
@@ -113,7 +119,7 @@ TestResults read_results(const std::filesystem::path& file) {
     TestResults results{.edvo = json.value("edvo", std::string()),
                         .tracker = json.value("tracker", std::string()),
                         .scenarios = {}};
-    for (const nlohmann::json& scenario : json.at("scenarios")) {
+    for (const Json& scenario : json.at("scenarios")) {
       results.scenarios.push_back(scenario_from_json(scenario));
     }
     return results;

@@ -18,6 +18,6 @@ TestResults read_results(const std::filesystem::path& file);
 nlohmann::ordered_json trial_json(const TrialResult& trial);
 
 /// Parses a trial; absent metrics are NaN. Throws vo::Error or nlohmann::json::exception.
-TrialResult trial_from_json(const nlohmann::json& json);
+TrialResult trial_from_json(const nlohmann::ordered_json& json);
 
 }  // namespace tools

@@ -57,7 +57,7 @@ std::optional<TrialResult> read_kept(const fs::path& file) {
     return {};
   }
   try {
-    return trial_from_json(nlohmann::json::parse(vo::read_file(file)));
+    return trial_from_json(nlohmann::ordered_json::parse(vo::read_file(file)));
   } catch (const nlohmann::json::exception&) {
     return {};
   } catch (const vo::Error&) {

@@ -1,0 +1,32 @@
+#include "tools/laboratory/results_json.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/temp_folder.h"
+#include "vo/files/output.h"
+
+namespace {
+
+tools::TestResults two_scenarios() {
+  tools::TestResults results{.edvo = "1.2.3", .tracker = "edvo"};
+  tools::ScenarioResult bounded{.name = "bounded", .why = "a reason"};
+  bounded.trials.push_back({.seed = 4, .sequence = "sequence", .frames = 30});
+  bounded.trials.back().metrics.ate_rmse_m = 0.25;
+  bounded.checks.push_back({"ate_rmse_m", 0.25, {.max = 0.5}, true});
+  bounded.checks.push_back({"tracked_fraction", 0.75, {.min = 1}, false});
+  tools::ScenarioResult failed{.name = "failed"};
+  failed.trials.push_back({.seed = 5, .sequence = "other", .problem = "no such file"});
+  results.scenarios = {bounded, failed};
+  return results;
+}
+
+TEST(ResultsJson, WhatIsReadIsWrittenAlike) {
+  const support::TempFolder folder;
+  const auto file = folder.path() / "results.json";
+  const std::string written = tools::results_json(two_scenarios()).dump();
+  vo::write_file(file, written);
+  EXPECT_EQ(tools::results_json(tools::read_results(file)).dump(), written);
+}
+
+}  // namespace
