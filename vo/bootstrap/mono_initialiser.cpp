@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vo/bootstrap/homography.h"
 #include "vo/bootstrap/start_shutter.h"
 #include "vo/core/median.h"
 #include "vo/geometry/row_motion.h"
@@ -80,6 +81,32 @@ StartViews adjusted(StartViews start, const std::vector<double>& timestamps, dou
     adjust_some(timestamps, robust_scale, start);
   }
   return start;
+}
+
+/// Returns by how much more than the loss of the best start another must have, as a share of it,
+/// for neither the corners' noise nor what is alike in their errors to explain the difference.
+double clear_margin(const StartViews& best) {
+  constexpr double kSystematic = 0.1;
+  constexpr double kChance = 64;  // 4 standard deviations squared, four corners worth one
+  double freedom = -static_cast<double>(best.inverse_depth.size());
+  for (const StartView& view : best.views) {
+    freedom += 2 * static_cast<double>(view.pairs.size()) - 6;
+  }
+  return std::max(kSystematic, kChance / std::max(freedom, 1.0));
+}
+
+/// Returns the start of the least loss, or null if another is about as good.
+const StartViews* clearly_best(const std::vector<StartViews>& starts, double robust_scale) {
+  std::vector<double> losses;
+  for (const StartViews& start : starts) {
+    losses.push_back(loss_of(start, robust_scale));
+  }
+  const auto least = std::min_element(losses.begin(), losses.end());
+  const StartViews& best = starts[static_cast<std::size_t>(least - losses.begin())];
+  const double alike = *least * (1 + clear_margin(best));
+  const auto rivals =
+      std::count_if(losses.begin(), losses.end(), [&](double loss) { return loss < alike; });
+  return rivals > 1 ? nullptr : &best;
 }
 
 }  // namespace
@@ -169,24 +196,57 @@ InitialiserReport MonoInitialiser::judge(double sufficient_px) {
   return report;
 }
 
-InitialiserVerdict MonoInitialiser::solve(const RotationFit& turn, double parallax_px) {
-  constexpr double kMaxResidual = 1;  // px
-  constexpr double kMinInFront = 0.9;
-  constexpr double kMinSignal = 15;  // least ratio of the parallax to the remaining residual
-  const double focal_px = frames_.front().pyramid.levels.front().camera.fx;
-  const TwoViewFit fit = fit_two_views(pairs_.back(), turn.T_second_first, kRobustPx / focal_px);
-  if (focal_px * fit.residual > kMaxResidual || fit.in_front < kMinInFront) {
-    return InitialiserVerdict::inconsistent;
-  }
-  if (parallax_px < kMinSignal * focal_px * fit.residual) {
-    return InitialiserVerdict::waiting;
-  }
+double MonoInitialiser::robust_scale() const {
+  return kRobustPx / frames_.front().pyramid.levels.front().camera.fx;
+}
+
+std::vector<double> MonoInitialiser::timestamps() const {
   std::vector<double> timestamps;
   for (const StartFrame& frame : frames_) {
     timestamps.push_back(frame.pyramid.timestamp);
   }
-  const StartViews start = adjusted(views(fit.inverse_depth), timestamps, kRobustPx / focal_px);
-  take(start, start_velocities(start, timestamps));
+  return timestamps;
+}
+
+/// Returns the motions and depths that explain the last frame: one, or those of a plane.
+std::vector<TwoViewFit> MonoInitialiser::explanations(const RotationFit& turn) const {
+  constexpr double kMaxResidual = 1 / kRobustPx;  // robust scales, 1 px
+  constexpr double kMinInFront = 0.9;
+  const std::vector<RayPair>& pairs = pairs_.back();
+  std::vector<TwoViewFit> fits{fit_two_views(pairs, turn.T_second_first, robust_scale())};
+  const Eigen::Matrix3d H = fit_homography(pairs, turn.T_second_first);
+  if (is_planar(pairs, H, fits.front(), robust_scale())) {
+    fits.clear();
+    for (const SE3& T : motions_of_plane(pairs, H, kMinInFront)) {
+      fits.push_back(refine_two_views(pairs, T, robust_scale()));
+    }
+  }
+  std::erase_if(fits, [&](const TwoViewFit& fit) {
+    return fit.residual > kMaxResidual * robust_scale() || fit.in_front < kMinInFront;
+  });
+  return fits;
+}
+
+InitialiserVerdict MonoInitialiser::solve(const RotationFit& turn, double parallax_px) {
+  constexpr double kMinSignal = 15;      // least ratio of the parallax to the remaining residual
+  constexpr double kClearlyWorse = 1.1;  // times the loss of the best
+  const double focal_px = frames_.front().pyramid.levels.front().camera.fx;
+  const std::vector<TwoViewFit> fits = explanations(turn);
+  if (fits.empty()) {
+    return InitialiserVerdict::inconsistent;
+  }
+  if (parallax_px < kMinSignal * focal_px * fits.front().residual) {
+    return InitialiserVerdict::waiting;
+  }
+  std::vector<StartViews> starts;
+  for (const TwoViewFit& fit : fits) {
+    starts.push_back(adjusted(views(fit.inverse_depth), timestamps(), robust_scale()));
+  }
+  const StartViews* start = clearly_best(starts, robust_scale());
+  if (start == nullptr) {
+    return InitialiserVerdict::ambiguous;
+  }
+  take(*start, start_velocities(*start, timestamps()));
   return InitialiserVerdict::solved;
 }
 

@@ -19,6 +19,7 @@ enum class InitialiserVerdict {
   waiting,        ///< too little parallax so far
   pure_rotation,  ///< the image moves, and a rotation of the camera explains it
   inconsistent,   ///< no rigid motion explains the image motion
+  ambiguous,      ///< all is on a plane, and two motions past it explain the frames alike
   solved,
 };
 
@@ -26,6 +27,7 @@ constexpr auto enum_names(InitialiserVerdict) {
   return std::array{std::pair{InitialiserVerdict::waiting, "waiting"},
                     std::pair{InitialiserVerdict::pure_rotation, "pure_rotation"},
                     std::pair{InitialiserVerdict::inconsistent, "inconsistent"},
+                    std::pair{InitialiserVerdict::ambiguous, "ambiguous"},
                     std::pair{InitialiserVerdict::solved, "solved"}};
 }
 
@@ -50,8 +52,10 @@ struct StartFrame {
 
 /// Initialises a monocular map: finds structure and motion of an unknown scene together. The first
 /// frame is held and its corners are followed until the camera has moved far enough; then motion
-/// and all inverse depths are fitted together, at first to the last frame alone, then to all. The
-/// scale is chosen so that the median depth is what was asked for.
+/// and all inverse depths are fitted together, at first to the last frame alone, then to all. Where
+/// a homography explains the last frame as well as free depths do, each of the plane's motions is
+/// fitted to all frames, and the better one counts once it is clearly better. The scale is chosen
+/// so that the median depth is what was asked for.
 class MonoInitialiser {
  public:
   /// Without a known read-out time, s, that of a rolling shutter is estimated, too.
@@ -76,6 +80,9 @@ class MonoInitialiser {
   std::vector<RayPair> ray_pairs() const;
   InitialiserReport judge(double sufficient_px);
   InitialiserVerdict solve(const RotationFit& turn, double parallax_px);
+  std::vector<TwoViewFit> explanations(const RotationFit& turn) const;
+  double robust_scale() const;
+  std::vector<double> timestamps() const;
   bool is_running_out() const;
   StartViews views(const std::vector<double>& inverse_depth) const;
   void take(const StartViews& adjusted, const std::vector<Vector6d>& velocities);

@@ -112,23 +112,23 @@ StartViews moved(const StartViews& start, const System& system, const Eigen::Vec
   return next;
 }
 
-double loss_of(const StartViews& start, double scale) {
-  double sum = readout_prior(scale) * start.readout * start.readout;
-  for (const StartView& view : start.views) {
-    for (std::size_t k = 0; k < view.pairs.size(); ++k) {
-      sum += pair_loss(view.unbent(k, start.readout), view.T_frame_first,
-                       start.inverse_depth[view.places[k]], scale);
-    }
-  }
-  return sum;
-}
-
 }  // namespace
 
 RayPair StartView::unbent(std::size_t pair, double readout) const {
   RayPair result = pairs[pair];
   result.second -= readout * bend[pair];
   return result;
+}
+
+double loss_of(const StartViews& start, double robust_scale) {
+  double sum = readout_prior(robust_scale) * start.readout * start.readout;
+  for (const StartView& view : start.views) {
+    for (std::size_t k = 0; k < view.pairs.size(); ++k) {
+      sum += pair_loss(view.unbent(k, start.readout), view.T_frame_first,
+                       start.inverse_depth[view.places[k]], robust_scale);
+    }
+  }
+  return sum;
 }
 
 void adjust(StartViews& start, double robust_scale) {

@@ -35,4 +35,7 @@ struct StartViews {
 /// adjusted with them, to first order, unless it is known.
 void adjust(StartViews& start, double robust_scale);
 
+/// Returns what `adjust` minimises.
+double loss_of(const StartViews& start, double robust_scale);
+
 }  // namespace vo

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "vo/bootstrap/pair_terms.h"
@@ -11,6 +12,9 @@
 
 namespace vo {
 namespace {
+
+constexpr int kFirstIterations = 12;
+constexpr int kLastIterations = 40;
 
 double total_loss(const std::vector<RayPair>& pairs, const SE3& T, const std::vector<double>& d,
                   double scale) {
@@ -104,6 +108,30 @@ double refine(const std::vector<RayPair>& pairs, double scale, int iterations,
   return descend(start, step, loss, {.iterations = iterations});
 }
 
+/// Returns a motion and the inverse depths that fit it best.
+MotionAndDepths seen_under(const SE3& T, const std::vector<RayPair>& pairs) {
+  MotionAndDepths result{T, {}};
+  for (const RayPair& pair : pairs) {
+    result.d.push_back(triangulate(pair, T));
+  }
+  return result;
+}
+
+TwoViewFit fit_of(const std::vector<RayPair>& pairs, MotionAndDepths found) {
+  constexpr double kFarthest = 2e-3;
+  TwoViewFit fit{.T_second_first = found.T, .inverse_depth = std::move(found.d)};
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const double d = fit.inverse_depth[i];
+    const PairTerms terms = terms_of(pairs[i], fit.T_second_first, d);
+    const bool valid = terms.in_front && d > kFarthest;
+    fit.in_front += valid ? 1.0 / static_cast<double>(pairs.size()) : 0;
+    distances.push_back(terms.in_front ? terms.r.norm() : 1);
+  }
+  fit.residual = upper_median(distances);
+  return fit;
+}
+
 }  // namespace
 
 RotationFit fit_rotation(const std::vector<RayPair>& pairs) {
@@ -146,20 +174,15 @@ double triangulate(const RayPair& pair, const SE3& T_second_first) {
 
 TwoViewFit fit_two_views(const std::vector<RayPair>& pairs, const SE3& T_rotation,
                          double robust_scale) {
-  constexpr int kFirstIterations = 12;
-  constexpr int kLastIterations = 40;
   MotionAndDepths found;
-  double least = 1e300;
+  double least = std::numeric_limits<double>::max();
   for (int code = 0; code < 27; ++code) {
     const Eigen::Vector3d direction =
         Eigen::Vector3i(code % 3, code / 3 % 3, code / 9).cast<double>() - Eigen::Vector3d::Ones();
     if (direction.isZero()) {
       continue;
     }
-    MotionAndDepths start{{T_rotation.rotation(), direction.normalized()}, {}};
-    for (const RayPair& pair : pairs) {
-      start.d.push_back(triangulate(pair, start.T));
-    }
+    MotionAndDepths start = seen_under({T_rotation.rotation(), direction.normalized()}, pairs);
     const double loss = refine(pairs, robust_scale, kFirstIterations, start);
     if (loss < least) {
       least = loss;
@@ -167,17 +190,14 @@ TwoViewFit fit_two_views(const std::vector<RayPair>& pairs, const SE3& T_rotatio
     }
   }
   refine(pairs, robust_scale, kLastIterations, found);
-  TwoViewFit best{.T_second_first = found.T, .inverse_depth = std::move(found.d)};
-  std::vector<double> distances;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const double d = best.inverse_depth[i];
-    const PairTerms terms = terms_of(pairs[i], best.T_second_first, d);
-    const bool valid = terms.in_front && d > 2e-3;
-    best.in_front += valid ? 1.0 / static_cast<double>(pairs.size()) : 0;
-    distances.push_back(terms.in_front ? terms.r.norm() : 1);
-  }
-  best.residual = upper_median(distances);
-  return best;
+  return fit_of(pairs, std::move(found));
+}
+
+TwoViewFit refine_two_views(const std::vector<RayPair>& pairs, const SE3& T_guess,
+                            double robust_scale) {
+  MotionAndDepths found = seen_under(with_unit_translation(T_guess), pairs);
+  refine(pairs, robust_scale, kLastIterations, found);
+  return fit_of(pairs, std::move(found));
 }
 
 SE3 fit_pose(const std::vector<RayPair>& pairs, const std::vector<double>& inverse_depth,

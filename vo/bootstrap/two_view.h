@@ -40,6 +40,10 @@ struct TwoViewFit {
 TwoViewFit fit_two_views(const std::vector<RayPair>& pairs, const SE3& T_rotation,
                          double robust_scale);
 
+/// Fits pose and inverse depths together in the same way, from one guess of the pose.
+TwoViewFit refine_two_views(const std::vector<RayPair>& pairs, const SE3& T_guess,
+                            double robust_scale);
+
 /// Returns a pair's inverse depth under a motion, by least squares along the epipolar line.
 double triangulate(const RayPair& pair, const SE3& T_second_first);
 

@@ -117,6 +117,31 @@ TEST(MonoInitialiser, WaitsForMoreParallaxWhileCornersAreInView) {
   EXPECT_GE(parallax_at_start({2, kOutOfReach}), 2) << "it does not wait until nothing is left";
 }
 
+/// The camera flies down to the plane at a slant, so that it may as well see another plane.
+SE3 descent(double frame) {
+  const SE3 slanted = SE3::exp((vo::Vector6d() << 0, 1.5, 0.4, 0.6, 0, 0).finished());
+  return slanted * SE3::exp((vo::Vector6d() << 0.008 * frame, -0.002 * frame, 0.02 * frame, 0,
+                             0.001 * frame, 0.002 * frame)
+                                .finished());
+}
+
+TEST(MonoInitialiser, TwoFramesOfAPlaneAreAmbiguousAndMoreAreNot) {
+  constexpr int kLast = 24;
+  const SE3 T_first_last = descent(0).inverse() * descent(kLast);
+  vo::MonoInitialiser two(grey_frame(small_camera(), descent(0)), {2, 2}, 2);
+  EXPECT_EQ(two.add(grey_frame(small_camera(), descent(kLast / 4))).verdict,
+            InitialiserVerdict::ambiguous);
+
+  constexpr double kUntilFinish = 1000;  // px
+  vo::MonoInitialiser all(grey_frame(small_camera(), descent(0)), {2, kUntilFinish}, 2);
+  for (int i = 1; i <= kLast; ++i) {
+    all.add(grey_frame(small_camera(), descent(i)));
+  }
+  ASSERT_EQ(all.finish().verdict, InitialiserVerdict::solved);
+  const Eigen::Vector3d found = all.frames().back().T_frame_first.inverse().translation();
+  EXPECT_GT(found.normalized().dot(T_first_last.translation().normalized()), 0.995);
+}
+
 TEST(MonoInitialiser, RecognisesATurn) {
   vo::MonoInitialiser initialiser(grey_frame(small_camera(), SE3()), {6, 6}, 2);
   vo::InitialiserReport report;
