@@ -228,8 +228,7 @@ std::vector<TwoViewFit> MonoInitialiser::explanations(const RotationFit& turn) c
 }
 
 InitialiserVerdict MonoInitialiser::solve(const RotationFit& turn, double parallax_px) {
-  constexpr double kMinSignal = 15;      // least ratio of the parallax to the remaining residual
-  constexpr double kClearlyWorse = 1.1;  // times the loss of the best
+  constexpr double kMinSignal = 15;  // least ratio of the parallax to the remaining residual
   const double focal_px = frames_.front().pyramid.levels.front().camera.fx;
   const std::vector<TwoViewFit> fits = explanations(turn);
   if (fits.empty()) {
