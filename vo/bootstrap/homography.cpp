@@ -130,7 +130,7 @@ Eigen::Matrix3d fit_homography(const std::vector<RayPair>& pairs, const SE3& T_r
 bool is_planar(const std::vector<RayPair>& pairs, const Eigen::Matrix3d& H, const TwoViewFit& free,
                double robust_scale) {
   constexpr double kLeastSigma = 0.1;  // of the robust scale
-  const double count = static_cast<double>(pairs.size());
+  const auto count = static_cast<double>(pairs.size());
   std::vector<double> free_distances;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const PairTerms terms = terms_of(pairs[i], free.T_second_first, free.inverse_depth[i]);
