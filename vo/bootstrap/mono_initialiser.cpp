@@ -68,13 +68,12 @@ void adjust_some(const std::vector<double>& timestamps, double robust_scale, Sta
 /// frame. What a read-out time bends depends on poses and depths, hence more rounds than one.
 StartViews adjusted(StartViews start, const std::vector<double>& timestamps, double robust_scale) {
   constexpr int kRounds = 3;
-  constexpr double kLeastReadout = 3e-3;  // s; less is noise of a global shutter's
   bend_pairs(std::vector<Vector6d>(timestamps.size(), Vector6d::Zero()), start);
   place(start, robust_scale);
   for (int round = 0; round < kRounds; ++round) {
     adjust_some(timestamps, robust_scale, start);
   }
-  if (!start.readout_is_known && start.readout < kLeastReadout) {
+  if (!start.readout_is_known && start.readout < kLeastMappedReadout) {
     start.readout = 0;
     start.readout_is_known = true;
     place(start, robust_scale);

@@ -24,6 +24,10 @@ struct RowMotion {
   bool is_zero() const { return linear.isZero(0) && angular.isZero(0); }
 };
 
+/// A read-out time shorter than this is noise of a global shutter's where depths were found
+/// together with it, s.
+inline constexpr double kLeastMappedReadout = 3e-3;
+
 /// Returns how far below the middle row a row is, in image heights.
 EDVO_INLINE float below_middle(float row, float inverse_height) {
   return (row + 0.5F) * inverse_height - 0.5F;

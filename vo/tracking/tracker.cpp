@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "vo/core/error.h"
+#include "vo/geometry/row_motion.h"
 #include "vo/tracking/pose_search.h"
 #include "vo/tracking/sharpness.h"
 
@@ -26,9 +27,6 @@ constexpr double kKeyframeCorrelation = 0;
 /// Share of the loss's curvature by the read-out time that is left where the depths were found with
 /// the same read-out time: with a wrong one they absorb nine tenths of what it bends.
 constexpr double kMappedCurvatureShare = 0.1;
-
-/// A shorter read-out time is noise of a global shutter's where depths were found with it, s.
-constexpr double kLeastMappedReadout = 3e-3;
 
 /// Returns a finder of points at a frame's own edges, whatever else chooses points while tracking.
 EdgePointFinder own_point_finder(EdgePointOptions options) {
