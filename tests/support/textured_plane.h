@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "vo/core/image.h"
 #include "vo/geometry/camera.h"
+#include "vo/geometry/readout.h"
 #include "vo/geometry/se3.h"
 
 namespace support {
@@ -33,19 +35,25 @@ struct TexturedPlane {
 
   vo::RgbdFrame render(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera,
                        double timestamp = 0) const {
-    return render_rows(
-        camera, [&](int) { return T_world_camera; }, timestamp);
+    return render_lines(
+        camera, vo::ReadoutAxis::rows, [&](int) { return T_world_camera; }, timestamp);
   }
 
-  /// Each row v from a pose of its own, T_world_row(v): a rolling shutter.
-  template <typename PoseOfRow>
-  vo::RgbdFrame render_rows(const vo::PinholeCamera& camera, PoseOfRow T_world_row,
-                            double timestamp = 0) const {
+  /// Renders each line, a row or a column, from a pose of its own, T_world_line(line): a rolling
+  /// shutter.
+  template <typename PoseOfLine>
+  vo::RgbdFrame render_lines(const vo::PinholeCamera& camera, vo::ReadoutAxis axis,
+                             PoseOfLine T_world_line, double timestamp = 0) const {
+    const bool by_row = axis == vo::ReadoutAxis::rows;
+    std::vector<vo::SE3> T_world_lines;
+    for (int line = 0; line < (by_row ? camera.height : camera.width); ++line) {
+      T_world_lines.push_back(T_world_line(line));
+    }
     vo::ByteImage image(camera.height, camera.width);
     vo::DepthImage depths(camera.height, camera.width);
     for (int v = 0; v < camera.height; ++v) {
-      const vo::SE3 T_world_camera = T_world_row(v);
       for (int u = 0; u < camera.width; ++u) {
+        const vo::SE3& T_world_camera = T_world_lines[static_cast<std::size_t>(by_row ? v : u)];
         const double z = depth(camera, T_world_camera, {u, v});
         const double value =
             z > 0 ? texture(T_world_camera * camera.unproject(Eigen::Vector2d(u, v), z)) : 0;

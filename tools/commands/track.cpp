@@ -174,8 +174,9 @@ void write_pictures(const TrackArguments& arguments, const vo::SequenceReader& s
 }
 
 int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera) {
-  vo::TrackerOptions options = chosen_options(arguments);
+  const vo::TrackerOptions chosen = chosen_options(arguments);
   const vo::SequenceReader sequence(arguments.sequence, camera, arguments.max_time_difference);
+  vo::TrackerOptions options = chosen.starting_from(sequence.camera().readout);
   PanelWriter panels(beside(arguments.out, "_panels"), arguments.debug_images,
                      arguments.common.existing());
   ProgressBar bar("tracking", arguments.common.verbosity());

@@ -38,23 +38,24 @@ vo::SE3 with_noise(const vo::SE3& T_world_camera, const MappingOptions& options,
   return T_world_camera * vo::SE3::exp(error);
 }
 
-/// Returns the motion of the rows of an image, by the mean velocity over a frame's time around it.
+/// Returns the motion while an image was read, by the mean velocity over a frame's time around it.
 /// There is none at the ends of the trajectory.
-vo::RowMotion row_motion(const vo::Trajectory& truth, double timestamp, double readout) {
+vo::ReadoutMotion readout_motion(const vo::Trajectory& truth, double timestamp,
+                                 const vo::Readout& readout) {
   constexpr double kHalfFrame = 1.0 / 60;  // s
   const std::optional<vo::SE3> T_world_before = vo::pose_at(truth, timestamp - kHalfFrame);
   const std::optional<vo::SE3> T_world_after = vo::pose_at(truth, timestamp + kHalfFrame);
-  if (readout == 0 || !T_world_before || !T_world_after) {
+  if (!readout.is_rolling() || !T_world_before || !T_world_after) {
     return {};
   }
   const vo::SE3 T_before_after = T_world_before->inverse() * *T_world_after;
   return {T_before_after.log() / (2 * kHalfFrame), readout};
 }
 
-/// A frame's pose and the motion of its rows.
+/// A frame's pose and the motion while it was read.
 struct FramePose {
   vo::SE3 T_world_camera;
-  vo::RowMotion row_motion;
+  vo::ReadoutMotion readout_motion;
 };
 
 vo::PyramidOptions single_level() {
@@ -89,8 +90,8 @@ class MappingRun {
     vo::FrameRelation relation =
         noisy_relation(pose.T_world_camera.inverse() * host_pose_.T_world_camera,
                        options_.pose_noise_m, options_.pose_noise_deg);
-    relation.host_motion = host_pose_.row_motion;
-    relation.current_motion = pose.row_motion;
+    relation.host_motion = host_pose_.readout_motion;
+    relation.current_motion = pose.readout_motion;
     mapped.baseline_m = relation.T_cur_host.translation().norm();
     const vo::CpuStopwatch observing;
     mapped.observations = map_.observe(pyramid, relation);
@@ -141,8 +142,8 @@ class MappingRun {
 
 void MappingOptions::validate() const {
   vo::require(pose_noise_m >= 0 && pose_noise_deg >= 0, "depth: expected pose noise of at least 0");
-  vo::require(std::abs(readout) <= 1, "depth.readout: expected a time of at most 1 s, got ",
-              readout);
+  vo::require(std::abs(readout.seconds) <= 1, "depth.readout: expected a time of at most 1 s, got ",
+              readout.seconds);
   vo::require(depth_noise >= 0, "depth.depth_noise: expected at least 0, got ", depth_noise);
   vo::require(frames >= 0, "depth.frames: expected at least 0, got ", frames);
   edges.validate();
@@ -186,7 +187,7 @@ std::vector<MappedFrame> map_sequence(const vo::SequenceReader& sequence,
     if (T_world_camera) {
       frames.push_back(run.add(*frame, i,
                                {with_noise(*T_world_camera, options, i),
-                                row_motion(truth, frame->timestamp, options.readout)}));
+                                readout_motion(truth, frame->timestamp, options.readout)}));
       if (observe) {
         observe(i, run.map(), run.true_depth(), run.T_world_host());
       }

@@ -32,7 +32,7 @@ struct MappingOptions {
   double pose_noise_m = 0;    ///< standard deviation of translation per axis
   double pose_noise_deg = 0;  ///< standard deviation of rotation per axis
   std::uint64_t seed = 0;     ///< seed of random depths and pose noise
-  double readout = 0;         ///< s, from the first to the last row: a rolling shutter
+  vo::Readout readout;        ///< rolling shutter's read-out
   double depth_noise = 0;     ///< 1/m, standard deviation of the sequence's inverse depths
   int frames = 0;             ///< greatest number of frames; 0 = all
   vo::EdgeOptions edges;
@@ -47,7 +47,10 @@ void visit_fields(Visitor& visit, MappingOptions& options) {
   visit("pose_noise_m", options.pose_noise_m, "standard deviation per axis of every pose, m");
   visit("pose_noise_deg", options.pose_noise_deg, "likewise, deg");
   visit("seed", options.seed, "of random depths and pose noise");
-  visit("readout", options.readout, "time from the first to the last row, s: a rolling shutter");
+  visit("readout", options.readout.seconds,
+        "time from the first to the last line, s, negative where the last is read first: a rolling "
+        "shutter");
+  visit("readout_axis", options.readout.axis, "which lines a rolling shutter reads");
   visit("depth_noise", options.depth_noise,
         "standard deviation of the sequence's own inverse depths, which the NEES allows for, 1/m");
   visit("frames", options.frames, "at most; 0 is all");

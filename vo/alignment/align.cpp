@@ -145,7 +145,8 @@ void AlignOptions::validate() const {
   require(depth_noise >= 0, "align.depth_noise: expected at least 0, got ", depth_noise);
   require(max_depth_ratio == 0 || max_depth_ratio > 1,
           "align.max_depth_ratio: expected 0 or above 1, got ", max_depth_ratio);
-  require(readout >= 0 && readout <= 0.1, "align.readout: expected 0 to 0.1 s, got ", readout);
+  require(std::abs(readout.seconds) <= kMaxReadout, "align.readout: expected ", -kMaxReadout,
+          " to ", kMaxReadout, " s, got ", readout.seconds);
   require(loss_scale > 0, "align.loss_scale: expected above 0, got ", loss_scale);
   require(min_points > kDegreesOfFreedom, "align.min_points: expected more than ",
           kDegreesOfFreedom, ", got ", min_points);

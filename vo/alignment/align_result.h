@@ -25,10 +25,11 @@ constexpr auto enum_names(Termination) {
                     std::pair{Termination::singular, "singular"}};
 }
 
-/// Derivatives of an alignment's minimal robust loss by the read-out time, all else re-optimised.
+/// Derivatives of an alignment's minimal robust loss by the read-out times along rows and along
+/// columns, in the order of ReadoutAxis, all else re-optimised.
 struct LossByReadout {
-  double slope = 0;      ///< 1/s
-  double curvature = 0;  ///< 1/s^2
+  Eigen::Vector2d slope = Eigen::Vector2d::Zero();      ///< 1/s
+  Eigen::Matrix2d curvature = Eigen::Matrix2d::Zero();  ///< 1/s^2
 };
 
 struct AlignResult {

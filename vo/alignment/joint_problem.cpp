@@ -32,8 +32,8 @@ struct CurvatureSums {
 
 /// Returns the derivatives of the loss, which are twice those of the normal equations. The weights
 /// overstate the curvature, which holds the time more firmly.
-LossByReadout least_loss(const NormalEquations<1>& readout) {
-  return {.slope = 2 * readout.b(0), .curvature = 2 * readout.H(0, 0)};
+LossByReadout least_loss(const NormalEquations<2>& readout) {
+  return {.slope = 2 * readout.b, .curvature = 2 * readout.H};
 }
 
 }  // namespace
@@ -64,10 +64,11 @@ JointProblem::JointProblem(std::span<const AlignReference> references, const Ali
 PointView JointProblem::view(const ImagePair& pair, const SE3& T_cur_first) const {
   const AlignReference& reference = *pair.reference;
   const SE3 T_cur_ref = T_cur_first * reference.T_first_ref;
-  const RowMotion ref_motion(reference.velocity.twist, options_.readout);
-  const RowMotion cur_motion =
-      options_.readout != 0 ? RowMotion(current_.velocity(T_cur_first).twist, options_.readout)
-                            : RowMotion();
+  const ReadoutMotion ref_motion(reference.velocity.twist, options_.readout);
+  const ReadoutMotion cur_motion =
+      options_.readout.is_rolling()
+          ? ReadoutMotion(current_.velocity(T_cur_first).twist, options_.readout)
+          : ReadoutMotion();
   if (pair.backward) {
     return {current_.points->levels[level_], reference.frame->levels[level_], T_cur_ref.inverse(),
             cur_motion, ref_motion};
@@ -176,19 +177,21 @@ JointProblem::ScoredPair JointProblem::scored(std::size_t pair, const PointEquat
 
 /// Adds the derivatives of b by the velocities, to first order with the points' weights fixed.
 void JointProblem::add_velocities(const ScoredPair& scored, JointScores& result) const {
-  if (options_.readout == 0) {
+  if (!options_.readout.is_rolling()) {
     return;
   }
-  const RollingShutterMoments moments = RollingShutterMoments::of(scored.seen, scored.scores);
+  const double seconds = options_.readout.seconds;
+  const RollingShutterMoments moments =
+      RollingShutterMoments::of(scored.seen, scored.scores, options_.readout.axis);
   const Matrix6d by_points =
-      options_.readout * scored.to_pose * moments.points * adjoint(scored.seen.T_cur_ref);
-  const Matrix6d by_image = -options_.readout * scored.to_pose * moments.image;
+      seconds * scored.to_pose * moments.points * adjoint(scored.seen.T_cur_ref);
+  const Matrix6d by_image = -seconds * scored.to_pose * moments.image;
   result.by_current_velocity += scored.pair.backward ? by_points : by_image;
   result.by_reference_velocity[index_of(scored.pair)] +=
       scored.pair.backward ? by_image : by_points;
 }
 
-/// Adds a pair's derivatives by the read-out time to first order, its brightness eliminated.
+/// Adds a pair's derivatives by the read-out times to first order, its brightness eliminated.
 void JointProblem::add_readout(const ScoredPair& scored, const SE3& T_cur_first,
                                ReadoutEquations& equations) const {
   const Vector6d current = current_.velocity(T_cur_first).twist;
@@ -197,17 +200,18 @@ void JointProblem::add_readout(const ScoredPair& scored, const SE3& T_cur_first,
   const Vector6d& of_image = scored.pair.backward ? reference : current;
   const ReadoutMoments moments = ReadoutMoments::of(
       scored.seen, scored.scores, adjoint(scored.seen.T_cur_ref) * of_points, of_image);
-  Eigen::Vector2d eliminated = Eigen::Vector2d::Zero();
+  const Eigen::Matrix2d by_brightness = moments.coupling.bottomRows<2>();
+  Eigen::Matrix2d eliminated = Eigen::Matrix2d::Zero();
   if (options_.brightness == BrightnessModel::affine) {
-    eliminated = scored.part.solve_trailing<2>(moments.coupling.tail<2>());
+    eliminated = scored.part.solve_trailing<2>(by_brightness);
   }
-  equations.H(0, 0) +=
-      scored.inverse_variance * (moments.square - eliminated.dot(moments.coupling.tail<2>()));
-  equations.b(0) +=
-      scored.inverse_variance * (moments.by_residual - eliminated.dot(scored.part.b.tail<2>()));
-  const Vector6d coupling = scored.to_pose * moments.coupling;
-  equations.H.col(0).tail<6>() += coupling;
-  equations.H.row(0).tail<6>() += coupling.transpose();
+  equations.H.topLeftCorner<2, 2>() +=
+      scored.inverse_variance * (moments.square - eliminated.transpose() * by_brightness);
+  equations.b.head<2>() += scored.inverse_variance *
+                           (moments.by_residual - eliminated.transpose() * scored.part.b.tail<2>());
+  const Eigen::Matrix<double, 6, 2> coupling = scored.to_pose * moments.coupling;
+  equations.H.bottomLeftCorner<6, 2>() += coupling;
+  equations.H.topRightCorner<2, 6>() += coupling.transpose();
 }
 
 JointScores JointProblem::scores(const JointSystem& system, const SE3& T_cur_first) const {

@@ -108,8 +108,8 @@ class JointProblem {
     bool backward;  ///< the points are the current frame's and the image is the reference's
   };
 
-  /// The unknowns are the read-out time and the increment of the pose.
-  using ReadoutEquations = NormalEquations<7>;
+  /// The unknowns are the read-out times along both axes and the increment of the pose.
+  using ReadoutEquations = NormalEquations<8>;
 
   /// The terms of an image pair's points and the projection of their b to that of the pose.
   struct ScoredPair {

@@ -6,7 +6,7 @@
 #include "vo/bootstrap/homography.h"
 #include "vo/bootstrap/start_shutter.h"
 #include "vo/core/median.h"
-#include "vo/geometry/row_motion.h"
+#include "vo/geometry/readout.h"
 
 namespace vo {
 namespace {
@@ -36,7 +36,7 @@ void place(StartViews& start, double robust_scale) {
     std::vector<RayPair> pairs;
     for (std::size_t k = 0; k < view.pairs.size(); ++k) {
       inverse_depth.push_back(start.inverse_depth[view.places[k]]);
-      pairs.push_back(view.unbent(k, start.readout));
+      pairs.push_back(view.unbent(k, start.readout.seconds));
     }
     view.T_frame_first = fit_pose(pairs, inverse_depth, T_before, robust_scale);
     T_before = view.T_frame_first;
@@ -65,16 +65,36 @@ void adjust_some(const std::vector<double>& timestamps, double robust_scale, Sta
 }
 
 /// Returns poses, depths and read-out time that fit all frames, from depths that fit the last
-/// frame. What a read-out time bends depends on poses and depths, hence more rounds than one.
-StartViews adjusted(StartViews start, const std::vector<double>& timestamps, double robust_scale) {
+/// frame, for the lines of the start's read-out. What a read-out time bends depends on poses and
+/// depths, hence more rounds than one.
+StartViews adjusted_along(ReadoutAxis axis, StartViews start, const std::vector<double>& timestamps,
+                          double robust_scale) {
   constexpr int kRounds = 3;
+  start.readout.axis = axis;
   bend_pairs(std::vector<Vector6d>(timestamps.size(), Vector6d::Zero()), start);
   place(start, robust_scale);
   for (int round = 0; round < kRounds; ++round) {
     adjust_some(timestamps, robust_scale, start);
   }
-  if (!start.readout_is_known && start.readout < kLeastMappedReadout) {
-    start.readout = 0;
+  return start;
+}
+
+/// Returns poses, depths and read-out that fit all frames, from depths that fit the last frame.
+StartViews adjusted(const StartViews& first, const std::vector<double>& timestamps,
+                    double robust_scale) {
+  const auto along = [&](ReadoutAxis axis) {
+    return adjusted_along(axis, first, timestamps, robust_scale);
+  };
+  if (first.readout_is_known) {
+    return along(first.readout.axis);
+  }
+  StartViews start = along(ReadoutAxis::rows);
+  if (StartViews columns = along(ReadoutAxis::columns);
+      loss_of(columns, robust_scale) < loss_of(start, robust_scale)) {
+    start = std::move(columns);
+  }
+  if (std::abs(start.readout.seconds) < kLeastMappedReadout) {
+    start.readout = {};
     start.readout_is_known = true;
     place(start, robust_scale);
     adjust_some(timestamps, robust_scale, start);
@@ -111,10 +131,10 @@ const StartViews* clearly_best(const std::vector<StartViews>& starts, double rob
 }  // namespace
 
 MonoInitialiser::MonoInitialiser(const FramePyramid& first, const StartParallax& parallax,
-                                 double median_depth, std::optional<double> known_readout)
+                                 double median_depth, std::optional<Readout> known_readout)
     : parallax_(parallax),
       median_depth_(median_depth),
-      readout_(known_readout.value_or(0)),
+      readout_(known_readout.value_or(Readout())),
       readout_is_known_(known_readout.has_value()),
       tracks_(first, kCorners) {
   frames_.push_back({first, SE3()});
@@ -135,15 +155,18 @@ bool MonoInitialiser::is_running_out() const {
 
 std::vector<RayPair> MonoInitialiser::ray_pairs() const {
   const PinholeCamera& camera = frames_.front().pyramid.levels.front().camera;
-  const auto row = [inverse_height = 1 / static_cast<float>(camera.height)](double v) {
-    return static_cast<double>(below_middle(static_cast<float>(v), inverse_height));
+  const auto from_middle = [inverse_width = 1 / static_cast<float>(camera.width),
+                            inverse_height = 1 / static_cast<float>(camera.height)](
+                               const Eigen::Vector2d& pixel) {
+    const Eigen::Vector2f uv = pixel.cast<float>();
+    return Eigen::Vector2d(past_middle(uv.x(), inverse_width), past_middle(uv.y(), inverse_height));
   };
   std::vector<RayPair> pairs;
   for (const std::size_t i : corners_.back()) {
     const Eigen::Vector2d& start = tracks_.start(i);
     const Eigen::Vector2d& now = tracks_.now(i);
     pairs.push_back({camera.unproject(start, 1).head<2>(), camera.unproject(now, 1).head<2>(),
-                     row(start.y()), row(now.y())});
+                     from_middle(start), from_middle(now)});
   }
   return pairs;
 }

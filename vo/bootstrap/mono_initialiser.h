@@ -58,9 +58,9 @@ struct StartFrame {
 /// so that the median depth is what was asked for.
 class MonoInitialiser {
  public:
-  /// Without a known read-out time, s, that of a rolling shutter is estimated, too.
+  /// Without a known read-out, that of a rolling shutter is estimated, too.
   MonoInitialiser(const FramePyramid& first, const StartParallax& parallax, double median_depth,
-                  std::optional<double> known_readout = {});
+                  std::optional<Readout> known_readout = {});
 
   InitialiserReport add(const FramePyramid& frame);
 
@@ -70,10 +70,10 @@ class MonoInitialiser {
   /// Returns whether the held frame is out of view, or too many frames were seen, to start anew.
   bool is_exhausted() const;
 
-  /// Once solved, these return all frames, the first included, the read-out time, s, and the depth
+  /// Once solved, these return all frames, the first included, the read-out, and the depth
   /// of the first frame at every edge pixel, interpolated between corners.
   const std::vector<StartFrame>& frames() const { return frames_; }
-  double readout() const { return readout_; }
+  Readout readout() const { return readout_; }
   DepthImage depth_at_edges() const;
 
  private:
@@ -90,7 +90,7 @@ class MonoInitialiser {
   StartParallax parallax_;
   std::size_t frames_to_least_ = 0;  ///< frames until the least parallax, 0 before
   double median_depth_;
-  double readout_;  ///< s
+  Readout readout_;
   bool readout_is_known_;
   CornerTracks tracks_;
   std::vector<StartFrame> frames_;

@@ -52,7 +52,7 @@ System system_of(const StartViews& start, double scale) {
     NormalEquations<kPose> pose;
     for (std::size_t k = 0; k < view.pairs.size(); ++k) {
       const auto place = static_cast<Eigen::Index>(view.places[k]);
-      const PairTerms terms = terms_of(view.unbent(k, start.readout), view.T_frame_first,
+      const PairTerms terms = terms_of(view.unbent(k, start.readout.seconds), view.T_frame_first,
                                        start.inverse_depth[view.places[k]]);
       if (terms.in_front) {
         const double w = cauchy_weight(terms.r.squaredNorm(), scale);
@@ -68,7 +68,7 @@ System system_of(const StartViews& start, double scale) {
     system.motion.b.segment<kPose>(at) = pose.b;
   }
   system.motion.H(unknowns - 1, unknowns - 1) += readout_prior(scale);
-  system.motion.b[unknowns - 1] += readout_prior(scale) * start.readout;
+  system.motion.b[unknowns - 1] += readout_prior(scale) * start.readout.seconds;
   return system;
 }
 
@@ -98,7 +98,7 @@ StartViews moved(const StartViews& start, const System& system, const Eigen::Vec
     SE3& T = next.views[f].T_frame_first;
     T = SE3::exp(step.segment<kPose>(kPose * static_cast<Eigen::Index>(f))) * T;
   }
-  next.readout += start.readout_is_known ? 0 : step[step.size() - 1];
+  next.readout.seconds += start.readout_is_known ? 0 : step[step.size() - 1];
   const double scale = next.views.back().T_frame_first.translation().norm() /
                        start.views.back().T_frame_first.translation().norm();
   const Eigen::VectorXd depth_step = system.depths.step_with(step);
@@ -114,17 +114,17 @@ StartViews moved(const StartViews& start, const System& system, const Eigen::Vec
 
 }  // namespace
 
-RayPair StartView::unbent(std::size_t pair, double readout) const {
+RayPair StartView::unbent(std::size_t pair, double readout_s) const {
   RayPair result = pairs[pair];
-  result.second -= readout * bend[pair];
+  result.second -= readout_s * bend[pair];
   return result;
 }
 
 double loss_of(const StartViews& start, double robust_scale) {
-  double sum = readout_prior(robust_scale) * start.readout * start.readout;
+  double sum = readout_prior(robust_scale) * start.readout.seconds * start.readout.seconds;
   for (const StartView& view : start.views) {
     for (std::size_t k = 0; k < view.pairs.size(); ++k) {
-      sum += pair_loss(view.unbent(k, start.readout), view.T_frame_first,
+      sum += pair_loss(view.unbent(k, start.readout.seconds), view.T_frame_first,
                        start.inverse_depth[view.places[k]], robust_scale);
     }
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "vo/bootstrap/two_view.h"
+#include "vo/geometry/readout.h"
 #include "vo/geometry/se3.h"
 
 namespace vo {
@@ -16,7 +17,7 @@ struct StartView {
   std::vector<Eigen::Vector2d> bend;  ///< 1/s, what a read-out time moves each pair's second ray by
 
   /// Returns what the pair's rays would be with a global shutter.
-  RayPair unbent(std::size_t pair, double readout) const;
+  RayPair unbent(std::size_t pair, double readout_s) const;
 };
 
 /// The start of a map: places by their inverse depths in the first frame, and the views of other
@@ -24,8 +25,8 @@ struct StartView {
 struct StartViews {
   std::vector<StartView> views;
   std::vector<double> inverse_depth;  ///< of each place, in the scale of the poses
-  double readout = 0;                 ///< s, time in which a rolling shutter reads all rows
-  bool readout_is_known = false;      ///< whether it is held
+  Readout readout;                    ///< rolling shutter's read-out
+  bool readout_is_known = false;      ///< whether its time is held; its axis always is
 };
 
 /// Adjusts poses and inverse depths together by bundle adjustment (Triggs, McLauchlan, Hartley,

@@ -34,6 +34,7 @@ std::vector<Vector6d> start_velocities(const StartViews& start,
 }
 
 void bend_pairs(const std::vector<Vector6d>& velocities, StartViews& start) {
+  const int along = start.readout.axis == ReadoutAxis::columns ? 0 : 1;
   for (std::size_t f = 0; f < start.views.size(); ++f) {
     StartView& view = start.views[f];
     const SE3& T = view.T_frame_first;
@@ -44,8 +45,8 @@ void bend_pairs(const std::vector<Vector6d>& velocities, StartViews& start) {
       const Eigen::Vector3d ray = pair.first.homogeneous();
       const Eigen::Vector3d P = T.rotation() * ray + d * T.translation();
       const Eigen::Vector3d moved =
-          pair.first_row * (T.rotation() * motion_of(velocities.front(), ray, d)) -
-          pair.second_row * motion_of(velocities[f + 1], P, d);
+          pair.first_from_middle[along] * (T.rotation() * motion_of(velocities.front(), ray, d)) -
+          pair.second_from_middle[along] * motion_of(velocities[f + 1], P, d);
       view.bend.emplace_back((moved.x() - P.x() / P.z() * moved.z()) / P.z(),
                              (moved.y() - P.y() / P.z() * moved.z()) / P.z());
     }

@@ -8,13 +8,13 @@
 
 namespace vo {
 
-/// One place seen in two frames, as rays (X/Z, Y/Z), and how far below the middle row each is seen,
-/// in image heights.
+/// One place seen in two frames, as rays (X/Z, Y/Z), and how far from the image's middle each is
+/// seen: to the right and down, as shares of the image's width and height.
 struct RayPair {
   Eigen::Vector2d first{0, 0};
   Eigen::Vector2d second{0, 0};
-  double first_row = 0;
-  double second_row = 0;
+  Eigen::Vector2d first_from_middle{0, 0};
+  Eigen::Vector2d second_from_middle{0, 0};
 };
 
 /// The rotation that explains the pairs best without any translation, and the median distance that

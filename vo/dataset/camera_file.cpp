@@ -73,7 +73,11 @@ RgbdCamera read_camera(const std::filesystem::path& path) {
 
 std::string format_camera(const RgbdCamera& camera) {
   RgbdCamera copy = camera;
-  return format_toml(fields_of(copy));
+  std::vector<Field> fields = fields_of(copy);
+  if (!camera.readout.is_rolling()) {
+    std::erase_if(fields, [](const Field& field) { return field.key.starts_with("readout"); });
+  }
+  return format_toml(fields);
 }
 
 }  // namespace vo

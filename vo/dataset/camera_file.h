@@ -22,6 +22,7 @@ const std::vector<CameraPreset>& camera_presets();
 RgbdCamera load_camera(const std::string& preset_or_path);
 
 RgbdCamera read_camera(const std::filesystem::path& path);
+/// Returns the text of a camera.toml; an unknown read-out is left out.
 std::string format_camera(const RgbdCamera& camera);
 
 }  // namespace vo

@@ -119,6 +119,8 @@ void RgbdCamera::validate() const {
   pinhole.validate();
   require(depth_units_per_m > 0, "camera: expected depth_units_per_m above 0, got ",
           depth_units_per_m);
+  require(std::abs(readout.seconds) <= kMaxReadout, "camera: expected readout from ", -kMaxReadout,
+          " to ", kMaxReadout, " s, got ", readout.seconds);
 }
 
 }  // namespace vo

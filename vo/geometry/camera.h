@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "vo/geometry/lens.h"
+#include "vo/geometry/readout.h"
 
 namespace vo {
 
@@ -50,6 +51,7 @@ void visit_fields(Visitor& visit, PinholeCamera& camera) {
 struct RgbdCamera {
   PinholeCamera pinhole;
   double depth_units_per_m = 5000;  ///< a 16-bit depth pixel divided by this is metres
+  Readout readout;                  ///< of a rolling shutter; 0 s where it is not known
 
   void validate() const;  ///< throws Error unless the values are usable
 };
@@ -58,6 +60,11 @@ template <typename Visitor>
 void visit_fields(Visitor& visit, RgbdCamera& camera) {
   visit_fields(visit, camera.pinhole);
   visit("depth_units_per_m", camera.depth_units_per_m, "value of a 16-bit depth pixel at 1 m");
+  visit(
+      "readout", camera.readout.seconds,
+      "rolling shutter's time from the first to the last line, s, negative where the last is read "
+      "first; 0 is unknown");
+  visit("readout_axis", camera.readout.axis, "which lines the shutter reads");
 }
 
 }  // namespace vo

@@ -97,14 +97,14 @@ EDVO_INLINE void load_targets(const TargetOf& target_of, LineBlock& block) {
   }
 }
 
-/// Finds the geometry between the rows that see each edge. The transforms are rotations to first
-/// order in the motion of the rows.
+/// Finds the geometry between the lines that see each edge. The transforms are rotations to first
+/// order in the motion during the read-out.
 EDVO_INLINE void place_cameras(const SearchView& view, LineBlock& block) {
   set_transforms(view.pair, block.ray_x, block.ray_y, block.inverse_depth, block.cur_host);
   const auto& [R, t] = block.cur_host;
   for (std::size_t k = 0; k < 3; ++k) {
     LineRow& centre = block.centre[k];
-    if (!view.pair.rows.is_rolling) {
+    if (!view.pair.lines.is_rolling) {
       centre.fill(view.pair.p_host_cur[static_cast<Eigen::Index>(k)]);
       continue;
     }

@@ -4,15 +4,15 @@
 #include <array>
 #include <cstddef>
 
-#include "vo/geometry/row_motion.h"
+#include "vo/geometry/readout.h"
 #include "vo/mapping/lane_image.h"
 #include "vo/mapping/stereo_pair.h"
 
-/// The geometry between the rows of two images for many edges at once.
+/// The geometry between the lines of two images for many edges at once.
 namespace vo::detail {
 
-/// The transforms from the camera of each edge's row in the host to that of the row that sees it in
-/// the current image.
+/// The transforms from the camera of each edge's line in the host to that of the line that sees it
+/// in the current image.
 template <std::size_t kLanes>
 struct LaneTransforms {
   std::array<Lanes<kLanes>, 9> R;  // row by row
@@ -21,46 +21,59 @@ struct LaneTransforms {
 
 /// Sets the same transform for all edges.
 template <std::size_t kLanes>
-EDVO_INLINE void set_transform(const RowTransforms& rows, LaneTransforms<kLanes>& transforms) {
+EDVO_INLINE void set_transform(const LineTransforms& lines, LaneTransforms<kLanes>& transforms) {
   for (std::size_t r = 0; r < 3; ++r) {
     const auto row = static_cast<Eigen::Index>(r);
     for (std::size_t c = 0; c < 3; ++c) {
-      transforms.R[3 * r + c].fill(rows.of_middle(row, static_cast<Eigen::Index>(c)));
+      transforms.R[3 * r + c].fill(lines.of_middle(row, static_cast<Eigen::Index>(c)));
     }
-    transforms.t[r].fill(rows.of_middle(row, 3));
+    transforms.t[r].fill(lines.of_middle(row, 3));
   }
 }
 
-/// How far the rows that see each edge are below their image's middle row, in image heights.
+/// How far the lines that see each edge are past their image's middle line, as shares of the
+/// image's height or width.
 template <std::size_t kLanes>
-struct LaneRows {
+struct LaneLines {
   Lanes<kLanes> host, current;
 };
 
-/// Finds the rows of edges at these rays in the host and these inverse depths, 1/m. The current row
-/// is the one that would see the edge from the middle row's pose. Lens distortion is ignored.
+/// The focal length and the centre, px, across the lines of an image, and its inverse size, 1/px.
+struct LineProjection {
+  float focal, centre, inverse_size;
+
+  LineProjection(const PinholeCamera& camera, ReadoutAxis axis)
+      : focal(static_cast<float>(axis == ReadoutAxis::rows ? camera.fy : camera.fx)),
+        centre(static_cast<float>(axis == ReadoutAxis::rows ? camera.cy : camera.cx)),
+        inverse_size(
+            1 / static_cast<float>(axis == ReadoutAxis::rows ? camera.height : camera.width)) {}
+
+  /// Returns how far past the middle line a ray's slope is seen, as a share of the image's size.
+  EDVO_INLINE float past_middle(float slope) const {
+    return vo::past_middle(focal * slope + centre, inverse_size);
+  }
+};
+
+/// Finds the lines of edges at these rays in the host and these inverse depths, 1/m. The current
+/// line is the one that would see the edge from the middle line's pose. Lens distortion is ignored.
 template <std::size_t kLanes>
-EDVO_INLINE void find_rows(const StereoPair& pair, const Lanes<kLanes>& ray_x,
-                           const Lanes<kLanes>& ray_y, const Lanes<kLanes>& inverse_depth,
-                           LaneRows<kLanes>& rows) {
-  const PinholeCamera& host = pair.host.camera;
-  const PinholeCamera& current = pair.current.camera;
-  const auto host_fy = static_cast<float>(host.fy);
-  const auto host_cy = static_cast<float>(host.cy);
-  const auto current_fy = static_cast<float>(current.fy);
-  const auto current_cy = static_cast<float>(current.cy);
-  const float inverse_host_height = 1 / static_cast<float>(host.height);
-  const float inverse_current_height = 1 / static_cast<float>(current.height);
-  const RowTransforms::Matrix34f& M = pair.rows.of_middle;
+EDVO_INLINE void find_lines(const StereoPair& pair, const Lanes<kLanes>& ray_x,
+                            const Lanes<kLanes>& ray_y, const Lanes<kLanes>& inverse_depth,
+                            LaneLines<kLanes>& lines) {
+  const LineProjection host(pair.host.camera, pair.lines.host_axis);
+  const LineProjection current(pair.current.camera, pair.lines.current_axis);
+  const Lanes<kLanes>& host_slope = pair.lines.host_axis == ReadoutAxis::rows ? ray_y : ray_x;
+  const LineTransforms::Matrix34f& M = pair.lines.of_middle;
+  const Eigen::Index across = pair.lines.current_axis == ReadoutAxis::rows ? 1 : 0;
   for (std::size_t i = 0; i < kLanes; ++i) {
     const float x = ray_x[i];
     const float y = ray_y[i];
     const float d = inverse_depth[i];
-    const float p_y = M(1, 0) * x + M(1, 1) * y + M(1, 2) + d * M(1, 3);
+    const float p = M(across, 0) * x + M(across, 1) * y + M(across, 2) + d * M(across, 3);
     const float p_z = M(2, 0) * x + M(2, 1) * y + M(2, 2) + d * M(2, 3);
-    const float below = below_middle(current_fy * (p_y / p_z) + current_cy, inverse_current_height);
-    rows.host[i] = below_middle(host_fy * y + host_cy, inverse_host_height);
-    rows.current[i] = p_z > 0 ? std::min(std::max(below, -0.5F), 0.5F) : 0;
+    const float past = current.past_middle(p / p_z);
+    lines.host[i] = host.past_middle(host_slope[i]);
+    lines.current[i] = p_z > 0 ? std::min(std::max(past, -0.5F), 0.5F) : 0;
   }
 }
 
@@ -69,24 +82,24 @@ template <std::size_t kLanes>
 EDVO_INLINE void set_transforms(const StereoPair& pair, const Lanes<kLanes>& ray_x,
                                 const Lanes<kLanes>& ray_y, const Lanes<kLanes>& inverse_depth,
                                 LaneTransforms<kLanes>& transforms) {
-  if (!pair.rows.is_rolling) {
-    set_transform(pair.rows, transforms);
+  if (!pair.lines.is_rolling) {
+    set_transform(pair.lines, transforms);
     return;
   }
-  LaneRows<kLanes> rows;
-  find_rows(pair, ray_x, ray_y, inverse_depth, rows);
+  LaneLines<kLanes> lines;
+  find_lines(pair, ray_x, ray_y, inverse_depth, lines);
   for (std::size_t r = 0; r < 3; ++r) {
     for (std::size_t c = 0; c < 4; ++c) {
       const auto row = static_cast<Eigen::Index>(r);
       const auto column = static_cast<Eigen::Index>(c);
-      const float middle = pair.rows.of_middle(row, column);
-      const float by_host = pair.rows.by_host_row(row, column);
-      const float by_current = pair.rows.by_current_row(row, column);
-      const float by_both = pair.rows.by_both(row, column);
+      const float middle = pair.lines.of_middle(row, column);
+      const float by_host = pair.lines.by_host_line(row, column);
+      const float by_current = pair.lines.by_current_line(row, column);
+      const float by_both = pair.lines.by_both(row, column);
       Lanes<kLanes>& values = c < 3 ? transforms.R[3 * r + c] : transforms.t[r];
       for (std::size_t i = 0; i < kLanes; ++i) {
-        values[i] = middle + rows.host[i] * by_host +
-                    rows.current[i] * (by_current + rows.host[i] * by_both);
+        values[i] = middle + lines.host[i] * by_host +
+                    lines.current[i] * (by_current + lines.host[i] * by_both);
       }
     }
   }

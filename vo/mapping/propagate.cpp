@@ -52,8 +52,8 @@ void settle(const Hypotheses& from, const MovedEdge& moved, std::size_t j, Hypot
 
 MovedDepth moved_depth(const StereoPair& pair, const Eigen::Vector2f& ray, float inverse_depth,
                        float variance, float relative_noise) {
-  const Eigen::Matrix3f R_cur_host = pair.rows.of_middle.leftCols<3>();
-  const Eigen::Vector3f t_cur_host = pair.rows.of_middle.col(3);
+  const Eigen::Matrix3f R_cur_host = pair.lines.of_middle.leftCols<3>();
+  const Eigen::Vector3f t_cur_host = pair.lines.of_middle.col(3);
   const Eigen::Vector3f P = R_cur_host * ray.homogeneous() + inverse_depth * t_cur_host;
   constexpr float kMinDepthRatio = 0.01F;
   if (!(P.z() > kMinDepthRatio)) {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "vo/geometry/row_motion.h"
+#include "vo/geometry/readout.h"
 #include "vo/geometry/se3.h"
 #include "vo/image/pyramid.h"
 
@@ -14,23 +14,26 @@ struct FrameRelation {
   Matrix6d covariance = Matrix6d::Zero();  ///< covariance of the left increment of T_cur_host
   double gain = 1;                         ///< the current image shows gain I_host + offset
   double offset = 0;                       ///< intensity, offset of the brightness
-  RowMotion host_motion = {};              ///< motion of the host's rows
-  RowMotion current_motion = {};           ///< motion of the current image's rows
+  ReadoutMotion host_motion = {};          ///< motion while the host was read
+  ReadoutMotion current_motion = {};       ///< motion while the current image was read
 };
 
-/// The transforms [R | t] from the camera of a host's row to the camera of a current row, m, linear
-/// in how far each row is below its image's middle row: of s_host and s_current image heights it is
-/// `of_middle + s_host by_host_row + s_current (by_current_row + s_host by_both)`.
-struct RowTransforms {
+/// The transforms [R | t] from the camera of a host's line to the camera of a current line, m,
+/// linear in how far each line is past its image's middle line: of the shares s_host and s_current
+/// of the images' sizes it is `of_middle + s_host by_host_line + s_current (by_current_line +
+/// s_host by_both)`.
+struct LineTransforms {
   using Matrix34f = Eigen::Matrix<float, 3, 4>;
 
-  bool is_rolling = false;  ///< whether the transform differs from row to row
+  bool is_rolling = false;  ///< whether the transform differs from line to line
+  ReadoutAxis host_axis = ReadoutAxis::rows;
+  ReadoutAxis current_axis = ReadoutAxis::rows;
   Matrix34f of_middle = Matrix34f::Zero();
-  Matrix34f by_host_row = Matrix34f::Zero();
-  Matrix34f by_current_row = Matrix34f::Zero();
+  Matrix34f by_host_line = Matrix34f::Zero();
+  Matrix34f by_current_line = Matrix34f::Zero();
   Matrix34f by_both = Matrix34f::Zero();
 
-  explicit RowTransforms(const FrameRelation& relation);
+  explicit LineTransforms(const FrameRelation& relation);
 };
 
 /// Two images and the geometry between them, in the precision of the loop over pixels.
@@ -40,7 +43,7 @@ struct StereoPair {
   Eigen::Vector3f p_host_cur;  ///< m, the current camera's centre in the host frame
   Eigen::Matrix<float, 6, 6> covariance;
   bool pose_is_exact;
-  RowTransforms rows;
+  LineTransforms lines;
   float gain;
   float offset;
 
@@ -51,7 +54,7 @@ struct StereoPair {
         p_host_cur(relation.T_cur_host.inverse().translation().cast<float>()),
         covariance(relation.covariance.cast<float>()),
         pose_is_exact(relation.covariance.isZero(0)),
-        rows(relation),
+        lines(relation),
         gain(static_cast<float>(relation.gain)),
         offset(static_cast<float>(relation.offset)) {}
 };

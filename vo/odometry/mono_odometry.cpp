@@ -105,7 +105,7 @@ void MonoOdometry::report_state(MonoResult& result) const {
 }
 
 void MonoOdometry::begin_tracking(const FramePyramid& host, Guesses guesses, MonoResult& result,
-                                  std::optional<double> readout) {
+                                  std::optional<Readout> readout) {
   T_world_host_ = T_world_start_;
   guesses_ = guesses;
   TrackerOptions options = options_.tracker;
@@ -251,7 +251,7 @@ void MonoOdometry::begin_scale() {
 void MonoOdometry::leave_map() {
   if (lost_map_ == nullptr && guesses_ == Guesses::left_out && poses_.has_pose_in_map()) {
     scale_watch_.add(
-        {map_.host(), map_.hypotheses(), T_world_host_, tracker_->keyframe_row_motion()});
+        {map_.host(), map_.hypotheses(), T_world_host_, tracker_->keyframe_readout_motion()});
     lost_map_ = std::make_unique<LostMap>(LostMap{*tracker_, scale_watch_});
   }
 }
@@ -312,8 +312,8 @@ void MonoOdometry::place_next_map(const SE3& T_world_camera) {
 FrameRelation MonoOdometry::relation_to_host(const TrackingResult& tracked) const {
   FrameRelation relation{tracked.T_world_camera.inverse() * T_world_host_,
                          tracked.alignment.covariance};
-  relation.host_motion = tracker_->keyframe_row_motion();
-  relation.current_motion = tracker_->row_motion();
+  relation.host_motion = tracker_->keyframe_readout_motion();
+  relation.current_motion = tracker_->readout_motion();
   if (tracked.reference_timestamp == map_.host().timestamp) {
     relation.gain = tracked.alignment.gain;
     relation.offset = tracked.alignment.offset;
@@ -349,7 +349,7 @@ void MonoOdometry::join_lost_map(MonoResult& result) {
     return;
   }
   const std::optional<MapJoint> joint = lost_map_->joint_with(
-      {current_, map_.hypotheses(), T_world_host_, tracker_->keyframe_row_motion()});
+      {current_, map_.hypotheses(), T_world_host_, tracker_->keyframe_readout_motion()});
   if (!joint) {
     return;
   }
@@ -369,7 +369,7 @@ void MonoOdometry::join_lost_map(MonoResult& result) {
 /// since its host is, too.
 void MonoOdometry::watch_scale(FrameRelation& relation, MonoResult& result) {
   const ScaleEstimate& scale = scale_watch_.add(
-      {map_.host(), map_.hypotheses(), T_world_host_, tracker_->keyframe_row_motion()});
+      {map_.host(), map_.hypotheses(), T_world_host_, tracker_->keyframe_readout_motion()});
   if (scale.correction != 0) {
     const double factor = std::exp(scale.correction);
     const SE3& T = relation.T_cur_host;

@@ -71,7 +71,7 @@ class MonoOdometry {
   bool start_from(const MonoInitialiser& solved, MonoResult& result);
   void track_again(const MonoInitialiser& start, MonoResult& result);
   void begin_tracking(const FramePyramid& host, Guesses guesses, MonoResult& result,
-                      std::optional<double> readout = {});
+                      std::optional<Readout> readout = {});
   void follow(MonoResult& result);
   void seek(MonoResult& result);
   void place_next_map(const SE3& T_world_camera);

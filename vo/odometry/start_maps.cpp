@@ -31,8 +31,8 @@ DepthMap solved_map(const MonoInitialiser& solved, double depth, const MonoOptio
   map.take_depth(solved.depth_at_edges(), kInterpolatedSigma);
   for (std::size_t i = 1; i < frames.size(); ++i) {
     FrameRelation relation{frames[i].T_frame_first};
-    relation.host_motion = RowMotion(frames.front().velocity, solved.readout());
-    relation.current_motion = RowMotion(frames[i].velocity, solved.readout());
+    relation.host_motion = ReadoutMotion(frames.front().velocity, solved.readout());
+    relation.current_motion = ReadoutMotion(frames[i].velocity, solved.readout());
     map.observe(frames[i].pyramid, relation);
   }
   map.regularise();

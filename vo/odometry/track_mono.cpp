@@ -132,18 +132,22 @@ MonoSequenceResult track_mono_images(const MonoImages& images, const MonoOptions
 MonoSequenceResult track_mono_sequence(const MonoInput& input, const MonoOptions& options,
                                        const MonoObserver& observe, const Progress& progress) {
   MonoFrames frames(input, options.bootstrap);
-  return track_mono_images({.camera = frames.sequence().camera().pinhole,
+  const RgbdCamera& camera = frames.sequence().camera();
+  MonoOptions started = options;
+  started.tracker = options.tracker.starting_from(camera.readout);
+  return track_mono_images({.camera = camera.pinhole,
                             .T_world_first = {},
                             .size = frames.size(),
                             .next = [&] { return frames.next(); }},
-                           options, observe, progress);
+                           started, observe, progress);
 }
 
 std::string format_mono_log(const std::vector<MonoResult>& frames) {
   std::string text =
       "timestamp,state,status,reason,keyframe,start_verdict,start_flow_px,start_parallax_px,"
       "hypotheses,confident,found,inconsistent,out_of_view,unobservable,ambiguous,no_match,"
-      "visible_fraction,correlation,cost,readout_s,scale_drift,scale_sigma,joins_maps\n";
+      "visible_fraction,correlation,cost,readout_s,readout_axis,scale_drift,scale_sigma,joins_"
+      "maps\n";
   for (const MonoResult& frame : frames) {
     const TrackingResult& tracking = frame.tracking;
     const ObservationCounts& seen = frame.observations;
@@ -158,9 +162,12 @@ std::string format_mono_log(const std::vector<MonoResult>& frames) {
           seen.unobservable, seen.ambiguous, seen.no_match}) {
       text += "," + std::to_string(count);
     }
-    for (const double value :
-         {tracking.alignment.visible_fraction, tracking.alignment.correlation,
-          tracking.alignment.cost, tracking.readout_s, frame.scale.drift, frame.scale.sigma}) {
+    for (const double value : {tracking.alignment.visible_fraction, tracking.alignment.correlation,
+                               tracking.alignment.cost, tracking.readout.seconds}) {
+      text += "," + format_real(value);
+    }
+    text += concat(",", to_string(tracking.readout.axis));
+    for (const double value : {frame.scale.drift, frame.scale.sigma}) {
       text += "," + format_real(value);
     }
     text += frame.joins_maps ? ",1\n" : ",0\n";

@@ -22,7 +22,7 @@ std::vector<double> stage(const std::vector<StageTimes>& times, Stage select) {
 std::string frame_log_header() {
   std::string text =
       "timestamp,status,reason,keyframe,termination,iterations,points,visible_fraction,correlation,"
-      "depth_agreement,cost,conditioning,readout_s,vignette_2,vignette_4";
+      "depth_agreement,cost,conditioning,readout_s,readout_axis,vignette_2,vignette_4";
   const std::array names{"tx", "ty", "tz", "rx", "ry", "rz"};
   for (std::size_t i = 0; i < names.size(); ++i) {
     for (std::size_t j = i; j < names.size(); ++j) {
@@ -57,7 +57,8 @@ std::size_t SequenceResult::keyframes() const {
 SequenceResult track_sequence(const SequenceReader& sequence, const TrackerOptions& options,
                               const SE3& T_world_first, const FrameObserver& observe,
                               const Progress& progress) {
-  RgbdOdometry odometry(sequence.camera().pinhole, options, T_world_first);
+  RgbdOdometry odometry(sequence.camera().pinhole, options.starting_from(sequence.camera().readout),
+                        T_world_first);
   FrameStream stream(sequence);
   SequenceResult result;
   while (const std::optional<RgbdFrame> frame = stream.next()) {
@@ -95,8 +96,11 @@ std::string format_frame_log(const std::vector<TrackingResult>& frames) {
                    ",", alignment.points);
     for (const double value :
          {alignment.visible_fraction, alignment.correlation, alignment.depth_agreement,
-          alignment.cost, alignment.conditioning, frame.readout_s, frame.vignette.coefficients[0],
-          frame.vignette.coefficients[1]}) {
+          alignment.cost, alignment.conditioning, frame.readout.seconds}) {
+      text += "," + format_real(value);
+    }
+    text += concat(",", to_string(frame.readout.axis));
+    for (const double value : frame.vignette.coefficients) {
       text += "," + format_real(value);
     }
     for (int i = 0; i < alignment.covariance.rows(); ++i) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "vo/geometry/readout.h"
 #include "vo/residuals/robust.h"
 
 namespace vo {
@@ -55,7 +56,7 @@ struct AlignOptions {
   bool squared_weights = false;   ///< whether weights enter squared (paper's authors)
   BrightnessModel brightness = BrightnessModel::same;
   double depth_noise = 0;      ///< factor of the points' depth_sigma in the weights; 0 is off
-  double readout = 0;          ///< s, rolling-shutter read-out time from the first to the last row
+  Readout readout;             ///< rolling shutter's read-out
   double max_depth_ratio = 0;  ///< most ratio of point to measured depth; 0 is no z-test
   double depth_term = 0;       ///< weight of the point-to-plane distances; 0 is off
   int min_points = 100;        ///< least number of visible points of a fit
@@ -82,7 +83,10 @@ void visit_fields(Visitor& visit, AlignOptions& options) {
   visit("brightness", options.brightness, "how the brightness of two images may differ");
   visit("depth_noise", options.depth_noise,
         "times a structured-light sensor's depth noise, in the weights; 0 is off");
-  visit("readout", options.readout, "time from the first to the last row, s: a rolling shutter");
+  visit("readout", options.readout.seconds,
+        "time from the first to the last line, s, negative where the last is read first: a rolling "
+        "shutter");
+  visit("readout_axis", options.readout.axis, "which lines a rolling shutter reads");
   visit("max_depth_ratio", options.max_depth_ratio,
         "points whose depth differs more from the current depth image are not used; 0 is off");
   visit("depth_term", options.depth_term,

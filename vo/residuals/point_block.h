@@ -30,14 +30,14 @@ struct alignas(64) Block {
   std::array<BlockRow, kPassParameters> J, J_weighted;
 };
 
-/// A pose and a camera in single precision, with the motion of both frames' rows.
+/// A pose and a camera in single precision, with the motion of both frames while they were read.
 struct PassWarp {
   std::array<float, 9> R;
   std::array<float, 3> t;
   Projection<float> projection;
   SeenBounds bounds;
-  RowMotion ref_motion, cur_motion;
-  float inverse_height;  // 1/px
+  ReadoutMotion ref_motion, cur_motion;
+  float inverse_width, inverse_height;  // 1/px
 
   explicit PassWarp(const PointView& view) : PassWarp(view.image.camera, view.T_cur_ref) {
     ref_motion = view.points_motion;
@@ -47,6 +47,7 @@ struct PassWarp {
   PassWarp(const PinholeCamera& camera, const SE3& T_cur_ref)
       : projection(camera),
         bounds(camera.width, camera.height),
+        inverse_width(1 / static_cast<float>(camera.width)),
         inverse_height(1 / static_cast<float>(camera.height)) {
     const Eigen::Matrix3d R_cur_ref = T_cur_ref.rotation_matrix();
     Eigen::Map<Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(R.data()) = R_cur_ref.cast<float>();
@@ -99,21 +100,25 @@ EDVO_INLINE void distort_block(const PassWarp& warp, const Distort& distort, Blo
   }
 }
 
-/// Moves points by `share` of the motion of the row that sees them: 1 moves from their row's camera
-/// to the middle row's, -1 back. Lens distortion is ignored in finding the row.
-EDVO_INLINE void roll_points(const PassWarp& warp, const RowMotion& motion, float share,
+/// Moves points by `share` of the motion of the line that sees them: 1 moves from their line's
+/// camera to the middle line's, -1 back. Lens distortion is ignored in finding the line.
+EDVO_INLINE void roll_points(const PassWarp& warp, const ReadoutMotion& motion, float share,
                              BlockRow& xs, BlockRow& ys, BlockRow& zs) {
   const Eigen::Vector3f w = motion.angular;
   const Eigen::Vector3f v = motion.linear;
+  const bool by_row = motion.axis == ReadoutAxis::rows;
+  const float focal = by_row ? warp.projection.fy : warp.projection.fx;
+  const float centre = by_row ? warp.projection.cy : warp.projection.cx;
+  const float inverse_size = by_row ? warp.inverse_height : warp.inverse_width;
   for (std::size_t i = 0; i < kBlock; ++i) {
     const float x = xs[i];
     const float y = ys[i];
     const float z = zs[i];
-    const float row = warp.projection.fy * (y / z) + warp.projection.cy;
-    const float below = share * below_middle(row, warp.inverse_height);
-    xs[i] = x + below * (w[1] * z - w[2] * y + v[0]);
-    ys[i] = y + below * (w[2] * x - w[0] * z + v[1]);
-    zs[i] = z + below * (w[0] * y - w[1] * x + v[2]);
+    const float line = focal * ((by_row ? y : x) / z) + centre;
+    const float past = share * past_middle(line, inverse_size);
+    xs[i] = x + past * (w[1] * z - w[2] * y + v[0]);
+    ys[i] = y + past * (w[2] * x - w[0] * z + v[1]);
+    zs[i] = z + past * (w[0] * y - w[1] * x + v[2]);
   }
 }
 

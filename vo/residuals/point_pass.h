@@ -6,7 +6,7 @@
 
 #include "vo/core/instruction_set.h"
 #include "vo/core/normal_equations.h"
-#include "vo/geometry/row_motion.h"
+#include "vo/geometry/readout.h"
 #include "vo/geometry/se3.h"
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
@@ -59,9 +59,9 @@ struct PointTerms {
 struct PointView {
   const EdgePointLevel& points;
   const PyramidLevel& image;
-  SE3 T_cur_ref;  ///< ref: the points' frame, cur: the image's frame
-  RowMotion points_motion;
-  RowMotion image_motion;
+  SE3 T_cur_ref;                ///< ref: the points' frame, cur: the image's frame
+  ReadoutMotion points_motion;  ///< motion while the points' frame was read
+  ReadoutMotion image_motion;   ///< motion while the image was read
 };
 
 /// Sums the normal equations of r = I_cur(pi(T_cur_ref p_ref)) - gain I_ref - offset over all seen

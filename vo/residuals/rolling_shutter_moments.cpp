@@ -14,19 +14,45 @@ Jacobian jacobian_of(const PointTerms& scores, std::size_t i) {
   return J;
 }
 
+/// How far past the middle row and the middle column the points of a view are, as a share of the
+/// image's size: at their own pixels and where they are looked up.
+class LinePlaces {
+ public:
+  LinePlaces(const PointView& view, const PointTerms& scores)
+      : view_(view),
+        scores_(scores),
+        inverse_width_(1 / static_cast<float>(view.image.camera.width)),
+        inverse_height_(1 / static_cast<float>(view.image.camera.height)) {}
+
+  float of_point(std::size_t i, ReadoutAxis axis) const {
+    const cv::Point& pixel = view_.points.pixel[i];
+    return axis == ReadoutAxis::rows ? past_middle(static_cast<float>(pixel.y), inverse_height_)
+                                     : past_middle(static_cast<float>(pixel.x), inverse_width_);
+  }
+  float in_image(std::size_t i, ReadoutAxis axis) const {
+    return axis == ReadoutAxis::rows ? past_middle(scores_.v[i], inverse_height_)
+                                     : past_middle(scores_.u[i], inverse_width_);
+  }
+
+ private:
+  const PointView& view_;
+  const PointTerms& scores_;
+  float inverse_width_, inverse_height_;
+};
+
 }  // namespace
 
-RollingShutterMoments RollingShutterMoments::of(const PointView& view, const PointTerms& scores) {
-  const float inverse_height = 1 / static_cast<float>(view.image.camera.height);
+RollingShutterMoments RollingShutterMoments::of(const PointView& view, const PointTerms& scores,
+                                                ReadoutAxis axis) {
+  const LinePlaces places(view, scores);
   Sum points = Sum::Zero();
   Sum image = Sum::Zero();
   for (std::size_t i = 0; i < scores.weight.size(); ++i) {
     if (scores.weight[i] > 0) {
       const Jacobian J = jacobian_of(scores, i);
       const Sum square = scores.weight[i] * J * J.head<6>().transpose();
-      const auto row = static_cast<float>(view.points.pixel[i].y);
-      points += below_middle(row, inverse_height) * square;
-      image += below_middle(scores.v[i], inverse_height) * square;
+      points += places.of_point(i, axis) * square;
+      image += places.in_image(i, axis) * square;
     }
   }
   return {points.cast<double>(), image.cast<double>()};
@@ -35,25 +61,30 @@ RollingShutterMoments RollingShutterMoments::of(const PointView& view, const Poi
 ReadoutMoments ReadoutMoments::of(const PointView& view, const PointTerms& scores,
                                   const Vector6d& points_twist, const Vector6d& image_twist) {
   using Twist = Eigen::Matrix<float, 6, 1>;
-  const float inverse_height = 1 / static_cast<float>(view.image.camera.height);
+  const LinePlaces places(view, scores);
   const Twist points = points_twist.cast<float>();
   const Twist image = image_twist.cast<float>();
-  float square = 0;
-  float by_residual = 0;
-  Jacobian coupling = Jacobian::Zero();
+  Eigen::Matrix2f square = Eigen::Matrix2f::Zero();
+  Eigen::Vector2f by_residual = Eigen::Vector2f::Zero();
+  Eigen::Matrix<float, kPassParameters, 2> coupling =
+      Eigen::Matrix<float, kPassParameters, 2>::Zero();
   for (std::size_t i = 0; i < scores.weight.size(); ++i) {
     if (scores.weight[i] > 0) {
       const Jacobian J = jacobian_of(scores, i);
-      const auto row = static_cast<float>(view.points.pixel[i].y);
-      const float q = below_middle(row, inverse_height) * J.head<6>().dot(points) -
-                      below_middle(scores.v[i], inverse_height) * J.head<6>().dot(image);
-      const float weighted = scores.weight[i] * q;
-      square += weighted * q;
+      const float by_points = J.head<6>().dot(points);
+      const float by_image = J.head<6>().dot(image);
+      Eigen::Vector2f q;
+      for (const ReadoutAxis axis : {ReadoutAxis::rows, ReadoutAxis::columns}) {
+        q[static_cast<int>(axis)] =
+            places.of_point(i, axis) * by_points - places.in_image(i, axis) * by_image;
+      }
+      const Eigen::Vector2f weighted = scores.weight[i] * q;
+      square += weighted * q.transpose();
       by_residual += weighted * scores.residual[i];
-      coupling += weighted * J;
+      coupling += J * weighted.transpose();
     }
   }
-  return {square, by_residual, coupling.cast<double>()};
+  return {square.cast<double>(), by_residual.cast<double>(), coupling.cast<double>()};
 }
 
 }  // namespace vo

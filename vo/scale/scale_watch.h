@@ -4,7 +4,7 @@
 #include <deque>
 #include <optional>
 
-#include "vo/geometry/row_motion.h"
+#include "vo/geometry/readout.h"
 #include "vo/geometry/se3.h"
 #include "vo/image/pyramid.h"
 #include "vo/mapping/hypotheses.h"
@@ -16,7 +16,7 @@ struct PastMap {
   FramePyramid host;
   Hypotheses hypotheses;
   SE3 T_world_host;
-  RowMotion motion;  ///< motion of the host's rows
+  ReadoutMotion motion;  ///< motion while the host was read
 };
 
 /// The scale of a map relative to that of an earlier host's map.

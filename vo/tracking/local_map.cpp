@@ -96,6 +96,22 @@ void LocalMap::take_out(const Vignette& vignette) {
   }
 }
 
+void LocalMap::forget_bent(const Readout& readout) {
+  constexpr double kMaxBend = 0.5;  // px, mean of all points
+  constexpr double kSame = 1e-3;    // s
+  const auto is_bent = [&](const std::shared_ptr<const Keyframe>& keyframe) {
+    const Readout& then = keyframe->readout;
+    const double change = then.axis == readout.axis ? std::abs(readout.seconds - then.seconds)
+                                                    : std::hypot(readout.seconds, then.seconds);
+    if (keyframe == last() || !keyframe->velocity || change < kSame) {
+      return false;
+    }
+    const SE3 motion = SE3::exp(change * keyframe->velocity->twist);
+    return image_motion(*keyframe->points, keyframe->pyramid, motion).flow_px > kMaxBend;
+  };
+  std::erase_if(keyframes_, is_bent);
+}
+
 void LocalMap::set_last_velocity(const FrameVelocity& velocity) {
   Keyframe keyframe = *keyframes_.back();
   keyframe.velocity = velocity;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "vo/geometry/readout.h"
 #include "vo/geometry/se3.h"
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
@@ -23,6 +24,7 @@ struct Keyframe {
   std::optional<FrameVelocity> velocity;  ///< in the camera's own frame, m/s and rad/s; if known
   std::shared_ptr<const SurfacePoints> surface;  ///< surface points for depth alignment, or null
   std::vector<float> measured_depth;  ///< m, of the finest points if the window adjusts depth
+  Readout readout;                    ///< rolling shutter's read-out by which the pose was found
 };
 
 /// The motion of one frame's points in the image of another.
@@ -44,7 +46,12 @@ class LocalMap {
   const std::deque<std::shared_ptr<const Keyframe>>& keyframes() const { return keyframes_; }
   std::size_t memory_bytes() const;  ///< bytes of all keyframes
   void add(Keyframe keyframe);
-  void take_out(const Vignette& vignette);                ///< removes it where it shows
+  void take_out(const Vignette& vignette);  ///< removes it where it shows
+
+  /// Forgets keyframes whose points move by more than half a pixel, between the first and the last
+  /// line, when the read-out becomes this one: their poses were found in images bent by as much.
+  /// The last keyframe stays.
+  void forget_bent(const Readout& readout);
   void set_last_velocity(const FrameVelocity& velocity);  ///< for when the next frame tells
   void set_last_points(std::shared_ptr<const EdgePoints> points);  ///< with newer depths
 

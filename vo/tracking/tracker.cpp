@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "vo/core/error.h"
-#include "vo/geometry/row_motion.h"
+#include "vo/geometry/readout.h"
 #include "vo/tracking/pose_search.h"
 #include "vo/tracking/sharpness.h"
 
@@ -27,6 +27,14 @@ constexpr double kKeyframeCorrelation = 0;
 /// Share of the loss's curvature by the read-out time that is left where the depths were found with
 /// the same read-out time: with a wrong one they absorb nine tenths of what it bends.
 constexpr double kMappedCurvatureShare = 0.1;
+
+/// Returns the read-out that is used where depths were found with the same read-out, which they
+/// absorb most of: along the lines that the first value names, and not against it.
+Readout mapped_readout(const Readout& first, const ReadoutEstimate& estimate) {
+  const Readout readout = estimate.along(first.axis);
+  const double forwards = first.seconds < 0 ? -readout.seconds : readout.seconds;
+  return forwards < kLeastMappedReadout ? Readout() : readout;
+}
 
 /// Returns a finder of points at a frame's own edges, whatever else chooses points while tracking.
 EdgePointFinder own_point_finder(EdgePointOptions options) {
@@ -137,18 +145,19 @@ bool Tracker::References::velocities_known() const {
                      [](const auto& keyframe) { return keyframe->velocity.has_value(); });
 }
 
-/// The options of an alignment with the read-out time that is known by now.
+/// Returns the options of an alignment with the read-out that is known by now.
 AlignOptions Tracker::align_options() const {
   AlignOptions options = options_.align;
   if (options_.shutter == ShutterModel::estimated) {
-    const double readout = readout_.seconds();
-    options.readout = depth_is_mapped_ && readout < kLeastMappedReadout ? 0 : readout;
+    options.readout =
+        depth_is_mapped_ ? mapped_readout(options_.align.readout, readout_) : readout_.readout();
   }
   return options;
 }
 
-RowMotion Tracker::row_motion_at(const std::optional<FrameVelocity>& velocity) const {
-  return velocity && readout() != 0 ? RowMotion(velocity->twist, readout()) : RowMotion();
+ReadoutMotion Tracker::readout_motion_at(const std::optional<FrameVelocity>& velocity) const {
+  return velocity && readout().is_rolling() ? ReadoutMotion(velocity->twist, readout())
+                                            : ReadoutMotion();
 }
 
 Tracker::Attempt Tracker::aligned_from(const FramePyramid& current, const SE3& T_world_guess,
@@ -165,7 +174,7 @@ Tracker::Attempt Tracker::aligned_from(const FramePyramid& current, const SE3& T
   }
   const AlignOptions options = align_options();
   TrackingResult& result = attempt.result;
-  result.readout_s = options.readout;
+  result.readout = options.readout;
   result.vignette = current.vignette;
   result.reference_timestamp = first.pyramid.timestamp;
   result.T_cur_ref_guess = T_world_guess.inverse() * T_world_first;
@@ -192,8 +201,11 @@ void Tracker::calibrate(const FramePyramid& current, const Attempt& attempt) {
   }
   const AlignResult& aligned = attempt.result.alignment;
   if (options_.shutter == ShutterModel::estimated && attempt.references.velocities_known()) {
-    readout_.update(aligned.loss_by_readout, attempt.result.readout_s,
+    readout_.update(aligned.loss_by_readout, attempt.result.readout,
                     depth_is_mapped_ ? kMappedCurvatureShare : 1);
+    if (!depth_is_mapped_) {
+      map_.forget_bent(align_options().readout);
+    }
   }
   if (options_.vignette == VignetteModel::estimated) {
     vignette_.update(attempt.references.views, {current, current_points_.get(), attempt.previous},
@@ -352,7 +364,7 @@ void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyf
     measured_depth = points->levels.front().z_ref;
   }
   map_.add({keyframe, std::move(points), T_world_keyframe, velocity_, std::move(surface),
-            std::move(measured_depth)});
+            std::move(measured_depth), readout()});
   frames_since_keyframe_ = 0;
   if (options_.window.adjust != WindowAdjustment::none) {
     adjust_keyframes();

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "vo/alignment/align.h"
-#include "vo/geometry/row_motion.h"
+#include "vo/geometry/readout.h"
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
 #include "vo/tracking/local_map.h"
@@ -42,13 +42,13 @@ class Tracker {
   void update_keyframe(std::shared_ptr<const EdgePoints> points);
   const LocalMap& map() const { return map_; }
 
-  /// Returns the read-out time that is known by now, s.
-  double readout() const { return align_options().readout; }
+  /// Returns the read-out that is known by now.
+  Readout readout() const { return align_options().readout; }
 
-  /// Returns the motion of the rows of the last tracked frame, and of the last keyframe: none where
+  /// Returns the motion while the last tracked frame, and the last keyframe, was read: none where
   /// the shutter is global or the velocity is not known.
-  RowMotion row_motion() const { return row_motion_at(velocity_); }
-  RowMotion keyframe_row_motion() const { return row_motion_at(map_.last()->velocity); }
+  ReadoutMotion readout_motion() const { return readout_motion_at(velocity_); }
+  ReadoutMotion keyframe_readout_motion() const { return readout_motion_at(map_.last()->velocity); }
 
   /// Returns the vignette that is to be removed from the next frame.
   const Vignette& vignette() const { return vignette_.vignette(); }
@@ -81,7 +81,7 @@ class Tracker {
   void find_current_points(const FramePyramid& current);
   SE3 starting_pose(const FramePyramid& current) const;
   AlignOptions align_options() const;
-  RowMotion row_motion_at(const std::optional<FrameVelocity>& velocity) const;
+  ReadoutMotion readout_motion_at(const std::optional<FrameVelocity>& velocity) const;
   Attempt aligned_from(const FramePyramid& current, const SE3& T_world_guess, Start start) const;
   Attempt searched(const FramePyramid& current, Attempt first) const;
   References references_for(const FramePyramid& current, const SE3& T_world_guess) const;

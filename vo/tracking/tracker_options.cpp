@@ -29,4 +29,12 @@ void TrackerOptions::validate() const {
   lost.validate();
 }
 
+TrackerOptions TrackerOptions::starting_from(const Readout& readout) const {
+  TrackerOptions options = *this;
+  if (shutter == ShutterModel::estimated && !align.readout.is_rolling()) {
+    options.align.readout = readout;
+  }
+  return options;
+}
+
 }  // namespace vo

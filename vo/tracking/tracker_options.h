@@ -38,8 +38,8 @@ constexpr auto enum_names(LensModel) {
 
 /// The treatment of a rolling shutter in the warp.
 enum class ShutterModel {
-  given,      ///< the read-out time is `align.readout`; 0 is a global shutter
-  estimated,  ///< the read-out time is found while tracking, from `align.readout` on
+  given,  ///< the read-out is `align.readout` along `align.readout_axis`; 0 s is a global shutter
+  estimated,  ///< the read-out is found while tracking, from the given one on
 };
 
 constexpr auto enum_names(ShutterModel) {
@@ -110,6 +110,10 @@ struct TrackerOptions {
   VignetteModel vignette = VignetteModel::ignore;
 
   void validate() const;  ///< throws Error if an option is invalid
+
+  /// Returns these options for a camera of this read-out: where it is estimated and no option gives
+  /// it, the estimate starts from the camera's.
+  TrackerOptions starting_from(const Readout& readout) const;
 };
 
 template <typename Visitor>

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "vo/alignment/align_result.h"
+#include "vo/geometry/readout.h"
 #include "vo/geometry/se3.h"
 #include "vo/image/vignette.h"
 
@@ -45,7 +46,7 @@ struct TrackingResult {
   AlignResult alignment;           ///< to the first reference; meaningless when initialized
   double reference_timestamp = 0;  ///< s, timestamp of the first reference
   SE3 T_cur_ref_guess;             ///< pose where the alignment started
-  double readout_s = 0;            ///< s, rolling-shutter read-out time used for this frame
+  Readout readout;                 ///< rolling shutter's read-out used for this frame
   Vignette vignette;               ///< removed from this frame's intensities
 };
 

@@ -150,8 +150,8 @@ class Window {
   PointView view(const WindowPair& pair, const EdgePointLevel& points,
                  const WindowState& state) const {
     return {points, *frames_[pair.target].image, state.T_target_host(pair),
-            RowMotion(frames_[pair.host].velocity.twist, options_.readout),
-            RowMotion(frames_[pair.target].velocity.twist, options_.readout)};
+            ReadoutMotion(frames_[pair.host].velocity.twist, options_.readout),
+            ReadoutMotion(frames_[pair.target].velocity.twist, options_.readout)};
   }
 
   /// Returns the inverse variance of the measured inverse depths, m^2.

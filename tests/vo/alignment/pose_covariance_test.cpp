@@ -160,7 +160,7 @@ class DoubtfulVelocity : public testing::Test {
   const vo::FramePyramid current_ = pyramid_of_view(motion());
   const vo::EdgePoints points_ = vo::edge_points(first_, first_, {});
   const vo::AlignOptions options_{
-      .min_translation = 1e-9, .min_rotation_deg = 1e-7, .readout = 0.02};
+      .min_translation = 1e-9, .min_rotation_deg = 1e-7, .readout = {.seconds = 0.02}};
 };
 
 TEST_F(DoubtfulVelocity, OfAReferenceIsInTheCovariance) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "vo/bootstrap/start_adjustment.h"
+#include "vo/core/fields.h"
 #include "vo/core/hash.h"
 
 namespace {
@@ -14,8 +15,8 @@ namespace {
 using vo::mixed_uniform;
 using vo::SE3;
 
-constexpr double kFocalPx = 500;    // px
-constexpr double kHeightPx = 480;   // px
+constexpr double kFocalPx = 500;  // px
+const Eigen::Vector2d kSizePx(640, 480);
 constexpr double kInterval = 0.03;  // s
 constexpr std::size_t kPointsSeen = 150;
 constexpr std::size_t kRollingFrames = 13;
@@ -32,14 +33,16 @@ SE3 T_world_camera(double t) {
 struct Sight {
   Eigen::Vector2d ray{0, 0};
   double inverse_depth = 0;
-  double row = 0;  ///< image heights below the middle
+  double past_middle = 0;  ///< of the line, as a share of the image's height or width
 };
 
-Sight sight_of(const Eigen::Vector3d& p_world, double t, double readout) {
+Sight sight_of(const Eigen::Vector3d& p_world, double t, const vo::Readout& readout) {
+  const int across = readout.axis == vo::ReadoutAxis::rows ? 1 : 0;
   Sight sight;
   for (int i = 0; i < 10; ++i) {
-    const Eigen::Vector3d p = T_world_camera(t + readout * sight.row).inverse() * p_world;
-    sight = {p.hnormalized(), 1 / p.z(), p.y() / p.z() * kFocalPx / kHeightPx};
+    const Eigen::Vector3d p =
+        T_world_camera(t + readout.seconds * sight.past_middle).inverse() * p_world;
+    sight = {p.hnormalized(), 1 / p.z(), p[across] / p.z() * kFocalPx / kSizePx[across]};
   }
   return sight;
 }
@@ -52,8 +55,11 @@ Eigen::Vector3d point_in_world(std::size_t place) {
 }
 
 /// Exact views with a rolling shutter; poses are those of the middle rows, depths a tenth off.
-vo::StartViews rolling_start(double readout) {
+/// Returns a start whose read-out time is unknown.
+vo::StartViews rolling_start(const vo::Readout& readout) {
   vo::StartViews start;
+  start.readout.axis = readout.axis;
+  const int across = readout.axis == vo::ReadoutAxis::rows ? 1 : 0;
   start.views.resize(kRollingFrames - 1);
   for (std::size_t place = 0; place < kPointsSeen; ++place) {
     const Sight first = sight_of(point_in_world(place), 0, readout);
@@ -63,7 +69,9 @@ vo::StartViews rolling_start(double readout) {
       const Sight seen = sight_of(point_in_world(place), t, readout);
       vo::StartView& view = start.views[f - 1];
       view.T_frame_first = T_world_camera(t).inverse() * T_world_camera(0);
-      view.pairs.push_back({first.ray, seen.ray, first.row, seen.row});
+      vo::RayPair& pair = view.pairs.emplace_back(vo::RayPair{first.ray, seen.ray});
+      pair.first_from_middle[across] = first.past_middle;
+      pair.second_from_middle[across] = seen.past_middle;
       view.places.push_back(place);
     }
   }
@@ -87,7 +95,7 @@ void adjust_with_shutter(vo::StartViews& start) {
 }
 
 TEST(StartShutter, VelocitiesAreThoseOfTheMotion) {
-  const vo::StartViews start = rolling_start(0);
+  const vo::StartViews start = rolling_start({});
   const std::vector<double> timestamps = times_of_frames();
   const std::vector<vo::Vector6d> velocities = vo::start_velocities(start, timestamps);
   ASSERT_EQ(velocities.size(), kRollingFrames);
@@ -101,21 +109,23 @@ TEST(StartShutter, VelocitiesAreThoseOfTheMotion) {
 }
 
 TEST(StartShutter, FindsTheReadOutTime) {
-  for (const double readout : {0.01, 0.026}) {
-    vo::StartViews start = rolling_start(readout);
-    adjust_with_shutter(start);
-    EXPECT_NEAR(start.readout, readout, 0.1 * readout);
+  for (const vo::ReadoutAxis axis : {vo::ReadoutAxis::rows, vo::ReadoutAxis::columns}) {
+    for (const double seconds : {0.01, 0.026, -0.026}) {
+      vo::StartViews start = rolling_start({seconds, axis});
+      adjust_with_shutter(start);
+      EXPECT_NEAR(start.readout.seconds, seconds, 0.1 * std::abs(seconds)) << vo::to_string(axis);
+    }
   }
 }
 
 TEST(StartShutter, AGlobalShutterIsFoundToBeOne) {
-  vo::StartViews start = rolling_start(0);
+  vo::StartViews start = rolling_start({});
   adjust_with_shutter(start);
-  EXPECT_NEAR(start.readout, 0, 1e-4);
+  EXPECT_NEAR(start.readout.seconds, 0, 1e-4);
 }
 
 /// Returns the root mean square of the relative depth errors, apart from the common scale.
-double depth_spread(const vo::StartViews& start, double readout) {
+double depth_spread(const vo::StartViews& start, const vo::Readout& readout) {
   double sum = 0;
   double squares = 0;
   for (std::size_t place = 0; place < kPointsSeen; ++place) {
@@ -128,13 +138,13 @@ double depth_spread(const vo::StartViews& start, double readout) {
 }
 
 TEST(StartShutter, DepthsFollow) {
-  constexpr double kReadout = 0.026;
+  constexpr vo::Readout kReadout{.seconds = 0.026};
   vo::StartViews found = rolling_start(kReadout);
   adjust_with_shutter(found);
   vo::StartViews as_if_global = rolling_start(kReadout);
   as_if_global.readout_is_known = true;
   adjust_with_shutter(as_if_global);
-  EXPECT_EQ(as_if_global.readout, 0);
+  EXPECT_EQ(as_if_global.readout.seconds, 0);
   EXPECT_LT(3 * depth_spread(found, kReadout), depth_spread(as_if_global, kReadout));
 }
 

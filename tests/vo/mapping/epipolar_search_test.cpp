@@ -11,6 +11,7 @@
 #include "tests/support/instruction_sets.h"
 #include "tests/support/plane_map.h"
 #include "tests/support/textured_plane.h"
+#include "vo/core/fields.h"
 
 namespace {
 
@@ -265,19 +266,20 @@ TEST(EpipolarSearch, AnEdgeIsFoundAloneAsAmongOthers) {
   EXPECT_TRUE(search.observe({}, set).empty());
 }
 
-/// A camera that moves steadily and reads its rows one after the other.
+/// A camera that moves steadily and reads its lines one after the other.
 struct RollingCamera {
   vo::PinholeCamera camera = small_camera();
   vo::Vector6d velocity = (vo::Vector6d() << 0.3, -0.1, 0.05, 0.1, 0.3, -0.4).finished();
-  double readout = 0.02;  // s
+  vo::Readout readout{.seconds = 0.02};
 
-  SE3 T_world_row(double time, int v) const {
-    return SE3::exp(velocity * (time + readout * ((v + 0.5) / camera.height - 0.5)));
+  SE3 T_world_line(double time, int line) const {
+    const int lines = readout.axis == vo::ReadoutAxis::rows ? camera.height : camera.width;
+    return SE3::exp(velocity * (time + readout.seconds * ((line + 0.5) / lines - 0.5)));
   }
 
   vo::FramePyramid frame(double time) const {
-    vo::RgbdFrame image = support::TexturedPlane().render_rows(
-        camera, [&](int v) { return T_world_row(time, v); }, time);
+    vo::RgbdFrame image = support::TexturedPlane().render_lines(
+        camera, readout.axis, [&](int line) { return T_world_line(time, line); }, time);
     image.depth = vo::DepthImage();
     vo::FramePyramid pyramid = vo::build_pyramid(image, camera, vo::PyramidOptions());
     vo::add_edges(pyramid, vo::EdgeOptions());
@@ -286,7 +288,7 @@ struct RollingCamera {
 };
 
 /// Returns the median relative error of the depths found between two frames 0.2 s apart.
-double median_error(const RollingCamera& rolling, const vo::RowMotion& believed) {
+double median_error(const RollingCamera& rolling, const vo::ReadoutMotion& believed) {
   constexpr double kSeconds = 0.2;
   const vo::FramePyramid host = rolling.frame(0);
   const vo::FramePyramid current = rolling.frame(kSeconds);
@@ -297,7 +299,8 @@ double median_error(const RollingCamera& rolling, const vo::RowMotion& believed)
   std::vector<double> truth;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const cv::Point pixel = edges.pixel[i];
-    truth.push_back(support::true_inverse_depth(rolling.camera, rolling.T_world_row(0, pixel.y),
+    const int line = rolling.readout.axis == vo::ReadoutAxis::rows ? pixel.y : pixel.x;
+    truth.push_back(support::true_inverse_depth(rolling.camera, rolling.T_world_line(0, line),
                                                 pixel.x, pixel.y));
     const auto d = static_cast<float>(truth.back());
     targets.push_back({pixel, edges.ray[i], edges.gradient[i], 1.02F * d, 1.1F * d, 0.9F * d});
@@ -314,11 +317,16 @@ double median_error(const RollingCamera& rolling, const vo::RowMotion& believed)
   return support::median_magnitude(errors);
 }
 
-TEST(EpipolarSearch, FindsDepthsFromRowToRow) {
-  const RollingCamera rolling;
-  const double known = median_error(rolling, vo::RowMotion(rolling.velocity, rolling.readout));
-  EXPECT_LT(known, 0.005);
-  EXPECT_LT(known, 0.3 * median_error(rolling, {}));
+TEST(EpipolarSearch, FindsDepthsFromLineToLine) {
+  for (const vo::ReadoutAxis axis : {vo::ReadoutAxis::rows, vo::ReadoutAxis::columns}) {
+    for (const double seconds : {0.02, -0.02}) {
+      const RollingCamera rolling{.readout = {seconds, axis}};
+      const double known =
+          median_error(rolling, vo::ReadoutMotion(rolling.velocity, rolling.readout));
+      EXPECT_LT(known, 0.005) << vo::to_string(axis) << " in " << seconds << " s";
+      EXPECT_LT(known, 0.3 * median_error(rolling, {})) << vo::to_string(axis);
+    }
+  }
 }
 
 TEST(EpipolarSearch, SaysNothingWithoutParallax) {

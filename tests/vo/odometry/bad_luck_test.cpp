@@ -42,7 +42,7 @@ void expect_sane(const TrackingResult& result) {
   EXPECT_TRUE(result.T_world_camera.translation().allFinite());
   EXPECT_TRUE(result.T_world_camera.rotation().coeffs().allFinite());
   EXPECT_TRUE(result.alignment.covariance.allFinite());
-  EXPECT_TRUE(std::isfinite(result.readout_s));
+  EXPECT_TRUE(std::isfinite(result.readout.seconds));
   EXPECT_EQ(result.status == TrackingStatus::lost, result.reason != LostReason::none);
 }
 
@@ -365,7 +365,7 @@ TEST_P(BadLuck, TwoRunsGiveTheSameBits) {
     EXPECT_EQ(first.T_world_camera.translation(), second.T_world_camera.translation());
     EXPECT_EQ(first.T_world_camera.rotation().coeffs(), second.T_world_camera.rotation().coeffs());
     EXPECT_EQ(first.alignment.covariance, second.alignment.covariance);
-    EXPECT_EQ(first.readout_s, second.readout_s);
+    EXPECT_EQ(first.readout.seconds, second.readout.seconds);
   }
 }
 

@@ -51,7 +51,7 @@ TEST(TrackSequence, FrameLogHasAColumnForEveryTitle) {
   std::string row;
   std::getline(lines, header);
   std::getline(lines, row);
-  EXPECT_EQ(columns(header), 15 + 21) << "covariance: upper triangle of 6x6";
+  EXPECT_EQ(columns(header), 16 + 21) << "covariance: upper triangle of 6x6";
   EXPECT_EQ(columns(row), columns(header));
 }
 

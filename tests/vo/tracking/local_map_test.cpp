@@ -167,6 +167,31 @@ TEST(LocalMap, AVelocityThatIsKnownLaterIsTheLastKeyframes) {
   EXPECT_EQ(positions_of(map.references_for(moved_by(0.1))), (std::vector{0.1, 0.0}));
 }
 
+/// At 0.1 m/s a wall 2 m away moves by 13.9 px/s; 20 ms are 0.28 px, 40 ms from 20 to -20 are 0.55.
+TEST(LocalMap, ForgetsKeyframesThatAnotherReadOutBends) {
+  const auto map_at = [](double speed) {
+    vo::LocalMap map({.references = 2});
+    vo::Keyframe keyframe{cameras_only(),
+                          std::make_shared<const vo::EdgePoints>(wall_points(every_pixel())),
+                          moved_by(0)};
+    keyframe.velocity.emplace();
+    keyframe.velocity->twist[0] = speed;
+    keyframe.readout = {.seconds = 0.02};
+    map.add(keyframe);
+    map.add(keyframe);
+    return map;
+  };
+  const auto left = [&](double speed, const vo::Readout& readout) {
+    vo::LocalMap map = map_at(speed);
+    map.forget_bent(readout);
+    return map.keyframes().size();
+  };
+  EXPECT_EQ(left(0.1, {.seconds = 0.04}), 2U);
+  EXPECT_EQ(left(0.1, {.seconds = -0.02}), 1U) << "the last one stays";
+  EXPECT_EQ(left(0.1, {0.04, vo::ReadoutAxis::columns}), 1U) << "45 ms in all";
+  EXPECT_EQ(left(0, {.seconds = -0.02}), 2U) << "at rest nothing bends";
+}
+
 /// Per point eight floats and a pixel; per pixel two floats and an edge byte.
 TEST(LocalMap, MemoryIsThatOfPointsAndImages) {
   vo::FramePyramid frame = cameras_only();

@@ -6,6 +6,7 @@
 
 #include "tests/support/pose_near.h"
 #include "tests/support/textured_plane.h"
+#include "vo/core/fields.h"
 #include "vo/odometry/mono_odometry.h"
 #include "vo/odometry/rgbd_odometry.h"
 
@@ -24,22 +25,25 @@ SE3 shaken(double time) {
   return SE3::exp(xi);
 }
 
-/// Rows are exposed from `readout` / 2 before the frame's time to as much after it.
-vo::RgbdFrame rolled_frame(const vo::PinholeCamera& camera, double time, double readout) {
-  const auto T_world_row = [&](int v) {
-    return shaken(time + readout * ((v + 0.5) / camera.height - 0.5));
+/// Lines are exposed from half the read-out time before the frame's time to as much after it.
+vo::RgbdFrame rolled_frame(const vo::PinholeCamera& camera, double time,
+                           const vo::Readout& readout) {
+  const int lines = readout.axis == vo::ReadoutAxis::rows ? camera.height : camera.width;
+  const auto T_world_line = [&](int line) {
+    return shaken(time + readout.seconds * ((line + 0.5) / lines - 0.5));
   };
-  return support::TexturedPlane().render_rows(camera, T_world_row, time);
+  return support::TexturedPlane().render_lines(camera, readout.axis, T_world_line, time);
 }
 
 struct Drive {
-  double readout_s = 0;
-  double worst_m = 0;  ///< distance from the pose of the middle row, of any frame
+  vo::Readout readout;
+  double worst_m = 0;  ///< distance from the pose of the middle line, of any frame
 };
 
 /// Tracks a shaken camera with `track`, a function that returns the result of a frame.
 template <typename Track>
-Drive drive(const vo::PinholeCamera& camera, double readout, double start, Track track) {
+Drive drive(const vo::PinholeCamera& camera, const vo::Readout& readout, double start,
+            Track track) {
   Drive found;
   for (int i = 0; i < kFrames; ++i) {
     const double time = start + i / 30.0;
@@ -49,7 +53,7 @@ Drive drive(const vo::PinholeCamera& camera, double readout, double start, Track
     const double distance =
         (T_world_middle.translation() - result.T_world_camera.translation()).norm();
     found.worst_m = std::max(found.worst_m, distance);
-    found.readout_s = result.readout_s;
+    found.readout = result.readout;
   }
   return found;
 }
@@ -58,7 +62,7 @@ vo::PinholeCamera shaken_camera() {
   return vo::PinholeCamera::from_horizontal_fov(240, 180, 60);
 }
 
-Drive drive_rgbd(double readout, double start) {
+Drive drive_rgbd(const vo::Readout& readout, double start) {
   const vo::PinholeCamera camera = shaken_camera();
   vo::RgbdOdometry odometry(camera, vo::preset_options(vo::TrackerPreset::best_measured),
                             shaken(start));
@@ -67,7 +71,7 @@ Drive drive_rgbd(double readout, double start) {
 }
 
 /// Drives monocular odometry that is given the depth of the first frame.
-Drive drive_mono(double readout, vo::ShutterModel shutter) {
+Drive drive_mono(const vo::Readout& readout, vo::ShutterModel shutter) {
   const vo::PinholeCamera camera = shaken_camera();
   vo::MonoOptions options = vo::mono_options();
   options.bootstrap = vo::MonoBootstrap::rgbd;
@@ -82,32 +86,47 @@ Drive drive_mono(double readout, vo::ShutterModel shutter) {
 /// plane; with the shutter ignored, poses are off by 30 mm.
 TEST(ReadoutEstimate, FindsARollingShutterFromRestAndInMotion) {
   for (const double start : {0.0, 0.4}) {
-    const Drive found = drive_rgbd(0.020, start);
-    EXPECT_NEAR(found.readout_s, 0.020, 0.004) << "from " << start << " s";
+    const Drive found = drive_rgbd({.seconds = 0.020}, start);
+    EXPECT_NEAR(found.readout.seconds, 0.020, 0.004) << "from " << start << " s";
     EXPECT_LT(found.worst_m, 10e-3) << "from " << start << " s";
   }
 }
 
+/// The camera hangs upside down, or stands on either side.
+TEST(ReadoutEstimate, FindsWhichLinesARollingShutterReadsAndWhichComesFirst) {
+  for (const vo::ReadoutAxis axis : {vo::ReadoutAxis::rows, vo::ReadoutAxis::columns}) {
+    for (const double seconds : {0.020, -0.020}) {
+      const Drive found = drive_rgbd({seconds, axis}, 0.4);
+      EXPECT_EQ(found.readout.axis, axis) << seconds << " s";
+      EXPECT_NEAR(found.readout.seconds, seconds, 0.004) << vo::to_string(axis);
+      EXPECT_LT(found.worst_m, 10e-3) << vo::to_string(axis) << " in " << seconds << " s";
+    }
+  }
+}
+
 TEST(ReadoutEstimate, FindsAGlobalShutter) {
-  const Drive found = drive_rgbd(0, 0.4);
-  EXPECT_LT(found.readout_s, 0.001);
+  const Drive found = drive_rgbd({}, 0.4);
+  EXPECT_LT(std::abs(found.readout.seconds), 0.001);
   EXPECT_LT(found.worst_m, 1e-3) << "a tenth of a pixel";
 }
 
 TEST(ReadoutEstimate, FindsARollingShutterOnDepthsOfAMap) {
-  const Drive found = drive_mono(0.020, vo::ShutterModel::estimated);
-  const Drive ignoring = drive_mono(0.020, vo::ShutterModel::given);
-  EXPECT_NEAR(found.readout_s, 0.020, 0.006);
+  const Drive found = drive_mono({.seconds = 0.020}, vo::ShutterModel::estimated);
+  const Drive ignoring = drive_mono({.seconds = 0.020}, vo::ShutterModel::given);
+  EXPECT_NEAR(found.readout.seconds, 0.020, 0.006);
   EXPECT_LT(found.worst_m, 0.5 * ignoring.worst_m);
 }
 
 TEST(ReadoutEstimate, FindsAGlobalShutterOnDepthsOfAMap) {
-  EXPECT_EQ(drive_mono(0, vo::ShutterModel::estimated).readout_s, 0);
+  EXPECT_EQ(drive_mono({}, vo::ShutterModel::estimated).readout.seconds, 0);
 }
 
 TEST(ReadoutEstimate, StartsWhereItIsTold) {
-  EXPECT_NEAR(vo::ReadoutEstimate(0.012).seconds(), 0.012, 1e-12);
-  EXPECT_NEAR(vo::ReadoutEstimate(1).seconds(), 0.033, 1e-12) << "at most a frame's time";
+  const vo::Readout given{-0.012, vo::ReadoutAxis::columns};
+  EXPECT_NEAR(vo::ReadoutEstimate(given).readout().seconds, given.seconds, 1e-12);
+  EXPECT_EQ(vo::ReadoutEstimate(given).readout().axis, given.axis);
+  EXPECT_NEAR(vo::ReadoutEstimate({.seconds = 1}).readout().seconds, 0.033, 1e-12)
+      << "at most a frame's time";
 }
 
 }  // namespace

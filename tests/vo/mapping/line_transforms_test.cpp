@@ -7,14 +7,14 @@
 namespace {
 
 using Eigen::Vector3d;
-using vo::RowMotion;
+using vo::ReadoutAxis;
+using vo::ReadoutMotion;
 using vo::SE3;
 
-/// Moves a point between the cameras of a row and of the middle row, as RowMotion defines it:
+/// Moves a point between the cameras of a line and of the middle line, as ReadoutMotion defines it:
 /// `share` is 1 to the middle and -1 from it.
-Vector3d rolled(const Vector3d& p, const RowMotion& motion, double share, double below) {
-  return p +
-         share * below * (motion.angular.cast<double>().cross(p) + motion.linear.cast<double>());
+Vector3d rolled(const Vector3d& p, const ReadoutMotion& motion, double share, double past) {
+  return p + share * past * (motion.angular.cast<double>().cross(p) + motion.linear.cast<double>());
 }
 
 vo::FrameRelation hasty_relation() {
@@ -27,14 +27,15 @@ vo::FrameRelation hasty_relation() {
   return relation;
 }
 
-TEST(RowTransforms, MovePointsFromTheHostsRowToTheCurrentRow) {
+TEST(LineTransforms, MovePointsFromTheHostsLineToTheCurrentLine) {
   const vo::FrameRelation relation = hasty_relation();
-  const vo::RowTransforms rows(relation);
-  ASSERT_TRUE(rows.is_rolling);
+  const vo::LineTransforms lines(relation);
+  ASSERT_TRUE(lines.is_rolling);
   for (const float host : {-0.5F, 0.0F, 0.3F}) {
     for (const float current : {-0.4F, 0.0F, 0.5F}) {
-      const vo::RowTransforms::Matrix34f M = rows.of_middle + host * rows.by_host_row +
-                                             current * (rows.by_current_row + host * rows.by_both);
+      const vo::LineTransforms::Matrix34f M =
+          lines.of_middle + host * lines.by_host_line +
+          current * (lines.by_current_line + host * lines.by_both);
       const Vector3d p(0.4, -0.3, 2);
       const Vector3d middle = relation.T_cur_host * rolled(p, relation.host_motion, 1, host);
       const Vector3d expected = rolled(middle, relation.current_motion, -1, current);
@@ -43,41 +44,48 @@ TEST(RowTransforms, MovePointsFromTheHostsRowToTheCurrentRow) {
   }
 }
 
-TEST(RowTransforms, AreThoseOfThePoseWithAGlobalShutter) {
+TEST(LineTransforms, AreThoseOfThePoseWithAGlobalShutter) {
   vo::FrameRelation relation = hasty_relation();
   relation.host_motion = relation.current_motion = {};
-  const vo::RowTransforms rows(relation);
-  EXPECT_FALSE(rows.is_rolling);
-  EXPECT_TRUE(rows.of_middle.leftCols<3>() == relation.T_cur_host.rotation_matrix().cast<float>());
+  const vo::LineTransforms lines(relation);
+  EXPECT_FALSE(lines.is_rolling);
+  EXPECT_TRUE(lines.of_middle.leftCols<3>() == relation.T_cur_host.rotation_matrix().cast<float>());
 }
 
-/// Each lane's transform must put its edge where the row that it was found at sees it.
-TEST(LaneTransforms, AgreeWithTheRowThatSeesTheEdge) {
+/// Each lane's transform must put its edge where the line that it was found at sees it.
+void expect_lanes_agree(ReadoutAxis axis) {
   const vo::PinholeCamera camera = support::small_camera();
   const vo::FramePyramid host =
       vo::build_pyramid(support::plane_frame(camera, SE3(), 0), camera, {});
-  const vo::FrameRelation relation = hasty_relation();
+  vo::FrameRelation relation = hasty_relation();
+  relation.host_motion.axis = relation.current_motion.axis = axis;
   const vo::StereoPair pair(host.levels[0], host.levels[0], relation);
   vo::detail::Lanes<4> x{0.1F, -0.3F, 0.2F, 0};
   vo::detail::Lanes<4> y{0.2F, -0.2F, 0.1F, -0.3F};
   vo::detail::Lanes<4> d{0.5F, 0.7F, 0.3F, 1};
   vo::detail::LaneTransforms<4> transforms;
   vo::detail::set_transforms(pair, x, y, d, transforms);
-  const auto below = [&](double slope) {
-    return (camera.fy * slope + camera.cy + 0.5) / camera.height - 0.5;
+  const auto past = [&](const Vector3d& p) {
+    return axis == ReadoutAxis::rows
+               ? (camera.fy * p.y() / p.z() + camera.cy + 0.5) / camera.height - 0.5
+               : (camera.fx * p.x() / p.z() + camera.cx + 0.5) / camera.width - 0.5;
   };
   for (std::size_t i = 0; i < 4; ++i) {
     const Vector3d p = Vector3d(x[i], y[i], 1) / d[i];
-    const Vector3d middle = relation.T_cur_host * rolled(p, relation.host_motion, 1, below(y[i]));
-    const Vector3d unrolled = relation.T_cur_host * p;
+    const Vector3d middle = relation.T_cur_host * rolled(p, relation.host_motion, 1, past(p));
     const Vector3d expected =
-        rolled(middle, relation.current_motion, -1, below(unrolled.y() / unrolled.z()));
+        rolled(middle, relation.current_motion, -1, past(relation.T_cur_host * p));
     for (std::size_t k = 0; k < 3; ++k) {
       const double moved = transforms.R[3 * k][i] * p.x() + transforms.R[3 * k + 1][i] * p.y() +
                            transforms.R[3 * k + 2][i] * p.z() + transforms.t[k][i];
       EXPECT_NEAR(moved, expected[static_cast<Eigen::Index>(k)], 1e-5);
     }
   }
+}
+
+TEST(LaneTransforms, AgreeWithTheLineThatSeesTheEdge) {
+  expect_lanes_agree(ReadoutAxis::rows);
+  expect_lanes_agree(ReadoutAxis::columns);
 }
 
 }  // namespace
