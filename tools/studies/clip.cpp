@@ -18,17 +18,22 @@ double seconds(const vo::Trajectory& trajectory) {
   return trajectory.back().timestamp - trajectory.front().timestamp;
 }
 
-void add_errors(const vo::Trajectory& truth, const vo::Trajectory& estimate, ClipScore& score) {
+}  // namespace
+
+ClipErrors errors_of(const vo::Trajectory& truth, const vo::Trajectory& estimate) {
   constexpr double kShareOfShortClip = 0.5;
+  constexpr std::size_t kMinPoses = 3;
+  if (estimate.size() < kMinPoses) {
+    return {};
+  }
   const double interval = std::min(1.0, kShareOfShortClip * seconds(estimate));
   const vo::TrajectoryErrors errors =
       vo::evaluate(truth, estimate, {.interval = {.length = interval}});
-  score.rpe_mm = kMmPerM * errors.rpe.translation.rmse;
-  score.rpe_deg = errors.rpe.rotation_deg.rmse;
-  score.ate_mm = kMmPerM * errors.ate.rmse;
+  return {.rpe_mm = kMmPerM * errors.rpe.translation.rmse,
+          .rpe_deg = errors.rpe.rotation_deg.rmse,
+          .ate_mm = kMmPerM * errors.ate.rmse,
+          .worst_mm = kMmPerM * errors.ate.max};
 }
-
-}  // namespace
 
 Clip load_clip(const vo::SequenceReader& sequence, const std::string& name, std::size_t max_frames,
                const vo::Progress& progress) {
@@ -51,7 +56,6 @@ Clip load_clip(const Scenario& scenario, const std::filesystem::path& cache,
 }
 
 ClipScore score(const Clip& clip, const vo::TrackerOptions& options) {
-  constexpr std::size_t kMinPoses = 3;
   vo::RgbdOdometry odometry(clip.camera, options);
   std::vector<double> times_ms;
   double points = 0;
@@ -65,10 +69,7 @@ ClipScore score(const Clip& clip, const vo::TrackerOptions& options) {
       ++aligned;
     }
   }
-  ClipScore score{.rpe_mm = kUnknown, .rpe_deg = kUnknown, .ate_mm = kUnknown};
-  if (odometry.trajectory().size() >= kMinPoses) {
-    add_errors(clip.truth, odometry.trajectory(), score);
-  }
+  ClipScore score{errors_of(clip.truth, odometry.trajectory())};
   score.points = points / aligned;
   score.ms_per_frame = median(times_ms);
   score.tracked_percent = 100 * static_cast<double>(odometry.trajectory().size()) /

@@ -38,11 +38,19 @@ Clip load_clip(const vo::SequenceReader& sequence, const std::string& name, std:
 Clip load_clip(const Scenario& scenario, const std::filesystem::path& cache,
                const RunProgress& progress);
 
-/// Accuracy and cost of tracking a clip with one set of options. NaN where too little was tracked.
-struct ClipScore {
-  double rpe_mm = 0;  ///< RMSE over 1 s, or over half of the estimate if it spans less than 2 s
-  double rpe_deg = 0;
-  double ate_mm = 0;           ///< RMSE after a rigid (SE(3)) alignment
+/// The errors of an estimated trajectory. NaN where too little was tracked.
+struct ClipErrors {
+  double rpe_mm =
+      kUnknown;  ///< RMSE over 1 s, or over half of the estimate if it spans less than 2 s
+  double rpe_deg = kUnknown;
+  double ate_mm = kUnknown;    ///< RMSE after a rigid (SE(3)) alignment
+  double worst_mm = kUnknown;  ///< greatest position error after that alignment
+};
+
+ClipErrors errors_of(const vo::Trajectory& truth, const vo::Trajectory& estimate);
+
+/// Accuracy and cost of tracking a clip with one set of options.
+struct ClipScore : ClipErrors {
   double points = 0;           ///< points aligned on the finest level, mean over the tracked frames
   double ms_per_frame = 0;     ///< median processor time; differs between runs
   double tracked_percent = 0;  ///< share of all frames with a pose

@@ -79,12 +79,15 @@ Study study_mono;
 /// Measures accuracy and convergence of alignment variants on a clip made by `pose_pairs`.
 Study study_pairs;
 
+/// Tracks the clip as it was recorded and altered: turned, reversed, with faults (alterations.h).
+Study study_stress;
+
 /// The studies by name.
 inline constexpr std::array kStudies{
     std::pair{"points", &study_points},       std::pair{"detectors", &study_detectors},
     std::pair{"residuals", &study_residuals}, std::pair{"levels", &study_levels},
     std::pair{"time", &study_time},           std::pair{"mono", &study_mono},
-    std::pair{"pairs", &study_pairs}};
+    std::pair{"pairs", &study_pairs},         std::pair{"stress", &study_stress}};
 
 /// Returns the files of a study: table, plot, text and what more there is. `command` is the command
 /// that repeats the study.

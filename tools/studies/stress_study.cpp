@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "tools/plot/plot.h"
+#include "tools/plot/statistics.h"
+#include "tools/studies/alterations.h"
+#include "tools/studies/study.h"
+#include "vo/core/error.h"
+
+namespace tools {
+namespace {
+
+/// What a tracker says of an altered clip, and how true it is.
+struct StressScore {
+  double tracked_percent = 0;  ///< frames with a pose
+  ClipErrors errors;
+  double steps = 0;            ///< frame-to-frame motions that are off by more than 3 cm
+  double sigma_mm = kUnknown;  ///< median standard deviation claimed for a position
+  std::string readout;         ///< read-out time and lines, as estimated in the end
+  std::string reasons;         ///< why frames are lost, and how many
+};
+
+/// Returns the number of steps between consecutive poses that are off by more than 3 cm.
+double wrong_steps(const vo::Trajectory& truth, const vo::Trajectory& estimate) {
+  constexpr double kWrong = 0.03;  // m
+  double wrong = 0;
+  for (std::size_t i = 1; i < estimate.size(); ++i) {
+    const auto T_world_before = vo::pose_at(truth, estimate[i - 1].timestamp);
+    const auto T_world_now = vo::pose_at(truth, estimate[i].timestamp);
+    if (T_world_before && T_world_now) {
+      const vo::SE3 step = estimate[i - 1].T_world_camera.inverse() * estimate[i].T_world_camera;
+      const vo::SE3 error = (T_world_before->inverse() * *T_world_now).inverse() * step;
+      wrong += error.translation().norm() > kWrong ? 1 : 0;
+    }
+  }
+  return wrong;
+}
+
+/// Lists what is counted, the most frequent first.
+std::string most_frequent_first(const std::map<std::string, int>& counts) {
+  std::vector<std::pair<std::string, int>> sorted(counts.begin(), counts.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::string text;
+  for (const auto& [name, count] : sorted) {
+    text += vo::concat(text.empty() ? "" : ", ", name, " ", count);
+  }
+  return text.empty() ? "-" : text;
+}
+
+StressScore stressed(const Clip& clip, const vo::TrackerOptions& options) {
+  vo::RgbdOdometry odometry(clip.camera, options);
+  std::map<std::string, int> reasons;
+  std::vector<double> sigmas_mm;
+  for (const vo::RgbdFrame& frame : clip.frames) {
+    const vo::TrackingResult result = odometry.track(frame);
+    if (result.status == vo::TrackingStatus::tracked) {
+      const auto variance = result.alignment.covariance.topLeftCorner<3, 3>().trace();
+      sigmas_mm.push_back(kMmPerM * std::sqrt(variance));
+    }
+    if (result.reason != vo::LostReason::none) {
+      ++reasons[std::string(vo::to_string(result.reason))];
+    }
+  }
+  StressScore result;
+  const vo::Trajectory& estimate = odometry.trajectory();
+  result.errors = errors_of(clip.truth, estimate);
+  result.tracked_percent =
+      100 * static_cast<double>(estimate.size()) / static_cast<double>(clip.frames.size());
+  result.steps = wrong_steps(clip.truth, estimate);
+  result.sigma_mm = median(sigmas_mm);
+  const vo::Readout& readout = odometry.tracker().readout();
+  result.readout =
+      vo::concat(format_decimals(1000 * readout.seconds, 1), " ms, ", vo::to_string(readout.axis));
+  result.reasons = most_frequent_first(reasons);
+  return result;
+}
+
+}  // namespace
+
+StudyReport study_stress(const Clip& clip, const StudySettings& settings,
+                         const vo::Progress& progress) {
+  const vo::TrackerOptions options = settings.options({}, {});
+  StudyReport report{
+      .name = "stress",
+      .title = "A clip altered: " + clip.name,
+      .method = vo::concat("The whole clip is tracked as it was recorded and altered, ",
+                           settings.described(),
+                           ". A wrong step is a motion from frame to frame that is off by more "
+                           "than 3 cm; sigma is what the tracker claims of a position.")};
+  report.table.columns = {{"alteration"},  {"tracked_percent", 1}, {"rpe_mm", 1},   {"ate_mm", 1},
+                          {"worst_mm", 1}, {"wrong_steps"},        {"sigma_mm", 2}, {"readout"},
+                          {"reasons"}};
+  const std::span<const Alteration> all = alterations();
+  PlotSeries errors{"", 0, PlotMark::points, {}};
+  PlotAxis x{.title = "alteration"};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    Clip changed = clip;
+    all[i].apply(changed);
+    const StressScore score = stressed(changed, options);
+    report.table.add_row({std::string(all[i].description), score.tracked_percent,
+                          score.errors.rpe_mm, score.errors.ate_mm, score.errors.worst_mm,
+                          score.steps, score.sigma_mm, score.readout, score.reasons});
+    errors.points.push_back({static_cast<double>(i), score.errors.ate_mm});
+    x.categories.emplace_back(all[i].name);
+    progress(i + 1, all.size());
+  }
+  report.plot = draw_plot(
+      report.title,
+      {{.x = x, .y = {.title = "ATE, mm", .scale = AxisScale::logarithmic}, .series = {errors}}});
+  return report;
+}
+
+}  // namespace tools
