@@ -36,7 +36,8 @@ constexpr const char* kTrackHelp =
     "T_world_camera of every tracked frame in TUM format; the world is the first camera's frame.\n"
     "With --mode mono only the images are read, and the depth of the first for --bootstrap rgbd;\n"
     "--preset and --debug-images are for --mode rgbd.\n"
-    "Frames that are lost have no pose in the file, and the exit code is then 5, as it is where\n"
+    "Frames that are lost have no pose in the file; frames that are uncertain have one that must\n"
+    "not be relied on (the frame log says why). The exit code is then 5, as it is where\n"
     "--mode mono knows a pose's rotation alone.\n"
     "All options that a trajectory was tracked with are written beside it (e_config.toml for\n"
     "e.txt); --config reads them.";
@@ -90,7 +91,7 @@ struct Tracked {
   std::string note;                              ///< what a user of the trajectory must know
 
   bool is_complete() const {
-    return result.tracked_fraction() == 1 &&
+    return result.tracked_fraction() == 1 && result.uncertain() == 0 &&
            (mono == nullptr || mono->oriented_poses + mono->scale_uncertain_poses == 0);
   }
 };
@@ -118,6 +119,15 @@ nlohmann::ordered_json scales_json(const vo::MonoSequenceResult& mono) {
   return json;
 }
 
+/// Returns how many frames are lost or uncertain for each reason.
+nlohmann::ordered_json reasons_json(const vo::SequenceResult& result) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const auto& [reason, frames] : result.reasons()) {
+    json[std::string(vo::to_string(reason))] = frames;
+  }
+  return json;
+}
+
 nlohmann::ordered_json summary(const TrackArguments& arguments, const Tracked& tracked) {
   nlohmann::ordered_json json = {
       {"edvo", vo::version()}, {"sequence", arguments.sequence}, {"estimate", arguments.out}};
@@ -126,6 +136,8 @@ nlohmann::ordered_json summary(const TrackArguments& arguments, const Tracked& t
   }
   json["frames"] = tracked.result.frames.size();
   json["tracked_fraction"] = tracked.result.tracked_fraction();
+  json["uncertain"] = tracked.result.uncertain();
+  json["reasons"] = reasons_json(tracked.result);
   json["keyframes"] = tracked.result.keyframes();
   json["ms_per_frame"] = time_json(vo::summarize(tracked.result.times));
   if (tracked.mono != nullptr) {
@@ -133,10 +145,11 @@ nlohmann::ordered_json summary(const TrackArguments& arguments, const Tracked& t
     json["oriented_poses"] = tracked.mono->oriented_poses;
     json["scale_uncertain_poses"] = tracked.mono->scale_uncertain_poses;
     json["keyframe_scales"] = scales_json(*tracked.mono);
-    json["note"] = tracked.note;
   } else {
     json["preset"] = arguments.preset;
+    json["typical_depth_m"] = tracked.result.typical_depth_m();
   }
+  json["note"] = tracked.note;
   json["options"] = fields_json(tracked.options);
   return json;
 }
@@ -150,7 +163,9 @@ int print(const TrackArguments& arguments, const Tracked& tracked) {
   } else {
     const vo::TimeSummary times = vo::summarize(result.times);
     out << arguments.out << ": " << result.trajectory.size() << " of " << result.frames.size()
-        << " frames tracked, " << result.keyframes() << " keyframes, " << times.median_ms
+        << " frames tracked, "
+        << (result.uncertain() > 0 ? vo::concat(result.uncertain(), " of them uncertain, ") : "")
+        << result.keyframes() << " keyframes, " << times.median_ms
         << " ms per frame (median; pyramid " << times.pyramid_ms << ", edges " << times.edges_ms
         << ", alignment " << times.alignment_ms
         << (tracked.mono != nullptr ? vo::concat(", mapping ", tracked.mono->mapping_ms()) : "")
@@ -184,6 +199,7 @@ int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCame
       .result = vo::track_sequence(sequence, options, {}, panels.observer(), bar.callback()),
       .options = vo::fields_of(options)};
   tracked.log = vo::format_frame_log(tracked.result.frames);
+  tracked.note = vo::note_on(tracked.result);
   write_results(arguments, tracked);
   if (arguments.debug_images > 0) {
     panels.commit();

@@ -119,6 +119,7 @@ void summarize(const JointSystem& system, const JointProblem& problem, AlignResu
     const JointScores scores = problem.scores(system, result.T_cur_ref);
     result.covariance = pose_covariance(problem, system, scores, result.T_cur_ref);
     result.loss_by_readout = scores.loss_by_readout;
+    result.agreement = scores.agreement;
   }
   result.correlation = correlation(problem.forward_view(0, result.T_cur_ref));
   result.depth_agreement = problem.depth_agreement(result.T_cur_ref);

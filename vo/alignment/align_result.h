@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "vo/geometry/se3.h"
+#include "vo/residuals/view_agreement.h"
 
 namespace vo {
 
@@ -49,6 +50,7 @@ struct AlignResult {
   /// Covariance of the left increment delta of exp(delta) T_cur_ref; see pose_covariance().
   Matrix6d covariance = Matrix6d::Zero();
 
+  ViewAgreement agreement;        ///< of the first reference's points with the current image
   LossByReadout loss_by_readout;  ///< 0 where the camera's velocity is not known
 
   bool usable() const {

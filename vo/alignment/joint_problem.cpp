@@ -227,6 +227,9 @@ JointScores JointProblem::scores(const JointSystem& system, const SE3& T_cur_fir
     const ScoredPair pair = scored(i, system.parts[i], T_cur_first, scores);
     add_velocities(pair, result);
     add_readout(pair, T_cur_first, readout);
+    if (i == 0) {
+      result.agreement = view_agreement(pair.seen, pair.scores, models_.front());
+    }
     if (pair.pair.backward) {
       place_at_pixels(pair.seen.points.pixel, pair.scores);
     }

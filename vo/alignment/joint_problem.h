@@ -10,6 +10,7 @@
 #include "vo/residuals/depth_term.h"
 #include "vo/residuals/frame_velocity.h"
 #include "vo/residuals/linearize.h"
+#include "vo/residuals/view_agreement.h"
 
 namespace vo {
 
@@ -59,6 +60,7 @@ struct JointScores {
   std::vector<Matrix6d> by_reference_velocity;
 
   LossByReadout loss_by_readout;  ///< first-order in the residuals
+  ViewAgreement agreement;        ///< of the first reference's points with the current image
 };
 
 /// The current frame and all its references at one pyramid level: the references' points looked up

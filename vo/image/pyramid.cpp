@@ -9,6 +9,7 @@
 
 #include "vo/core/error.h"
 #include "vo/core/instruction_set.h"
+#include "vo/image/fingerprint.h"
 
 namespace vo {
 namespace {
@@ -158,6 +159,8 @@ void PyramidBuilder::build(const RgbdFrame& frame, const Vignette& vignette,
                            FramePyramid& pyramid) {
   pyramid.timestamp = frame.timestamp;
   pyramid.vignette = vignette;
+  pyramid.image_fingerprint = fingerprint(frame.image);
+  pyramid.depth_fingerprint = fingerprint(frame.depth);
   pyramid.levels.resize(levels_.size());
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     PyramidLevel& level = pyramid.levels[l];

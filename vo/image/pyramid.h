@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -71,7 +72,9 @@ struct PyramidLevel {
 struct FramePyramid {
   double timestamp = 0;  ///< s
   std::vector<PyramidLevel> levels;
-  Vignette vignette;  ///< vignette that has been removed from the intensities
+  Vignette vignette;                    ///< vignette that has been removed from the intensities
+  std::uint64_t image_fingerprint = 0;  ///< fingerprint() of the image as it was given
+  std::uint64_t depth_fingerprint = 0;  ///< fingerprint() of the depth, 0 without
 };
 
 /// Builds the pyramids of a camera's frames, one after the other in the same memory.

@@ -144,7 +144,7 @@ void MonoOdometry::start_from_depth(const DepthImage& depth, MonoResult& result)
           camera_.height, " px for the bootstrap, got ", depth.cols, "x", depth.rows, " px");
   map_ = measured_map(current_, depth, options_);
   if (map_.confident() < kMinConfident) {
-    result.tracking.reason = LostReason::too_few_points;
+    result.tracking.reason = TrackingReason::too_few_points;
     return;
   }
   begin_tracking(current_, Guesses::left_out, result);
@@ -155,7 +155,7 @@ void MonoOdometry::start_from_depth(const DepthImage& depth, MonoResult& result)
 bool MonoOdometry::guess_map(const FramePyramid& host, MonoResult& result) {
   DepthMap map = guessed_map(host, start_depth_, options_);
   if (map.hypotheses().size() < kMinConfident) {
-    result.tracking.reason = LostReason::too_few_points;
+    result.tracking.reason = TrackingReason::too_few_points;
     return false;
   }
   leave_map();
@@ -171,10 +171,10 @@ void MonoOdometry::start_from_guesses(MonoResult& result) {
 }
 
 void MonoOdometry::initialise(MonoResult& result) {
-  result.tracking.reason = LostReason::undetermined;
+  result.tracking.reason = TrackingReason::undetermined;
   if (const auto solved = solved_start(result.initialiser)) {
     if (!start_from(*solved, result)) {
-      result.tracking.reason = LostReason::too_few_points;
+      result.tracking.reason = TrackingReason::too_few_points;
     }
   } else if (state_ == MonoState::initialising && initialiser_->is_exhausted()) {
     orient_from(*std::exchange(initialiser_, nullptr), result);

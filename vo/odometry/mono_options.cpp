@@ -24,6 +24,7 @@ MonoOptions mono_options() {
   MonoOptions options;
   options.tracker = preset_options(TrackerPreset::best_measured);
   options.tracker.symmetric = false;
+  options.tracker.doubt = false;
   options.tracker.points.min_depth = 1e-3;
   options.tracker.points.max_depth = 1e3;
   options.tracker.points.discontinuity_radius = 0;

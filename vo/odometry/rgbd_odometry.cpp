@@ -57,6 +57,7 @@ TrackerOptions best_options() {
   options.motion_model = MotionModel::best;
   options.shutter = ShutterModel::estimated;
   options.vignette = VignetteModel::estimated;
+  options.doubt = true;
   return options;
 }
 

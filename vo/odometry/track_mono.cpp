@@ -65,7 +65,7 @@ std::string MonoSequenceResult::why_no_pose() const {
   std::map<std::string, int> counts;
   double parallax_px = 0;
   for (const MonoResult& frame : frames) {
-    const bool looked = frame.tracking.reason == LostReason::undetermined;
+    const bool looked = frame.tracking.reason == TrackingReason::undetermined;
     ++counts[std::string(looked ? to_string(frame.initialiser.verdict)
                                 : to_string(frame.tracking.reason))];
     parallax_px = std::max(parallax_px, frame.initialiser.parallax_px);

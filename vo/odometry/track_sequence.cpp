@@ -6,6 +6,7 @@
 
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
+#include "vo/core/median.h"
 
 namespace vo {
 namespace {
@@ -17,6 +18,24 @@ std::vector<double> stage(const std::vector<StageTimes>& times, Stage select) {
     values.push_back(select(time));
   }
   return values;
+}
+
+/// Returns the median of every 16th depth in every 16th row, or 0 without any.
+float median_depth(const DepthImage& depth) {
+  constexpr int kStep = 16;  // px
+  std::vector<float> depths;
+  for (int v = kStep / 2; v < depth.rows; v += kStep) {
+    for (int u = kStep / 2; u < depth.cols; u += kStep) {
+      if (has_depth(depth(v, u))) {
+        depths.push_back(depth(v, u));
+      }
+    }
+  }
+  return depths.empty() ? 0 : upper_median(std::move(depths));
+}
+
+double rounded_cm(double meters) {
+  return std::round(100 * meters) / 100;
 }
 
 std::string frame_log_header() {
@@ -54,6 +73,42 @@ std::size_t SequenceResult::keyframes() const {
       frames.begin(), frames.end(), [](const TrackingResult& f) { return f.is_keyframe; }));
 }
 
+std::size_t SequenceResult::uncertain() const {
+  return static_cast<std::size_t>(
+      std::count_if(frames.begin(), frames.end(),
+                    [](const TrackingResult& f) { return f.status == TrackingStatus::uncertain; }));
+}
+
+std::map<TrackingReason, std::size_t> SequenceResult::reasons() const {
+  std::map<TrackingReason, std::size_t> counts;
+  for (const TrackingResult& frame : frames) {
+    if (frame.reason != TrackingReason::none) {
+      ++counts[frame.reason];
+    }
+  }
+  return counts;
+}
+
+double SequenceResult::typical_depth_m() const {
+  return depths_m.empty() ? 0 : upper_median(depths_m);
+}
+
+std::string note_on(const SequenceResult& result) {
+  constexpr double kNearest = 0.35;  // m
+  constexpr double kFarthest = 8;    // m
+  std::string note;
+  for (const auto& [reason, frames] : result.reasons()) {
+    note +=
+        concat(note.empty() ? "lost or uncertain frames: " : ", ", to_string(reason), " ", frames);
+  }
+  const double depth = result.typical_depth_m();
+  if (depth > 0 && (depth < kNearest || depth > kFarthest)) {
+    note += concat(note.empty() ? "" : "; ", "the median depth is ", format_real(rounded_cm(depth)),
+                   " m, which few depth cameras measure: is the camera's depth_units_per_m right?");
+  }
+  return note;
+}
+
 SequenceResult track_sequence(const SequenceReader& sequence, const TrackerOptions& options,
                               const SE3& T_world_first, const FrameObserver& observe,
                               const Progress& progress) {
@@ -64,6 +119,9 @@ SequenceResult track_sequence(const SequenceReader& sequence, const TrackerOptio
   while (const std::optional<RgbdFrame> frame = stream.next()) {
     result.frames.push_back(odometry.track(*frame));
     result.times.push_back(odometry.stage_times());
+    if (const float depth = median_depth(frame->depth); has_depth(depth)) {
+      result.depths_m.push_back(depth);
+    }
     if (observe) {
       observe(*frame, odometry.current(), odometry.tracker(), result.frames.back());
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,18 @@ namespace vo {
 struct SequenceResult {
   std::vector<TrackingResult> frames;
   std::vector<StageTimes> times;  ///< for diagnosis, differ from run to run
+  std::vector<float> depths_m;    ///< median depth of each frame that has any
   Trajectory trajectory;          ///< frames that are not lost
 
   double tracked_fraction() const;  ///< share of all frames; the first counts as tracked
   std::size_t keyframes() const;
+  std::size_t uncertain() const;  ///< frames whose pose must not be relied on
+
+  /// Returns how many frames are lost or uncertain for each reason.
+  std::map<TrackingReason, std::size_t> reasons() const;
+
+  /// Returns the median of the frames' median depths, m, or 0 without any.
+  double typical_depth_m() const;
 };
 
 /// Called after each frame, before the next one is read; for pictures.
@@ -27,6 +36,10 @@ using FrameObserver = std::function<void(const RgbdFrame& frame, const FramePyra
 SequenceResult track_sequence(const SequenceReader& sequence, const TrackerOptions& options,
                               const SE3& T_world_first, const FrameObserver& observe,
                               const Progress& progress);
+
+/// Returns what a user must know of an RGB-D trajectory to use it: how many frames are lost or
+/// uncertain and why, and depths that no depth camera measures. Empty where all is well.
+std::string note_on(const SequenceResult& result);
 
 /// Returns the nearest-rank percentile of a fraction 0..1, or 0 without values.
 double percentile(std::vector<double> values, double fraction);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "vo/core/median.h"
+#include "vo/residuals/intensity_moments.h"
 
 namespace vo {
 namespace {
@@ -28,35 +29,17 @@ PassOptions pass_options(const AlignOptions& options, const ResidualModel& model
           .brightness = options.brightness == BrightnessModel::affine};
 }
 
-/// The first and second moments of pairs (reference, current) of intensities, skipping NaN.
-struct Moments {
-  double n = 0;
-  double ref = 0;
-  double cur = 0;
-  double ref_ref = 0;
-  double cur_cur = 0;
-  double ref_cur = 0;
-
-  Moments(const std::vector<float>& reference, const std::vector<float>& current) {
-    for (std::size_t i = 0; i < reference.size(); ++i) {
-      if (std::isnan(current[i])) {
-        continue;
-      }
-      const double r = reference[i];
-      const double c = current[i];
-      n += 1;
-      ref += r;
-      cur += c;
-      ref_ref += r * r;
-      cur_cur += c * c;
-      ref_cur += r * c;
+/// Returns the moments of the points' intensities and those of the image where they are seen.
+IntensityMoments moments_of(const PointView& view) {
+  const std::vector<float> seen = sampled_intensities(view);
+  IntensityMoments moments;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (!std::isnan(seen[i])) {
+      moments.add(view.points.intensity[i], seen[i]);
     }
   }
-
-  double ref_variance() const { return n * ref_ref - ref * ref; }  ///< n^2 times the variance
-  double cur_variance() const { return n * cur_cur - cur * cur; }
-  double covariance() const { return n * ref_cur - ref * cur; }
-};
+  return moments;
+}
 
 /// Returns 1.4826 times the median |r|, intensity: the standard deviation of Gaussian residuals,
 /// hardly changed by outliers.
@@ -113,13 +96,11 @@ std::vector<std::optional<float>> residuals(const EdgePointLevel& reference,
 }
 
 double correlation(const PointView& view) {
-  const Moments m(view.points.intensity, sampled_intensities(view));
-  const double variances = m.ref_variance() * m.cur_variance();
-  return variances > 0 ? m.covariance() / std::sqrt(variances) : 0;
+  return moments_of(view).correlation();
 }
 
 Brightness matched_brightness(const PointView& view) {
-  const Moments m(view.points.intensity, sampled_intensities(view));
+  const IntensityMoments m = moments_of(view);
   if (!(m.ref_variance() > 0) || !(m.cur_variance() > 0)) {
     return {};
   }

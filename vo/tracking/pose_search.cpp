@@ -74,4 +74,20 @@ std::vector<SE3> similar_keyframes(const LocalMap& map, const FramePyramid& fram
   return highest(std::move(ranked), count);
 }
 
+bool is_more_credible(const TrackingResult& found, const TrackingResult& best) {
+  constexpr double kClearlyBetter = 0.02;  // difference of two correlations
+  constexpr double kWorse = 0.05;          // difference of two depth agreements
+  if (found.status != TrackingStatus::tracked || best.status != TrackingStatus::tracked) {
+    return found.status == TrackingStatus::tracked;
+  }
+  return found.alignment.correlation > best.alignment.correlation + kClearlyBetter &&
+         found.alignment.depth_agreement >= best.alignment.depth_agreement - kWorse;
+}
+
+bool is_doubtful(const TrackingResult& result) {
+  constexpr double kDoubtfulCorrelation = 0.8;
+  return result.status == TrackingStatus::lost ||
+         result.alignment.correlation < kDoubtfulCorrelation;
+}
+
 }  // namespace vo

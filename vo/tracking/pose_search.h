@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "vo/tracking/local_map.h"
+#include "vo/tracking/tracking_result.h"
 
 namespace vo {
 
@@ -27,5 +28,12 @@ std::vector<SE3> turned_guesses(const SE3& T_world_camera);
 /// Returns the poses of the keyframes that agree best with the frame, best first, at most `count`.
 std::vector<SE3> similar_keyframes(const LocalMap& map, const FramePyramid& frame,
                                    std::size_t count);
+
+/// Returns whether a frame aligned from one start is so doubtful that others are tried: it is lost,
+/// or its images correlate weakly.
+bool is_doubtful(const TrackingResult& result);
+
+/// Returns whether a pose that was searched for is preferred to the best one so far.
+bool is_more_credible(const TrackingResult& found, const TrackingResult& best);
 
 }  // namespace vo

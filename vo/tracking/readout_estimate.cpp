@@ -45,6 +45,12 @@ Readout ReadoutEstimate::along(ReadoutAxis axis) const {
   return {std::clamp(weighted_[k] / information_(k, k), -kMaxEstimate, kMaxEstimate), axis};
 }
 
+Readout ReadoutEstimate::mapped() const {
+  const Readout readout = along(first_.axis);
+  const double forwards = first_.seconds < 0 ? -readout.seconds : readout.seconds;
+  return forwards < kLeastMappedReadout ? Readout() : readout;
+}
+
 void ReadoutEstimate::update(const LossByReadout& loss, const Readout& used,
                              double curvature_share) {
   const Eigen::Matrix2d curvature = curvature_share * loss.curvature;

@@ -25,6 +25,10 @@ class ReadoutEstimate {
   /// Returns the minimum along one axis, as if it were known that the shutter reads these lines.
   Readout along(ReadoutAxis axis) const;
 
+  /// Returns the read-out to use where depths were found with the same read-out, which they absorb
+  /// most of: along the lines of the first value, not against it, and long enough to be clear.
+  Readout mapped() const;
+
   /// Adds the loss of a frame that was aligned with this read-out. `curvature_share` is the share
   /// of the loss's curvature that is left when the points' depths follow the read-out time.
   void update(const LossByReadout& loss, const Readout& used, double curvature_share = 1);

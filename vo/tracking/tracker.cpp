@@ -5,6 +5,7 @@
 
 #include "vo/core/error.h"
 #include "vo/geometry/readout.h"
+#include "vo/image/view_cells.h"
 #include "vo/tracking/pose_search.h"
 #include "vo/tracking/sharpness.h"
 
@@ -28,36 +29,10 @@ constexpr double kKeyframeCorrelation = 0;
 /// the same read-out time: with a wrong one they absorb nine tenths of what it bends.
 constexpr double kMappedCurvatureShare = 0.1;
 
-/// Returns the read-out that is used where depths were found with the same read-out, which they
-/// absorb most of: along the lines that the first value names, and not against it.
-Readout mapped_readout(const Readout& first, const ReadoutEstimate& estimate) {
-  const Readout readout = estimate.along(first.axis);
-  const double forwards = first.seconds < 0 ? -readout.seconds : readout.seconds;
-  return forwards < kLeastMappedReadout ? Readout() : readout;
-}
-
 /// Returns a finder of points at a frame's own edges, whatever else chooses points while tracking.
 EdgePointFinder own_point_finder(EdgePointOptions options) {
   options.source = EdgeSource::reference;
   return EdgePointFinder(options);
-}
-
-/// Returns whether a pose that was searched for is preferred to the best one so far.
-bool is_more_credible(const TrackingResult& found, const TrackingResult& best) {
-  constexpr double kClearlyBetter = 0.02;  // difference of two correlations
-  constexpr double kWorse = 0.05;          // difference of two depth agreements
-  if (found.status != TrackingStatus::tracked || best.status != TrackingStatus::tracked) {
-    return found.status == TrackingStatus::tracked;
-  }
-  return found.alignment.correlation > best.alignment.correlation + kClearlyBetter &&
-         found.alignment.depth_agreement >= best.alignment.depth_agreement - kWorse;
-}
-
-/// Returns whether other starting points are tried.
-bool is_doubtful(const TrackingResult& result) {
-  constexpr double kDoubtfulCorrelation = 0.8;
-  return result.status == TrackingStatus::lost ||
-         result.alignment.correlation < kDoubtfulCorrelation;
 }
 
 /// Returns whether the time between two frames says how fast the camera moved: a clock that stands
@@ -81,24 +56,31 @@ Tracker::Tracker(const TrackerOptions& options, SE3 T_world_first)
 
 TrackingResult Tracker::track(const FramePyramid& current) {
   if (map_.empty()) {
+    doubt_.see(current);
     const bool fit = can_be_reference(current);
     last_timestamp_ = current.timestamp;
     return {.timestamp = current.timestamp,
             .T_world_camera = T_world_last_,
             .status = fit ? TrackingStatus::initialized : TrackingStatus::lost,
-            .reason = fit ? LostReason::none : LostReason::too_few_points};
+            .reason = fit ? TrackingReason::none : TrackingReason::too_few_points};
   }
   if (options_.symmetric) {
     find_current_points(current);
   }
   ++frames_since_keyframe_;
+  doubt_.see(current);
   Attempt attempt = aligned_from(current, starting_pose(current), Start::expected);
   if (is_doubtful(attempt.result) && options_.lost.recover) {
     attempt = searched(current, std::move(attempt));
   }
   reference_points_ = attempt.references.points.front();
+  if (attempt.result.status == TrackingStatus::tracked && options_.doubt) {
+    judge_pose(attempt.result);
+  }
   if (attempt.result.status == TrackingStatus::tracked) {
     calibrate(current, attempt);
+  }
+  if (attempt.result.status != TrackingStatus::lost) {
     accept(current, attempt);
   } else {
     T_last_predicted_ = SE3();
@@ -113,6 +95,9 @@ void Tracker::find_current_points(const FramePyramid& current) {
     current_points_ = std::make_shared<EdgePoints>();
   }
   own_point_finder_.find(current, current, *current_points_);
+  if (options_.doubt) {
+    leave_out(disagreeing_, current, *current_points_);
+  }
 }
 
 SE3 Tracker::starting_pose(const FramePyramid& current) const {
@@ -149,8 +134,7 @@ bool Tracker::References::velocities_known() const {
 AlignOptions Tracker::align_options() const {
   AlignOptions options = options_.align;
   if (options_.shutter == ShutterModel::estimated) {
-    options.readout =
-        depth_is_mapped_ ? mapped_readout(options_.align.readout, readout_) : readout_.readout();
+    options.readout = depth_is_mapped_ ? readout_.mapped() : readout_.readout();
   }
   return options;
 }
@@ -182,7 +166,7 @@ Tracker::Attempt Tracker::aligned_from(const FramePyramid& current, const SE3& T
       align(attempt.references.views, {current, current_points_.get(), attempt.previous},
             result.T_cur_ref_guess, options);
   result.reason = judge(result.alignment, start);
-  if (result.reason == LostReason::none) {
+  if (result.reason == TrackingReason::none) {
     result.status = TrackingStatus::tracked;
     result.T_world_camera = T_world_first * result.alignment.T_cur_ref.inverse();
   }
@@ -234,26 +218,47 @@ Tracker::Attempt Tracker::searched(const FramePyramid& current, Attempt first) c
   return best;
 }
 
-LostReason Tracker::judge(const AlignResult& alignment, Start start) const {
+/// Marks a pose as uncertain where something speaks against it. After a repeated image it is not
+/// known how the camera moves.
+void Tracker::judge_pose(TrackingResult& result) {
+  disagreeing_ = result.alignment.agreement.disagreeing;
+  result.reason = doubt_.judge(result.alignment);
+  if (result.reason != TrackingReason::none) {
+    result.status = TrackingStatus::uncertain;
+  }
+}
+
+/// Returns the correlation that an alignment is judged by. Where poses are doubted, it is that of
+/// the parts of the view that agree, if they are most of it; the place that a search found must be
+/// recognised as a whole.
+double Tracker::correlation_of(const AlignResult& alignment, Start start) const {
+  constexpr double kMostOfView = 0.6;  // share of the points that may disagree
+  const ViewAgreement& agreement = alignment.agreement;
+  const bool by_parts = options_.doubt && !is_lost_ && start == Start::expected &&
+                        agreement.disagreeing_fraction < kMostOfView;
+  return by_parts ? agreement.agreeing_correlation : alignment.correlation;
+}
+
+TrackingReason Tracker::judge(const AlignResult& alignment, Start start) const {
   if (alignment.termination == Termination::too_few_points) {
-    return LostReason::too_few_points;
+    return TrackingReason::too_few_points;
   }
   if (alignment.termination == Termination::singular) {
-    return LostReason::undetermined;
+    return TrackingReason::undetermined;
   }
   if (!(alignment.visible_fraction >= kMinVisibleFraction)) {
-    return LostReason::out_of_view;
+    return TrackingReason::out_of_view;
   }
   LostOptions least = options_.lost;
   if ((is_lost_ || start == Start::searched) && least.recover) {
     least.min_correlation = std::max(least.min_correlation, kRecognisedCorrelation);
     least.min_depth_agreement = std::max(least.min_depth_agreement, kRecognisedDepthAgreement);
   }
-  if (!(alignment.correlation >= least.min_correlation)) {
-    return LostReason::images_disagree;
+  if (!(correlation_of(alignment, start) >= least.min_correlation)) {
+    return TrackingReason::images_disagree;
   }
-  return alignment.depth_agreement >= least.min_depth_agreement ? LostReason::none
-                                                                : LostReason::depths_disagree;
+  return alignment.depth_agreement >= least.min_depth_agreement ? TrackingReason::none
+                                                                : TrackingReason::depths_disagree;
 }
 
 void Tracker::accept(const FramePyramid& current, const Attempt& attempt) {
@@ -273,14 +278,14 @@ void Tracker::accept(const FramePyramid& current, const Attempt& attempt) {
       options_.motion_model != MotionModel::stationary && follows ? T_last_cur : SE3();
   T_world_last_ = attempt.result.T_world_camera;
   last_timestamp_ = current.timestamp;
-  is_lost_ = false;
+  is_lost_ = attempt.result.reason == TrackingReason::image_repeated;
 }
 
 bool Tracker::needs_keyframe(const FramePyramid& current, const TrackingResult& result) const {
   if (result.status == TrackingStatus::initialized) {
     return true;
   }
-  if (result.status != TrackingStatus::tracked || !can_be_reference(current)) {
+  if (result.status == TrackingStatus::lost || !can_be_reference(current)) {
     return false;
   }
   const KeyframeOptions& options = options_.keyframes;
@@ -314,6 +319,8 @@ bool Tracker::is_blurred(const FramePyramid& current, const SE3& T_cur_last) con
 void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyframe) {
   if (current_points_ == nullptr) {
     find_current_points(keyframe);
+  } else if (options_.doubt && options_.symmetric) {
+    leave_out(disagreeing_, keyframe, *current_points_);
   }
   set_keyframe(keyframe, T_world_keyframe,
                options_.symmetric ? current_points_ : std::exchange(current_points_, nullptr));

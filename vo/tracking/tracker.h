@@ -9,6 +9,7 @@
 #include "vo/geometry/readout.h"
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
+#include "vo/tracking/doubt.h"
 #include "vo/tracking/local_map.h"
 #include "vo/tracking/readout_estimate.h"
 #include "vo/tracking/tracker_options.h"
@@ -89,7 +90,9 @@ class Tracker {
   void calibrate(const FramePyramid& current, const Attempt& attempt);
   std::vector<WindowFrame> window(const std::vector<std::size_t>& keyframes) const;
   void adjust_keyframes();
-  LostReason judge(const AlignResult& alignment, Start start) const;
+  void judge_pose(TrackingResult& result);
+  double correlation_of(const AlignResult& alignment, Start start) const;
+  TrackingReason judge(const AlignResult& alignment, Start start) const;
   void accept(const FramePyramid& current, const Attempt& attempt);
   bool can_be_reference(const FramePyramid& frame) const;
   bool is_blurred(const FramePyramid& current, const SE3& T_cur_last) const;
@@ -103,6 +106,8 @@ class Tracker {
   std::shared_ptr<const EdgePoints> reference_points_;
   std::shared_ptr<EdgePoints> current_points_;  ///< own points of the tracked frame, if symmetric
 
+  Doubt doubt_;
+  ViewCells::Set disagreeing_;  ///< parts of the last tracked view that disagreed
   int frames_since_keyframe_ = 0;
   bool is_lost_ = false;          ///< whether the last frame was lost
   bool depth_is_mapped_ = false;  ///< whether the points' depths were found with the tracked poses

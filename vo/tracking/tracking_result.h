@@ -10,38 +10,50 @@
 
 namespace vo {
 
-enum class TrackingStatus { initialized, tracked, lost };
+enum class TrackingStatus {
+  initialized,  ///< the first frame, where the trajectory starts
+  tracked,
+  uncertain,  ///< the frame has a pose that must not be relied on
+  lost,       ///< the frame has no pose
+};
 
 constexpr auto enum_names(TrackingStatus) {
   return std::array{std::pair{TrackingStatus::initialized, "initialized"},
                     std::pair{TrackingStatus::tracked, "tracked"},
+                    std::pair{TrackingStatus::uncertain, "uncertain"},
                     std::pair{TrackingStatus::lost, "lost"}};
 }
 
-/// The reason why a frame is lost.
-enum class LostReason {
-  none,             ///< the frame is not lost
+/// The reason why a frame is lost or uncertain.
+enum class TrackingReason {
+  none,             ///< the frame is neither
   too_few_points,   ///< too few edge pixels with depth, or too few of them in view
   undetermined,     ///< the points leave a direction of motion undetermined
   out_of_view,      ///< too small a share of the reference is in view
   images_disagree,  ///< the images do not look alike where they were brought to agree
   depths_disagree,  ///< the measured depths differ from those of the reference's surfaces
+  image_repeated,   ///< the image is the one before, byte for byte, under another stamp
+  depth_repeated,   ///< the depth has stood still for many frames, the image has not
+  parts_disagree,   ///< parts of the view show something else than the rest of it lets expect
 };
 
-constexpr auto enum_names(LostReason) {
-  return std::array{std::pair{LostReason::none, "none"},
-                    std::pair{LostReason::too_few_points, "too_few_points"},
-                    std::pair{LostReason::undetermined, "undetermined"},
-                    std::pair{LostReason::out_of_view, "out_of_view"},
-                    std::pair{LostReason::images_disagree, "images_disagree"},
-                    std::pair{LostReason::depths_disagree, "depths_disagree"}};
+constexpr auto enum_names(TrackingReason) {
+  return std::array{std::pair{TrackingReason::none, "none"},
+                    std::pair{TrackingReason::too_few_points, "too_few_points"},
+                    std::pair{TrackingReason::undetermined, "undetermined"},
+                    std::pair{TrackingReason::out_of_view, "out_of_view"},
+                    std::pair{TrackingReason::images_disagree, "images_disagree"},
+                    std::pair{TrackingReason::depths_disagree, "depths_disagree"},
+                    std::pair{TrackingReason::image_repeated, "image_repeated"},
+                    std::pair{TrackingReason::depth_repeated, "depth_repeated"},
+                    std::pair{TrackingReason::parts_disagree, "parts_disagree"}};
 }
 
 struct TrackingResult {
   double timestamp = 0;  ///< s
   SE3 T_world_camera;    ///< the last tracked pose if the frame is lost
   TrackingStatus status = TrackingStatus::lost;
-  LostReason reason = LostReason::none;
+  TrackingReason reason = TrackingReason::none;
   bool is_keyframe = false;
   AlignResult alignment;           ///< to the first reference; meaningless when initialized
   double reference_timestamp = 0;  ///< s, timestamp of the first reference

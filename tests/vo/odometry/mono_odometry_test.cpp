@@ -349,7 +349,7 @@ TEST(MonoOdometry, WhenHalfTheImageMovesPosesAreFiniteOrLost) {
       moving.image.colRange(0, 160).copyTo(frame.image.colRange(0, 160));
       const vo::MonoResult result = odometry.track(frame);
       const bool is_lost = result.tracking.status == vo::TrackingStatus::lost;
-      EXPECT_EQ(is_lost, result.tracking.reason != vo::LostReason::none) << "frame " << i;
+      EXPECT_EQ(is_lost, result.tracking.reason != vo::TrackingReason::none) << "frame " << i;
     }
     for (const vo::StampedPose& pose : odometry.trajectory()) {
       EXPECT_TRUE(pose.T_world_camera.translation().allFinite());

@@ -169,7 +169,7 @@ TEST(RgbdOdometry, ALossDoesNotLowerWhatTheOptionsAskFor) {
   vo::RgbdOdometry odometry(small_camera(), options);
   odometry.track(frame_at(sway(0), 0));
   for (int i = 1; i < 4; ++i) {
-    EXPECT_EQ(odometry.track(frame_at(sway(i), i)).reason, vo::LostReason::images_disagree);
+    EXPECT_EQ(odometry.track(frame_at(sway(i), i)).reason, vo::TrackingReason::images_disagree);
   }
 }
 

@@ -55,4 +55,20 @@ TEST(TrackSequence, FrameLogHasAColumnForEveryTitle) {
   EXPECT_EQ(columns(row), columns(header));
 }
 
+TEST(TrackSequence, NoteTellsWhyFramesAreLostOrUncertainAndOfDepthsInAnotherUnit) {
+  vo::SequenceResult result;
+  result.frames.resize(4);
+  result.frames[1].status = vo::TrackingStatus::uncertain;
+  result.frames[1].reason = vo::TrackingReason::parts_disagree;
+  result.frames[2] = result.frames[1];
+  result.frames[3].reason = vo::TrackingReason::out_of_view;
+  result.depths_m = {1.2F, 1.4F, 1.6F};
+  EXPECT_EQ(result.uncertain(), 2U);
+  EXPECT_EQ(vo::note_on(result), "lost or uncertain frames: out_of_view 1, parts_disagree 2");
+  vo::SequenceResult near;
+  near.depths_m = {0.24F, 0.28F, 0.3F};
+  EXPECT_THAT(vo::note_on(near), testing::HasSubstr("the median depth is 0.28 m"));
+  EXPECT_EQ(vo::note_on({}), "");
+}
+
 }  // namespace

@@ -1,12 +1,12 @@
 import uPlot from 'uplot';
 import { h, themeColour } from './dom';
-import type { Scenario } from './data';
+import { isDoubted, type Scenario } from './data';
 import type { Player } from './player';
 import { axisTitle, markedKeyframes, valueText, type Quantity } from './quantities';
 
 const kHeight = 190; // px
 
-/** Frames as shaded bands where they are lost and ticks where they became keyframes. */
+/** Frames as shaded bands where they are lost or uncertain and ticks where they became keyframes. */
 function drawEvents(plot: uPlot, scenario: Scenario): void {
   const tracking = scenario.frames.tracking;
   if (!tracking) return;
@@ -18,8 +18,8 @@ function drawEvents(plot: uPlot, scenario: Scenario): void {
   ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
   ctx.clip();
   tracking.status.forEach((status, i) => {
-    if (status === 'lost') {
-      ctx.fillStyle = themeColour('lost-band');
+    if (isDoubted(status)) {
+      ctx.fillStyle = themeColour(`${status}-band`);
       ctx.fillRect(x(i), bbox.top, Math.max(2, x(i + 1) - x(i)), bbox.height);
     }
   });

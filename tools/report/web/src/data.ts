@@ -64,11 +64,14 @@ export interface Frames {
   tracking?: Tracking; // absent for a tracker that is not ours
 }
 
-export type Status = 'initialized' | 'tracked' | 'lost';
+/** Whether there is no pose, or one that must not be relied on. */
+export const isDoubted = (status: Status): boolean => status === 'lost' || status === 'uncertain';
+
+export type Status = 'initialized' | 'tracked' | 'uncertain' | 'lost';
 
 export interface Tracking {
   status: Status[];
-  reason: string[]; // why it is lost, or 'none'
+  reason: string[]; // why it is lost or uncertain, or 'none'
   keyframe: boolean[];
   termination: string[]; // why the alignment ended
   iterations: number[];

@@ -98,7 +98,7 @@ function chartSection(scenario: Scenario, player: Player, all: Quantity[]): { el
     h(
       'p',
       { class: 'hint' },
-      'Click to see a frame, drag to zoom, double-click to zoom out. Orange ticks are keyframes (none where most frames are), shaded frames are lost.',
+      'Click to see a frame, drag to zoom, double-click to zoom out. Orange ticks are keyframes (none where most frames are), shaded frames are lost or uncertain.',
     ),
     ...charts.map((chart) => chart.element),
   );

@@ -1,17 +1,17 @@
 import { h, svg } from './dom';
-import type { Scenario } from './data';
+import { isDoubted, type Scenario, type Status } from './data';
 import { words } from './format';
 import type { Player } from './player';
 import { markedKeyframes, valueText, type Quantity } from './quantities';
 
-/** Keyframes as ticks and lost frames as bars, one unit wide per frame. */
+/** Keyframes as ticks, lost and uncertain frames as bars, one unit wide per frame. */
 function statusStrip(scenario: Scenario): SVGSVGElement | null {
   const tracking = scenario.frames.tracking;
   if (!tracking) return null;
   const frames = tracking.status.length;
   const marked = markedKeyframes(scenario);
   const marks = tracking.status.flatMap((status, i) => {
-    if (status === 'lost') return [svg('rect', { class: 'lost', x: i, y: 0, width: 1, height: 10 })];
+    if (isDoubted(status)) return [svg('rect', { class: status, x: i, y: 0, width: 1, height: 10 })];
     const width = Math.min(1, frames / 400);
     return marked[i]
       ? [svg('rect', { class: 'key', x: i + 0.5 - width / 2, y: 0, width, height: 10 })]
@@ -27,9 +27,10 @@ function statusStrip(scenario: Scenario): SVGSVGElement | null {
 function statusText(scenario: Scenario, frame: number): string {
   const tracking = scenario.frames.tracking;
   if (!tracking) return scenario.frames.estimate[frame] ? 'tracked' : 'no pose';
-  const lost = tracking.status[frame] === 'lost';
+  const status = tracking.status[frame]!;
+  const mark = status === 'lost' ? '\u2715' : '?';
   return [
-    lost ? `\u2715 lost: ${words(tracking.reason[frame]!)}` : tracking.status[frame]!,
+    isDoubted(status) ? `${mark} ${status}: ${words(tracking.reason[frame]!)}` : status,
     tracking.keyframe[frame] ? '\u25C6 keyframe' : '',
   ]
     .filter(Boolean)
@@ -57,8 +58,10 @@ function button(label: string, text: string, click: () => void): HTMLButtonEleme
 export function timeline(scenario: Scenario, player: Player, main: Quantity | undefined): HTMLElement {
   const tracking = scenario.frames.tracking;
   const keyframes = markedKeyframes(scenario);
-  const lostBegins =
-    tracking?.status.map((s, i) => s === 'lost' && tracking.status[i - 1] !== 'lost') ?? [];
+  const begins = (sought: Status) =>
+    tracking?.status.map((s, i) => s === sought && tracking.status[i - 1] !== sought) ?? [];
+  const lostBegins = begins('lost');
+  const uncertainBegins = begins('uncertain');
   const go = (begins: boolean[], direction: 1 | -1) => () => {
     const frame = nextEvent(begins, player.frame, direction);
     if (frame !== undefined) player.scrub(frame);
@@ -82,7 +85,7 @@ export function timeline(scenario: Scenario, player: Player, main: Quantity | un
     range.setAttribute('aria-valuetext', `frame ${frame}, ${time.toFixed(2)} seconds, ${statusText(scenario, frame)}`);
     position.textContent = `${frame} / ${player.last} \u00B7 ${time.toFixed(2)} s`;
     status.textContent = statusText(scenario, frame);
-    status.classList.toggle('is-lost', tracking?.status[frame] === 'lost');
+    status.classList.toggle('is-lost', tracking !== undefined && isDoubted(tracking.status[frame]!));
     error.textContent = main ? `error ${valueText(main, frame)}` : '';
     play.textContent = player.playing ? '\u275A\u275A' : '\u25B6';
     play.setAttribute('aria-label', player.playing ? 'Pause' : 'Play');
@@ -98,6 +101,8 @@ export function timeline(scenario: Scenario, player: Player, main: Quantity | un
       keyframes.some(Boolean) && button('Previous keyframe', '\u25C6\u2039', go(keyframes, -1)),
       keyframes.some(Boolean) && button('Next keyframe', '\u203A\u25C6', go(keyframes, 1)),
       lostBegins.some(Boolean) && button('Next frame at which tracking is lost', '\u203A\u2715', go(lostBegins, 1)),
+      uncertainBegins.some(Boolean) &&
+        button('Next frame at which the pose is uncertain', '\u203A?', go(uncertainBegins, 1)),
       main && button('Frame of the greatest step error', 'worst step', () =>
         player.scrub(worst(scenario.frames.step_translation_m)),
       ),

@@ -1,0 +1,117 @@
+#include "vo/tracking/doubt.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/plane_frames.h"
+#include "vo/odometry/rgbd_odometry.h"
+
+namespace {
+
+using support::plane_frame;
+using support::small_camera;
+using support::sway;
+using vo::TrackingReason;
+using vo::TrackingStatus;
+
+vo::FramePyramid frame_of(std::uint64_t image, std::uint64_t depth) {
+  vo::FramePyramid frame;
+  frame.image_fingerprint = image;
+  frame.depth_fingerprint = depth;
+  return frame;
+}
+
+vo::AlignResult agreeing_but(double disagreeing_fraction) {
+  vo::AlignResult alignment;
+  alignment.agreement.disagreeing_fraction = disagreeing_fraction;
+  return alignment;
+}
+
+TrackingReason judged(vo::Doubt& doubt, const vo::FramePyramid& frame, double disagreeing) {
+  doubt.see(frame);
+  return doubt.judge(agreeing_but(disagreeing));
+}
+
+TEST(Doubt, OfAnImageThatIsRepeated) {
+  vo::Doubt doubt;
+  EXPECT_EQ(judged(doubt, frame_of(1, 11), 0), TrackingReason::none);
+  EXPECT_EQ(judged(doubt, frame_of(1, 11), 0), TrackingReason::image_repeated);
+  EXPECT_EQ(judged(doubt, frame_of(2, 12), 0), TrackingReason::none);
+}
+
+TEST(Doubt, OfADepthThatStandsStillLongerThanThatOfASlowSensor) {
+  vo::Doubt doubt;
+  for (std::uint64_t i = 1; i <= 6; ++i) {
+    EXPECT_EQ(judged(doubt, frame_of(i, 11), 0), TrackingReason::none) << i;
+  }
+  EXPECT_EQ(judged(doubt, frame_of(7, 11), 0), TrackingReason::depth_repeated);
+  EXPECT_EQ(judged(doubt, frame_of(8, 12), 0), TrackingReason::none);
+  for (std::uint64_t i = 9; i < 30; ++i) {
+    EXPECT_EQ(judged(doubt, frame_of(i, 0), 0), TrackingReason::none) << "no depth at all";
+  }
+}
+
+TEST(Doubt, OfPartsThatDisagreeMuchAtOnceOrALittleForLong) {
+  vo::Doubt at_once;
+  EXPECT_EQ(judged(at_once, frame_of(1, 1), 0.2), TrackingReason::parts_disagree);
+  EXPECT_EQ(judged(at_once, frame_of(2, 2), 0), TrackingReason::none);
+
+  vo::Doubt for_long;
+  std::uint64_t frame = 1;
+  for (; frame < 5; ++frame) {
+    EXPECT_EQ(judged(for_long, frame_of(frame, frame), 0.1), TrackingReason::none) << frame;
+  }
+  for (; frame < 20; ++frame) {
+    for_long.see(frame_of(frame, frame));
+    for_long.judge(agreeing_but(0.1));
+  }
+  EXPECT_EQ(judged(for_long, frame_of(20, 20), 0.05), TrackingReason::parts_disagree);
+}
+
+/// The images of a plane, but for some that are those of the frame before.
+TEST(Doubt, MarksRepeatedImagesAndFindsTheCameraAfterThem) {
+  vo::RgbdOdometry odometry(small_camera());
+  for (int i = 0; i < 20; ++i) {
+    const bool is_repeated = i > 8 && i < 14;
+    const vo::TrackingResult result =
+        odometry.track(plane_frame(small_camera(), sway(is_repeated ? 8 : i), i));
+    if (is_repeated) {
+      EXPECT_EQ(result.status, TrackingStatus::uncertain) << i;
+      EXPECT_EQ(result.reason, TrackingReason::image_repeated) << i;
+    } else {
+      EXPECT_EQ(result.status, i == 0 ? TrackingStatus::initialized : TrackingStatus::tracked) << i;
+      const vo::SE3 T_error = (sway(0).inverse() * sway(i)).inverse() * result.T_world_camera;
+      EXPECT_LT(T_error.translation().norm(), 3e-3) << i;
+    }
+  }
+}
+
+TEST(Doubt, MarksFramesOfWhichAPartIsStuckAndKeepsTheirPosesRight) {
+  vo::RgbdOdometry odometry(small_camera());
+  const vo::RgbdFrame first = plane_frame(small_camera(), sway(0), 0);
+  const cv::Rect stuck(0, 160, 320, 80);
+  int uncertain = 0;
+  for (int i = 0; i < 25; ++i) {
+    vo::RgbdFrame frame = plane_frame(small_camera(), sway(i), i);
+    frame.image = frame.image.clone();
+    frame.depth = frame.depth.clone();
+    first.image(stuck).copyTo(frame.image(stuck));
+    first.depth(stuck).copyTo(frame.depth(stuck));
+    const vo::TrackingResult result = odometry.track(frame);
+    uncertain += result.status == TrackingStatus::uncertain ? 1 : 0;
+    if (result.status == TrackingStatus::tracked) {
+      const vo::SE3 T_error = (sway(0).inverse() * sway(i)).inverse() * result.T_world_camera;
+      EXPECT_LT(T_error.translation().norm(), 0.02) << i;
+    }
+  }
+  EXPECT_GT(uncertain, 10);
+}
+
+TEST(Doubt, IsNotThePapers) {
+  vo::RgbdOdometry odometry(small_camera(), vo::preset_options(vo::TrackerPreset::paper));
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_NE(odometry.track(plane_frame(small_camera(), sway(0), i)).status,
+              TrackingStatus::uncertain);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+
+#include "vo/alignment/align_result.h"
+#include "vo/image/pyramid.h"
+#include "vo/tracking/tracking_result.h"
+
+namespace vo {
+
+/// The mean of a share over the last frames, and whether it is too high. It is until the mean is
+/// half of what made it so.
+struct RecentMean {
+  double mean = 0;
+  bool is_high = false;
+
+  void add(double value, double limit);
+};
+
+/// Says whether a pose that was found is to be relied on. A driver that repeats images, a depth
+/// image that stands still, something that covers the view, is stuck in it or moves through it:
+/// each may leave an alignment with a small covariance and a wrong pose.
+class Doubt {
+ public:
+  /// Takes in the next frame's images, before it is aligned.
+  void see(const FramePyramid& frame);
+
+  /// Returns whether the frame's image is that of the frame before, byte for byte.
+  bool image_is_repeated() const { return image_is_repeated_; }
+
+  /// Takes in the alignment of the frame seen last, and returns why its pose is uncertain, or none.
+  TrackingReason judge(const AlignResult& alignment);
+
+ private:
+  std::uint64_t image_ = 0;
+  std::uint64_t depth_ = 0;
+  bool image_is_repeated_ = false;
+  int same_depths_ = 0;            ///< frames in a row with other images and the same depth
+  RecentMean disagreement_;        ///< share of the points that disagree
+  RecentMean depth_disagreement_;  ///< share of the surfaces that disagree
+};
+
+}  // namespace vo
