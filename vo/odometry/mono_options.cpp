@@ -11,6 +11,8 @@ void MonoOptions::validate() const {
           kMinStartParallaxPx, ", got ", wanted_parallax_px);
   require(!tracker.symmetric,
           "mono.symmetric: expected false, the current frame's points have no depth of their own");
+  require(!tracker.doubt,
+          "mono.doubt: expected false, poses on a map are judged by its scale and its edges");
   require(tracker.points.source == EdgeSource::reference &&
               tracker.points.selection == PointSelection::edges,
           "mono.points: expected source = reference and selection = edges, the map's points");
