@@ -95,17 +95,17 @@ class MonoOdometry {
   std::unique_ptr<MonoInitialiser> initialiser_;  ///< null unless a start is looked for
   DepthMap map_;
   ScaleWatch scale_watch_;
-  Guesses guesses_ = Guesses::left_out;  ///< whether guessed depths are tracked, too
-  double start_depth_ = 1;               ///< m, median depth of an unknown start
-  SE3 T_world_start_;                    ///< pose of the first frame of the next map
+  double start_depth_ = 1;  ///< m, median depth of an unknown start
+  SE3 T_world_start_;       ///< pose of the first frame of the next map
   SE3 T_world_host_;
   FramePyramid current_;
-  MonoState state_ = MonoState::initialising;
-  bool is_first_ = true;
-  int lost_frames_ = 0;
   PoseHistory poses_;
   std::unique_ptr<LostMap> lost_map_;  ///< the first map that the camera has left, or null
   StageTimes stage_times_;
+  Guesses guesses_ = Guesses::left_out;  ///< whether guessed depths are tracked, too
+  MonoState state_ = MonoState::initialising;
+  int lost_frames_ = 0;
+  bool is_first_ = true;
 };
 
 }  // namespace vo
