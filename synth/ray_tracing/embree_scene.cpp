@@ -25,18 +25,6 @@ void keep_first_error(void* message, RTCError /*code*/, const char* text) {
   }
 }
 
-EmbreeQuery query_for(Sight sight, RTCIntersectContextFlags coherence) {
-  EmbreeQuery query;
-  rtcInitIntersectContext(&query.context);
-  query.context.flags = coherence;
-  query.sight = sight;
-  return query;
-}
-
-EmbreeQuery coherent_query(Sight sight) {
-  return query_for(sight, RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
-}
-
 void attach(RTCScene hierarchy, RTCGeometry geometry, unsigned index) {
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(hierarchy, geometry, index);
@@ -88,9 +76,8 @@ void retire_lane(RTCRay16& rays, int lane) {
 
 /// Returns the coherence flag of shadow rays: Embree 3.13 can hang in those through instances if
 /// they are flagged as coherent.
-RTCIntersectContextFlags shadow_coherence(const WorldGeometry& world) {
-  return world.shared_meshes.empty() ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
-                                     : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+Coherence shadow_coherence(const WorldGeometry& world) {
+  return world.shared_meshes.empty() ? Coherence::coherent : Coherence::incoherent;
 }
 
 /// Returns a normal of the triangle that was hit, world axes, of any length and side. It is
@@ -151,36 +138,35 @@ EmbreeScene::Hierarchy EmbreeScene::new_hierarchy() const {
 }
 
 void EmbreeScene::intersect(std::vector<RTCRayHit>& rays) const {
-  EmbreeQuery query = coherent_query(Sight::solid);
-  rtcIntersect1M(hierarchy_.get(), &query.context, rays.data(), static_cast<unsigned>(rays.size()),
-                 sizeof(RTCRayHit));
+  EmbreeQuery query;
+  embree_intersect(hierarchy_.get(), query.context, Coherence::coherent, rays);
 }
 
 void EmbreeScene::occlude(std::vector<RTCRay>& rays) const {
-  EmbreeQuery query = query_for(Sight::solid, shadow_coherence_);
-  rtcOccluded1M(hierarchy_.get(), &query.context, rays.data(), static_cast<unsigned>(rays.size()),
-                sizeof(RTCRay));
+  EmbreeQuery query;
+  embree_occlude(hierarchy_.get(), query.context, shadow_coherence_, rays);
 }
 
 void EmbreeScene::intersect(HitPacket& packet, Sight sight) const {
-  EmbreeQuery query = coherent_query(sight);
+  EmbreeQuery query{.sight = sight};
   const FirstLanes first(packet.size);
   for (int lane = packet.size; lane < kPacketSize; ++lane) {
     set_lane(packet.lanes.ray, lane, {Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ()});
     retire_lane(packet.lanes.ray, lane);
   }
-  rtcIntersect16(first.mask.data(), hierarchy_.get(), &query.context, &packet.lanes);
+  embree_intersect(hierarchy_.get(), query.context, Coherence::coherent, first.mask.data(),
+                   packet.lanes);
 }
 
 void EmbreeScene::occlude(ShadowPacket& packet, ShadowHit& occluder) const {
-  EmbreeQuery query = query_for(Sight::solid, shadow_coherence_);
-  query.occluder = &occluder;
+  EmbreeQuery query{.occluder = &occluder};
   for (int lane = 0; lane < kPacketSize; ++lane) {
     if (packet.active[static_cast<std::size_t>(lane)] == 0) {
       retire_lane(packet.lanes, lane);
     }
   }
-  rtcOccluded16(packet.active.data(), hierarchy_.get(), &query.context, &packet.lanes);
+  embree_occlude(hierarchy_.get(), query.context, shadow_coherence_, packet.active.data(),
+                 packet.lanes);
   const float* const left = packet.lanes.tfar;
   std::transform(packet.active.begin(), packet.active.end(), left, packet.active.begin(),
                  [](int active, float far) { return far < 0 ? 0 : active; });

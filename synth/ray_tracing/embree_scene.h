@@ -9,9 +9,9 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <embree3/rtcore.h>
 #include <opencv2/core.hpp>
 
+#include "synth/ray_tracing/embree_queries.h"
 #include "synth/rendering/capture.h"
 #include "synth/scene/world_geometry.h"
 #include "synth/shading/lanes.h"
@@ -93,7 +93,7 @@ class EmbreeScene {
 
   Hierarchy new_hierarchy() const;
 
-  RTCIntersectContextFlags shadow_coherence_;
+  Coherence shadow_coherence_;
   std::unique_ptr<RTCDeviceTy, Release> device_;
   std::vector<Hierarchy> shared_;  ///< one for each of WorldGeometry::shared_meshes
   Hierarchy hierarchy_;

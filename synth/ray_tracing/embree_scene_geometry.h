@@ -2,8 +2,7 @@
 
 #include <memory>
 
-#include <embree3/rtcore.h>
-
+#include "synth/ray_tracing/embree_queries.h"
 #include "synth/ray_tracing/embree_scene.h"
 #include "synth/scene/world_geometry.h"
 
@@ -11,7 +10,7 @@ namespace synth {
 
 /// An intersection query, which Embree passes to the filter functions. Embree's part is first.
 struct EmbreeQuery {
-  RTCIntersectContext context;
+  EmbreeContext context = embree_context();
   Sight sight = Sight::solid;
   ShadowHit* occluder = nullptr;  ///< receives the triangle that cast a shadow, if not null
 };
