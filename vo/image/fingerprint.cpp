@@ -8,7 +8,7 @@
 namespace vo {
 namespace {
 
-constexpr std::size_t kLanes = 4;  // independent sums, so that multiplications overlap
+constexpr std::size_t kLanes = 8;  // independent sums, so that multiplications overlap
 constexpr std::size_t kWord = sizeof(std::uint64_t);
 
 using Lanes = std::array<std::uint64_t, kLanes>;
@@ -35,7 +35,7 @@ std::uint64_t fingerprint(const cv::Mat& image) {
   if (image.empty()) {
     return 0;
   }
-  Lanes lanes{1, 2, 3, 4};
+  Lanes lanes{1, 2, 3, 4, 5, 6, 7, 8};
   for (int v = 0; v < image.rows; ++v) {
     add_row(image.ptr(v), static_cast<std::size_t>(image.cols) * image.elemSize(), lanes);
   }
