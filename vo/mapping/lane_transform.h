@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "vo/geometry/readout.h"
+#include "vo/geometry/line_projection.h"
 #include "vo/mapping/lane_image.h"
 #include "vo/mapping/stereo_pair.h"
 
@@ -31,27 +31,11 @@ EDVO_INLINE void set_transform(const LineTransforms& lines, LaneTransforms<kLane
   }
 }
 
-/// How far the lines that see each edge are past their image's middle line, as shares of the
+/// Holds how far the lines that see each edge are past their image's middle line, as shares of the
 /// image's height or width.
 template <std::size_t kLanes>
 struct LaneLines {
   Lanes<kLanes> host, current;
-};
-
-/// The focal length and the centre, px, across the lines of an image, and its inverse size, 1/px.
-struct LineProjection {
-  float focal, centre, inverse_size;
-
-  LineProjection(const PinholeCamera& camera, ReadoutAxis axis)
-      : focal(static_cast<float>(axis == ReadoutAxis::rows ? camera.fy : camera.fx)),
-        centre(static_cast<float>(axis == ReadoutAxis::rows ? camera.cy : camera.cx)),
-        inverse_size(
-            1 / static_cast<float>(axis == ReadoutAxis::rows ? camera.height : camera.width)) {}
-
-  /// Returns how far past the middle line a ray's slope is seen, as a share of the image's size.
-  EDVO_INLINE float past_middle(float slope) const {
-    return vo::past_middle(focal * slope + centre, inverse_size);
-  }
 };
 
 /// Finds the lines of edges at these rays in the host and these inverse depths, 1/m. The current

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <vector>
 
+#include "vo/geometry/line_projection.h"
 #include "vo/geometry/projection.h"
 #include "vo/residuals/point_pass.h"
 
@@ -37,18 +38,20 @@ struct PassWarp {
   Projection<float> projection;
   SeenBounds bounds;
   ReadoutMotion ref_motion, cur_motion;
-  float inverse_width, inverse_height;  // 1/px
+  LineProjection ref_lines, cur_lines;
 
   explicit PassWarp(const PointView& view) : PassWarp(view.image.camera, view.T_cur_ref) {
     ref_motion = view.points_motion;
     cur_motion = view.image_motion;
+    ref_lines = LineProjection(view.image.camera, ref_motion.axis);
+    cur_lines = LineProjection(view.image.camera, cur_motion.axis);
   }
 
   PassWarp(const PinholeCamera& camera, const SE3& T_cur_ref)
       : projection(camera),
         bounds(camera.width, camera.height),
-        inverse_width(1 / static_cast<float>(camera.width)),
-        inverse_height(1 / static_cast<float>(camera.height)) {
+        ref_lines(camera, ReadoutAxis::rows),
+        cur_lines(camera, ReadoutAxis::rows) {
     const Eigen::Matrix3d R_cur_ref = T_cur_ref.rotation_matrix();
     Eigen::Map<Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(R.data()) = R_cur_ref.cast<float>();
     Eigen::Map<Eigen::Vector3f>(t.data()) = T_cur_ref.translation().cast<float>();
@@ -102,20 +105,16 @@ EDVO_INLINE void distort_block(const PassWarp& warp, const Distort& distort, Blo
 
 /// Moves points by `share` of the motion of the line that sees them: 1 moves from their line's
 /// camera to the middle line's, -1 back. Lens distortion is ignored in finding the line.
-EDVO_INLINE void roll_points(const PassWarp& warp, const ReadoutMotion& motion, float share,
+EDVO_INLINE void roll_points(const LineProjection& lines, const ReadoutMotion& motion, float share,
                              BlockRow& xs, BlockRow& ys, BlockRow& zs) {
   const Eigen::Vector3f w = motion.angular;
   const Eigen::Vector3f v = motion.linear;
   const bool by_row = motion.axis == ReadoutAxis::rows;
-  const float focal = by_row ? warp.projection.fy : warp.projection.fx;
-  const float centre = by_row ? warp.projection.cy : warp.projection.cx;
-  const float inverse_size = by_row ? warp.inverse_height : warp.inverse_width;
   for (std::size_t i = 0; i < kBlock; ++i) {
     const float x = xs[i];
     const float y = ys[i];
     const float z = zs[i];
-    const float line = focal * ((by_row ? y : x) / z) + centre;
-    const float past = share * past_middle(line, inverse_size);
+    const float past = share * lines.past_middle((by_row ? y : x) / z);
     xs[i] = x + past * (w[1] * z - w[2] * y + v[0]);
     ys[i] = y + past * (w[2] * x - w[0] * z + v[1]);
     zs[i] = z + past * (w[0] * y - w[1] * x + v[2]);
@@ -124,7 +123,7 @@ EDVO_INLINE void roll_points(const PassWarp& warp, const ReadoutMotion& motion, 
 
 EDVO_INLINE void warp_block(const PassWarp& warp, std::size_t count, Block& block) {
   if (!warp.ref_motion.is_zero()) {
-    roll_points(warp, warp.ref_motion, 1, block.x_ref, block.y_ref, block.z_ref);
+    roll_points(warp.ref_lines, warp.ref_motion, 1, block.x_ref, block.y_ref, block.z_ref);
   }
   BlockRow front;
   for (std::size_t i = 0; i < kBlock; ++i) {
@@ -139,7 +138,7 @@ EDVO_INLINE void warp_block(const PassWarp& warp, std::size_t count, Block& bloc
     front[i] = in_front ? 1 : 0;
   }
   if (!warp.cur_motion.is_zero()) {
-    roll_points(warp, warp.cur_motion, -1, block.x, block.y, block.z);
+    roll_points(warp.cur_lines, warp.cur_motion, -1, block.x, block.y, block.z);
   }
   for (std::size_t i = 0; i < kBlock; ++i) {
     block.inverse_z[i] = 1 / block.z[i];
