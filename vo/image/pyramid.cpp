@@ -9,7 +9,6 @@
 
 #include "vo/core/error.h"
 #include "vo/core/instruction_set.h"
-#include "vo/image/fingerprint.h"
 
 namespace vo {
 namespace {
@@ -159,8 +158,6 @@ void PyramidBuilder::build(const RgbdFrame& frame, const Vignette& vignette,
                            FramePyramid& pyramid) {
   pyramid.timestamp = frame.timestamp;
   pyramid.vignette = vignette;
-  pyramid.image_fingerprint = fingerprint(frame.image);
-  pyramid.depth_fingerprint = fingerprint(frame.depth);
   pyramid.levels.resize(levels_.size());
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     PyramidLevel& level = pyramid.levels[l];

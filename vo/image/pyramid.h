@@ -72,9 +72,10 @@ struct PyramidLevel {
 struct FramePyramid {
   double timestamp = 0;  ///< s
   std::vector<PyramidLevel> levels;
-  Vignette vignette;                    ///< vignette that has been removed from the intensities
-  std::uint64_t image_fingerprint = 0;  ///< fingerprint() of the image as it was given
-  std::uint64_t depth_fingerprint = 0;  ///< fingerprint() of the depth, 0 without
+  Vignette vignette;  ///< vignette that has been removed from the intensities
+  std::uint64_t image_fingerprint =
+      0;  ///< fingerprint() of the given image, or 0 where none was taken
+  std::uint64_t depth_fingerprint = 0;  ///< fingerprint() of the depth, or 0
 };
 
 /// Builds the pyramids of a camera's frames, one after the other in the same memory.

@@ -4,6 +4,7 @@
 
 #include "vo/core/error.h"
 #include "vo/core/stopwatch.h"
+#include "vo/image/fingerprint.h"
 #include "vo/tracking/tracker.h"
 
 namespace vo {
@@ -102,6 +103,10 @@ TrackingResult RgbdOdometry::track(const RgbdFrame& frame) {
           " px");
   Stopwatch watch;
   pyramid_builder_.build(frame, tracker_->vignette(), current_);
+  if (options_.doubt) {
+    current_.image_fingerprint = fingerprint(frame.image);
+    current_.depth_fingerprint = fingerprint(frame.depth);
+  }
   stage_times_.pyramid_ms = watch.lap_ms();
   add_edges(current_, edge_finder_);
   stage_times_.edges_ms = watch.lap_ms();

@@ -20,7 +20,7 @@ constexpr double kNewest = 0.2;  // weight of a frame in the means
 }  // namespace
 
 void Doubt::see(const FramePyramid& frame) {
-  image_is_repeated_ = frame.image_fingerprint == image_;
+  image_is_repeated_ = frame.image_fingerprint == image_ && frame.image_fingerprint != 0;
   const bool same_depth = frame.depth_fingerprint == depth_ && frame.depth_fingerprint != 0;
   same_depths_ = same_depth && !image_is_repeated_ ? same_depths_ + 1 : 0;
   image_ = frame.image_fingerprint;

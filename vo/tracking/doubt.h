@@ -8,8 +8,8 @@
 
 namespace vo {
 
-/// The mean of a share over the last frames, and whether it is too high. It is until the mean is
-/// half of what made it so.
+/// Holds the mean of a share over the last frames, and whether it is too high: from when it exceeds
+/// the limit until it falls below half of it.
 struct RecentMean {
   double mean = 0;
   bool is_high = false;
@@ -22,11 +22,8 @@ struct RecentMean {
 /// each may leave an alignment with a small covariance and a wrong pose.
 class Doubt {
  public:
-  /// Takes in the next frame's images, before it is aligned.
+  /// Takes in the fingerprints of the next frame's images, before it is aligned; 0 says nothing.
   void see(const FramePyramid& frame);
-
-  /// Returns whether the frame's image is that of the frame before, byte for byte.
-  bool image_is_repeated() const { return image_is_repeated_; }
 
   /// Takes in the alignment of the frame seen last, and returns why its pose is uncertain, or none.
   TrackingReason judge(const AlignResult& alignment);
