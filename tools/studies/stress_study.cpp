@@ -8,11 +8,13 @@
 #include "tools/studies/alterations.h"
 #include "tools/studies/study.h"
 #include "vo/core/error.h"
+#include "vo/core/fields.h"
+#include "vo/odometry/track_sequence.h"
 
 namespace tools {
 namespace {
 
-/// What a tracker says of an altered clip, and how true it is. Poses are sure unless they are
+/// Holds what a tracker says of an altered clip, and how true it is. Poses are sure unless they are
 /// marked as uncertain.
 struct StressScore {
   double sure_percent = 0;       ///< frames with a sure pose
@@ -45,14 +47,14 @@ double wrong_steps(const vo::Trajectory& truth, const vo::Trajectory& estimate) 
   return wrong;
 }
 
-/// Lists what is counted, the most frequent first.
-std::string most_frequent_first(const std::map<std::string, int>& counts) {
-  std::vector<std::pair<std::string, int>> sorted(counts.begin(), counts.end());
+/// Returns the reasons with the frames that have them, the most frequent first.
+std::string most_frequent_first(const std::map<vo::TrackingReason, std::size_t>& counts) {
+  std::vector<std::pair<vo::TrackingReason, std::size_t>> sorted(counts.begin(), counts.end());
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
   std::string text;
-  for (const auto& [name, count] : sorted) {
-    text += vo::concat(text.empty() ? "" : ", ", name, " ", count);
+  for (const auto& [reason, frames] : sorted) {
+    text += vo::concat(text.empty() ? "" : ", ", vo::to_string(reason), " ", frames);
   }
   return text.empty() ? "-" : text;
 }
@@ -63,32 +65,28 @@ double sigma_of(const vo::AlignResult& alignment) {
 
 StressScore stressed(const Clip& clip, const vo::TrackerOptions& options) {
   vo::RgbdOdometry odometry(clip.camera, options);
-  std::map<std::string, int> reasons;
+  vo::SequenceResult tracked;
   std::vector<double> sigmas_mm;
   vo::Trajectory sure;
   for (const vo::RgbdFrame& frame : clip.frames) {
-    const vo::TrackingResult result = odometry.track(frame);
+    const vo::TrackingResult& result = tracked.frames.emplace_back(odometry.track(frame));
     if (result.status == vo::TrackingStatus::tracked) {
       sure.push_back({frame.timestamp, result.T_world_camera});
       sigmas_mm.push_back(sigma_of(result.alignment));
     }
-    if (result.reason != vo::TrackingReason::none) {
-      ++reasons[std::string(vo::to_string(result.reason))];
-    }
   }
   const vo::Readout readout = odometry.tracker().readout();
   const double percent = 100 / static_cast<double>(clip.frames.size());
-  const double poses = percent * static_cast<double>(odometry.trajectory().size());
-  const double sure_percent = percent * static_cast<double>(sure.size() + 1);  // the first, too
-  return {.sure_percent = sure_percent,
-          .uncertain_percent = poses - sure_percent,
+  const std::size_t poses = odometry.trajectory().size();
+  return {.sure_percent = percent * static_cast<double>(poses - tracked.uncertain()),
+          .uncertain_percent = percent * static_cast<double>(tracked.uncertain()),
           .all = errors_of(clip.truth, odometry.trajectory()),
           .sure = errors_of(clip.truth, sure),
           .steps = wrong_steps(clip.truth, sure),
           .sigma_mm = median(sigmas_mm),
           .readout = vo::concat(format_decimals(1000 * readout.seconds, 1), " ms, ",
                                 vo::to_string(readout.axis)),
-          .reasons = most_frequent_first(reasons)};
+          .reasons = most_frequent_first(tracked.reasons())};
 }
 
 }  // namespace
