@@ -12,7 +12,7 @@
 /// Debian 13 has.
 namespace synth {
 
-/// Whether the rays of a query take similar ways, which Embree may make use of.
+/// Says whether the rays of a query take similar ways, which Embree may make use of.
 enum class Coherence { coherent, incoherent };
 
 #if EDVO_EMBREE_VERSION >= 4

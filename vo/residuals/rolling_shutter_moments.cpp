@@ -14,8 +14,8 @@ Jacobian jacobian_of(const PointTerms& scores, std::size_t i) {
   return J;
 }
 
-/// How far past the middle row and the middle column the points of a view are, as a share of the
-/// image's size: at their own pixels and where they are looked up.
+/// Tells how far past the middle row and the middle column the points of a view are, as a share of
+/// the image's size: at their own pixels and where they are looked up.
 class LinePlaces {
  public:
   LinePlaces(const PointView& view, const PointTerms& scores)

@@ -56,7 +56,8 @@ TEST(Alterations, TurnedOrReversedImagesAreThoseOfTheAlteredCameraAndTruth) {
   }
 }
 
-/// Of each four depths the nearest is kept, half a pixel of the plane's slope off the middle.
+/// The altered clip keeps the nearest of each four depths, which is off the middle by half a pixel
+/// of the plane's slope.
 TEST(Alterations, HalfSizeIsThatOfTheHalvedCamera) {
   EXPECT_LT(depth_error(altered(swinging_clip(2), "half_size")), 0.03);
 }

@@ -64,7 +64,7 @@ export interface Frames {
   tracking?: Tracking; // absent for a tracker that is not ours
 }
 
-/** Whether there is no pose, or one that must not be relied on. */
+/** Returns whether there is no pose, or one that must not be relied on. */
 export const isDoubted = (status: Status): boolean => status === 'lost' || status === 'uncertain';
 
 export type Status = 'initialized' | 'tracked' | 'uncertain' | 'lost';
