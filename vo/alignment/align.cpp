@@ -1,8 +1,10 @@
 #include "vo/alignment/align.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include <Eigen/Eigenvalues>
 
@@ -35,10 +37,11 @@ double conditioning_of(const Matrix6d& H) {
   return solver.eigenvalues().minCoeff() / solver.eigenvalues().maxCoeff();
 }
 
-bool is_small(const Vector6d& delta, std::size_t level, const AlignOptions& options) {
-  const double growth = std::pow(options.step_limit_growth, static_cast<double>(level));
-  return delta.head<3>().norm() < growth * options.min_translation &&
-         degrees(delta.tail<3>().norm()) < growth * options.min_rotation_deg;
+/// Returns whether a step is below this many times its limits on a level.
+bool is_small(const Vector6d& delta, double times, std::size_t level, const AlignOptions& options) {
+  const double factor = times * std::pow(options.step_limit_growth, static_cast<double>(level));
+  return delta.head<3>().norm() < factor * options.min_translation &&
+         degrees(delta.tail<3>().norm()) < factor * options.min_rotation_deg;
 }
 
 /// Gauss-Newton on one pyramid level.
@@ -71,7 +74,10 @@ class LevelAlignment {
   /// Takes a step and returns true, or says in the result why there is none and returns false.
   bool step() {
     const Vector6d delta = system_.step();
-    if (is_small(delta, problem_.level(), options_)) {
+    if (is_small(delta, options_.last_step, problem_.level(), options_)) {
+      if (!is_small(delta, 1, problem_.level(), options_)) {
+        take_unchecked(delta);
+      }
       result_.termination = Termination::converged;
       return false;
     }
@@ -80,6 +86,12 @@ class LevelAlignment {
     }
     result_.termination = Termination::no_better_step;
     return false;
+  }
+
+  void take_unchecked(const Vector6d& delta) {
+    problem_.update_brightness(system_, delta, result_.T_cur_ref);
+    problem_.advance(system_, delta, result_.T_cur_ref);
+    result_.T_cur_ref = SE3::exp(delta) * result_.T_cur_ref;
   }
 
   /// Moves by the increment unless the cost would rise; returns whether the cost fell.
@@ -125,13 +137,13 @@ void summarize(const JointSystem& system, const JointProblem& problem, AlignResu
   result.depth_agreement = problem.depth_agreement(result.T_cur_ref);
 }
 
-/// Starts the problem with the brightness found on the coarser level.
-void carry_brightness(const std::vector<ResidualModel>& coarser, JointProblem& problem) {
-  std::vector<ResidualModel> models = problem.models();
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    models[i].brightness = coarser[i].brightness;
-  }
-  problem.set_models(std::move(models));
+/// Returns the references that are aligned to on a level.
+std::span<const AlignReference> references_of(std::size_t level,
+                                              std::span<const AlignReference> references,
+                                              const AlignOptions& options) {
+  const auto most = static_cast<std::size_t>(options.coarse_references);
+  const bool all = level == 0 || most == 0;
+  return all ? references : references.first(std::min(most, references.size()));
 }
 
 }  // namespace
@@ -142,6 +154,9 @@ void AlignOptions::validate() const {
           "align: expected step limits of at least 0");
   require(step_limit_growth >= 1, "align.step_limit_growth: expected at least 1, got ",
           step_limit_growth);
+  require(last_step >= 1, "align.last_step: expected at least 1, got ", last_step);
+  require(coarse_references >= 0, "align.coarse_references: expected at least 0, got ",
+          coarse_references);
   require(depth_term >= 0, "align.depth_term: expected at least 0, got ", depth_term);
   require(depth_noise >= 0, "align.depth_noise: expected at least 0, got ", depth_noise);
   require(max_depth_ratio == 0 || max_depth_ratio > 1,
@@ -157,20 +172,20 @@ AlignResult align(std::span<const AlignReference> references, const AlignCurrent
                   const SE3& T_cur_ref_guess, const AlignOptions& options) {
   AlignResult result;
   result.T_cur_ref = T_cur_ref_guess;
-  std::vector<ResidualModel> models;
+  std::optional<JointProblem> coarser;
   for (std::size_t l = current.frame.levels.size(); l-- > 0;) {
-    JointProblem problem(references, current, l, options);
-    if (models.empty()) {
-      problem.match_brightness(result.T_cur_ref);
+    JointProblem problem(references_of(l, references, options), current, l, options);
+    if (coarser) {
+      problem.start_from(*coarser, result.T_cur_ref);
     } else {
-      carry_brightness(models, problem);
+      problem.match_brightness(result.T_cur_ref);
     }
     problem.estimate_scales(result.T_cur_ref);
     const JointSystem system = LevelAlignment(problem, result).run();
-    models = problem.models();
     if (l == 0) {
       summarize(system, problem, result);
     }
+    coarser.emplace(std::move(problem));
   }
   return result;
 }

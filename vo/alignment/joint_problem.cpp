@@ -265,17 +265,52 @@ void JointProblem::match_brightness(const SE3& T_cur_first) {
   }
 }
 
+void JointProblem::start_from(const JointProblem& coarser, const SE3& T_cur_first) {
+  if (options_.brightness == BrightnessModel::same) {
+    return;
+  }
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const auto same = std::find(coarser.pairs_.begin(), coarser.pairs_.end(), pairs_[i]);
+    models_[i].brightness =
+        same != coarser.pairs_.end()
+            ? coarser.models_[static_cast<std::size_t>(same - coarser.pairs_.begin())].brightness
+            : matched_brightness(view(pairs_[i], T_cur_first));
+  }
+}
+
+/// Returns the increment of a pair's pose, gain and offset that goes with one of the system.
+PointEquations::Vector JointProblem::part_step(const JointSystem& system, std::size_t pair,
+                                               const Vector6d& delta,
+                                               const SE3& T_cur_first) const {
+  PointEquations::Vector step = PointEquations::Vector::Zero();
+  const Vector6d pose = increment_jacobian(pairs_[pair], T_cur_first) * delta;
+  step.head<kPoseParameters>() = pose;
+  if (options_.brightness == BrightnessModel::affine) {
+    step.tail<kBrightnessParameters>() =
+        system.parts[pair].eliminated_step<kBrightnessParameters>(pose);
+  }
+  return step;
+}
+
 void JointProblem::update_brightness(const JointSystem& system, const Vector6d& delta,
                                      const SE3& T_cur_first) {
   if (options_.brightness == BrightnessModel::same) {
     return;
   }
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const Vector6d pair_delta = increment_jacobian(pairs_[i], T_cur_first) * delta;
-    const Eigen::Vector2d step = system.parts[i].eliminated_step<kBrightnessParameters>(pair_delta);
-    models_[i].brightness.gain += step[0];
-    models_[i].brightness.offset += step[1];
+    const PointEquations::Vector step = part_step(system, i, delta, T_cur_first);
+    models_[i].brightness.gain += step[kPoseParameters];
+    models_[i].brightness.offset += step[kPoseParameters + 1];
   }
+}
+
+void JointProblem::advance(JointSystem& system, const Vector6d& delta,
+                           const SE3& T_cur_first) const {
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    PointEquations& part = system.parts[i];
+    part.b += part.H * part_step(system, i, delta, T_cur_first);
+  }
+  system.b += system.H * delta;
 }
 
 }  // namespace vo

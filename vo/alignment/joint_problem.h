@@ -88,8 +88,16 @@ class JointProblem {
   /// Sets each pair's gain and offset from the intensities' means and spreads at this pose.
   void match_brightness(const SE3& T_cur_first);
 
+  /// Starts from the brightness found on a coarser level; pairs that were not aligned there start
+  /// from the intensities' means and spreads at this pose.
+  void start_from(const JointProblem& coarser, const SE3& T_cur_first);
+
   /// Moves each pair's brightness along with a pose increment of the system.
   void update_brightness(const JointSystem& system, const Vector6d& delta, const SE3& T_cur_first);
+
+  /// Moves the gradients of the system and its parts along with a pose increment and the steps of
+  /// brightness that go with it, to first order.
+  void advance(JointSystem& system, const Vector6d& delta, const SE3& T_cur_first) const;
 
   const std::vector<ResidualModel>& models() const { return models_; }
   void set_models(std::vector<ResidualModel> models) { models_ = std::move(models); }
@@ -108,6 +116,8 @@ class JointProblem {
   struct ImagePair {
     const AlignReference* reference;
     bool backward;  ///< the points are the current frame's and the image is the reference's
+
+    bool operator==(const ImagePair&) const = default;
   };
 
   /// The unknowns are the read-out times along both axes and the increment of the pose.
@@ -125,6 +135,8 @@ class JointProblem {
 
   PointView view(const ImagePair& pair, const SE3& T_cur_first) const;
   Matrix6d increment_jacobian(const ImagePair& pair, const SE3& T_cur_first) const;
+  PointEquations::Vector part_step(const JointSystem& system, std::size_t pair,
+                                   const Vector6d& delta, const SE3& T_cur_first) const;
   void add_part(std::size_t pair, const SE3& T_cur_first, JointSystem& system) const;
   const AlignReference& first() const { return *pairs_.front().reference; }
   std::size_t index_of(const ImagePair& pair) const;

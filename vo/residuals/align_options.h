@@ -49,6 +49,9 @@ struct AlignOptions {
   double min_rotation_deg = 5e-4;  ///< deg; converged when a step is below this and min_translation
   double step_limit_growth = 1;    ///< factor of both step limits per coarser level
   bool keep_worse_step = false;    ///< whether a step that raised the cost is kept
+  double last_step = 1;  ///< a step below this many times its limits is taken unchecked, as the
+                         ///< last; 1 is none
+  int coarse_references = 0;  ///< most references on levels coarser than the finest; 0 is all
   Formulation formulation = Formulation::forward;
   RobustLoss loss = RobustLoss::huber;
   LossScale scale = LossScale::fixed;
@@ -74,6 +77,11 @@ void visit_fields(Visitor& visit, AlignOptions& options) {
         "factor of both limits with each coarser level");
   visit("keep_worse_step", options.keep_worse_step,
         "whether a step that raised the cost is kept, as the paper's authors do");
+  visit("last_step", options.last_step,
+        "a step below this many times its limits is the last and taken without a look at its cost; "
+        "1 is none");
+  visit("coarse_references", options.coarse_references,
+        "most references on levels coarser than the finest; 0 is all");
   visit("formulation", options.formulation, "whose gradient the Jacobian is made of");
   visit("loss", options.loss, "robust loss of a residual");
   visit("scale", options.scale, "where the scale of the robust loss comes from");

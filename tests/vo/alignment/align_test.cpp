@@ -55,6 +55,40 @@ TEST(Align, RecoversTheMotionOfATexturedPlane) {
   }
 }
 
+/// The step that is taken unchecked leads most of the way to where finer limits lead.
+TEST(Align, TheLastStepCountsWhereItIsTaken) {
+  const auto aligned_to = [](double min_translation, double last_step) {
+    return align_pair(SE3(), motion(1),
+                      {.min_translation = min_translation,
+                       .min_rotation_deg = 50 * min_translation,
+                       .last_step = last_step})
+        .T_cur_ref;
+  };
+  const SE3 least = aligned_to(1e-8, 1);
+  const double left = (least.inverse() * aligned_to(2e-3, 1)).log().norm();
+  const double taken = (least.inverse() * aligned_to(1e-6, 2e3)).log().norm();
+  EXPECT_GT(left, 1e-5) << "else there is nothing to see";
+  EXPECT_LT(taken, 0.5 * left);
+}
+
+/// Coarse levels only lead to where the finest one starts.
+TEST(Align, FewerReferencesOnCoarseLevelsEndAtTheSamePose) {
+  const vo::FramePyramid first = pyramid_at(SE3());
+  const vo::FramePyramid second = pyramid_at(motion(0.4));
+  const vo::FramePyramid current = pyramid_at(motion(1));
+  const vo::EdgePoints first_points = vo::edge_points(first, current, {});
+  const vo::EdgePoints second_points = vo::edge_points(second, current, {});
+  const std::vector<vo::AlignReference> references{{first_points, SE3()},
+                                                   {second_points, motion(0.4)}};
+  vo::AlignOptions options{
+      .min_translation = 1e-7, .min_rotation_deg = 1e-5, .brightness = vo::BrightnessModel::affine};
+  const vo::AlignResult all = vo::align(references, {current}, SE3(), options);
+  options.coarse_references = 1;
+  const vo::AlignResult fewer = vo::align(references, {current}, SE3(), options);
+  EXPECT_EQ(fewer.points, all.points) << "on the finest level";
+  EXPECT_THAT(fewer.T_cur_ref, PoseNear(all.T_cur_ref, support::PoseTolerance{1e-5, 1e-3}));
+}
+
 TEST(Align, IsAPureFunction) {
   const vo::AlignResult first = align_pair(SE3(), motion(1));
   const vo::AlignResult second = align_pair(SE3(), motion(1));
@@ -113,6 +147,8 @@ TEST(Align, SaysWhenTheImageDoesNotDetermineThePose) {
 
 TEST(Align, OptionsOutOfRangeAreErrors) {
   EXPECT_THROW(vo::AlignOptions{.max_iterations = 0}.validate(), vo::Error);
+  EXPECT_THROW(vo::AlignOptions{.last_step = 0.5}.validate(), vo::Error);
+  EXPECT_THROW(vo::AlignOptions{.coarse_references = -1}.validate(), vo::Error);
   EXPECT_THROW(vo::AlignOptions{.loss_scale = 0}.validate(), vo::Error);
   EXPECT_THROW(vo::AlignOptions{.min_points = 6}.validate(), vo::Error);
 }

@@ -113,6 +113,20 @@ TEST(JointProblem, RightHandSideIsTheGradientOfTheSummedLoss) {
   }
 }
 
+/// After the step that solves the linear equations nothing is left of their right sides.
+TEST(JointProblem, GradientsVanishWhereTheSystemsOwnStepLeads) {
+  const SymmetricPair pair;
+  const vo::AlignOptions options{.loss_scale = 0.05, .brightness = vo::BrightnessModel::affine};
+  const vo::JointProblem problem(pair.references, pair.current, 0, options);
+  const vo::JointSystem before = problem.linearize(pair.T_cur_first);
+  vo::JointSystem after = before;
+  problem.advance(after, before.step(), pair.T_cur_first);
+  EXPECT_LT(after.b.norm(), 1e-9 * before.b.norm());
+  for (std::size_t i = 0; i < after.parts.size(); ++i) {
+    EXPECT_LT(after.parts[i].b.tail<2>().norm(), 1e-9 * before.parts[i].b.norm()) << i;
+  }
+}
+
 /// Derivative of what each point sees, by central differences over the views as written down above.
 std::vector<Vector6d> numeric_jacobians(const SymmetricPair& pair, std::size_t view) {
   constexpr double kStep = 1e-3;  // m and rad
