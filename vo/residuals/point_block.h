@@ -199,6 +199,27 @@ EDVO_INLINE void load_quads(const GrayImage& image, const Block& block, BlockQua
   }
 }
 
+/// Samples the intensity alone, interpolated bilinearly, to the same bits as with its differences.
+EDVO_INLINE void sample_block_intensity(const GrayImage& image, Block& block) {
+  const auto* pixels = reinterpret_cast<const float*>(image.data);
+  const auto stride = static_cast<std::ptrdiff_t>(image.step1());
+  alignas(64) std::array<std::array<float, 4>, kBlock> corners;  // two pixels of two rows each
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float* upper = pixels + static_cast<int>(block.v[i]) * stride +
+                         static_cast<std::ptrdiff_t>(static_cast<int>(block.u[i]));
+    std::memcpy(corners[i].data(), upper, 2 * sizeof(float));
+    std::memcpy(corners[i].data() + 2, upper + stride, 2 * sizeof(float));
+  }
+  const float* corner = corners.front().data();
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float du = block.u[i] - static_cast<float>(static_cast<int>(block.u[i]));
+    const float dv = block.v[i] - static_cast<float>(static_cast<int>(block.v[i]));
+    const float left = corner[4 * i] + (corner[4 * i + 2] - corner[4 * i]) * dv;
+    const float right = corner[4 * i + 1] + (corner[4 * i + 3] - corner[4 * i + 1]) * dv;
+    block.intensity[i] = left + (right - left) * du;
+  }
+}
+
 /// Samples the intensity and its central differences, both interpolated bilinearly.
 EDVO_INLINE void sample_block(const GrayImage& image, Block& block) {
   BlockQuads quads;

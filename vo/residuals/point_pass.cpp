@@ -64,10 +64,11 @@ EDVO_INLINE void sample_blocks(const PointView& view, std::size_t stride,
     const std::size_t count = std::min(kBlock, points.size() - first);
     load_points(points, first, count, block);
     warp_block(warp, count, block);
-    sample_block(view.image.intensity, block);
-    for (std::size_t i = 0; i < count; ++i) {
-      intensities[first + i] = block.seen[i] > 0 ? block.intensity[i] : kUnseen;
+    sample_block_intensity(view.image.intensity, block);
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      block.intensity[i] = block.seen[i] > 0 ? block.intensity[i] : kUnseen;
     }
+    store_row(block.intensity, first, count, intensities);
   }
 }
 
@@ -94,12 +95,22 @@ EDVO_TARGET_AVX2 void score_avx2(const PointView& view, const PassOptions& optio
   score_blocks(view, options, scores);
 }
 
+EDVO_TARGET_AVX512 void score_avx512(const PointView& view, const PassOptions& options,
+                                     PointTerms& scores) {
+  score_blocks(view, options, scores);
+}
+
 void sample_baseline(const PointView& view, std::size_t stride, std::vector<float>& intensities) {
   sample_blocks(view, stride, intensities);
 }
 
 EDVO_TARGET_AVX2 void sample_avx2(const PointView& view, std::size_t stride,
                                   std::vector<float>& intensities) {
+  sample_blocks(view, stride, intensities);
+}
+
+EDVO_TARGET_AVX512 void sample_avx512(const PointView& view, std::size_t stride,
+                                      std::vector<float>& intensities) {
   sample_blocks(view, stride, intensities);
 }
 
@@ -139,21 +150,19 @@ PointEquations sum_points(const PointView& view, const PassOptions& options, Ins
 void compute_point_terms(const PointView& view, const PassOptions& options, InstructionSet set,
                          PointTerms& scores) {
   scores.resize(view.points.size());
-  if (set == InstructionSet::baseline) {
-    score_baseline(view, options, scores);
-  } else {
-    score_avx2(view, options, scores);
-  }
+  const auto score = set == InstructionSet::avx512 ? score_avx512
+                     : set == InstructionSet::avx2 ? score_avx2
+                                                   : score_baseline;
+  score(view, options, scores);
 }
 
 void sample_points(const PointView& view, std::size_t stride, InstructionSet set,
                    std::vector<float>& intensities) {
   intensities.assign(view.points.size(), kUnseen);
-  if (set == InstructionSet::baseline) {
-    sample_baseline(view, stride, intensities);
-  } else {
-    sample_avx2(view, stride, intensities);
-  }
+  const auto sample = set == InstructionSet::avx512 ? sample_avx512
+                      : set == InstructionSet::avx2 ? sample_avx2
+                                                    : sample_baseline;
+  sample(view, stride, intensities);
 }
 
 }  // namespace vo

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "vo/core/error.h"
-#include "vo/residuals/warp.h"
+#include "vo/tracking/image_motion.h"
 
 namespace vo {
 namespace {
@@ -45,30 +45,6 @@ void MapOptions::validate() const {
           max_keyframes);
   require(min_overlap >= 0 && min_overlap <= 1, "map.min_overlap: expected 0 to 1, got ",
           min_overlap);
-}
-
-ImageMotion image_motion(const EdgePoints& points, const FramePyramid& frame,
-                         const SE3& T_cur_ref) {
-  const EdgePointLevel& level = points.levels.back();
-  const PinholeCamera& camera = frame.levels.back().camera;
-  const Warp<float> warp(camera, T_cur_ref);
-  ImageMotion motion;
-  double seen = 0;
-  for (std::size_t i = 0; i < level.size(); ++i) {
-    const WarpedPoint<float> point =
-        warp_point<float>(warp, {level.x_ref[i], level.y_ref[i], level.z_ref[i]});
-    if (is_in_view(point, camera)) {
-      seen += 1;
-      motion.flow_px += std::hypot(point.u - static_cast<float>(level.pixel[i].x),
-                                   point.v - static_cast<float>(level.pixel[i].y));
-    }
-  }
-  if (seen > 0) {
-    const double finest_px = frame.levels.front().camera.fx / camera.fx;
-    motion.flow_px *= finest_px / seen;
-    motion.overlap = seen / static_cast<double>(level.size());
-  }
-  return motion;
 }
 
 void LocalMap::add(Keyframe keyframe) {

@@ -27,15 +27,6 @@ struct Keyframe {
   Readout readout;                    ///< rolling shutter's read-out by which the pose was found
 };
 
-/// The motion of one frame's points in the image of another.
-struct ImageMotion {
-  double overlap = 0;  ///< share of the points that is seen
-  double flow_px = 0;  ///< mean displacement of the seen points, px of the finest level
-};
-
-/// Measures the motion of the points of the coarsest level.
-ImageMotion image_motion(const EdgePoints& points, const FramePyramid& frame, const SE3& T_cur_ref);
-
 /// The keyframes around the camera.
 class LocalMap {
  public:

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "vo/residuals/linearize.h"
+#include "vo/tracking/image_motion.h"
 
 namespace vo {
 namespace {

@@ -6,6 +6,7 @@
 #include "vo/core/error.h"
 #include "vo/geometry/readout.h"
 #include "vo/image/view_cells.h"
+#include "vo/tracking/image_motion.h"
 #include "vo/tracking/pose_search.h"
 #include "vo/tracking/sharpness.h"
 

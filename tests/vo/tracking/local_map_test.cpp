@@ -6,6 +6,7 @@
 
 #include "tests/support/textured_plane.h"
 #include "vo/core/error.h"
+#include "vo/tracking/image_motion.h"
 
 namespace {
 
