@@ -51,7 +51,7 @@ class LevelAlignment {
       : problem_(problem), options_(problem.options()), result_(result) {}
 
   /// Improves the result's pose and returns the system there.
-  JointSystem run() {
+  const JointSystem& run() {
     const auto min_points = static_cast<std::size_t>(options_.min_points);
     system_ = problem_.linearize(result_.T_cur_ref);
     result_.termination = Termination::max_iterations;
@@ -96,10 +96,10 @@ class LevelAlignment {
 
   /// Moves by the increment unless the cost would rise; returns whether the cost fell.
   bool accept(const Vector6d& delta) {
-    const std::vector<ResidualModel> models = problem_.models();
+    const JointProblem::Models models = problem_.models();
     const SE3 T_candidate = SE3::exp(delta) * result_.T_cur_ref;
     problem_.update_brightness(system_, delta, result_.T_cur_ref);
-    JointSystem candidate = problem_.linearize(T_candidate);
+    const JointSystem candidate = problem_.linearize(T_candidate);
     ++result_.iterations;
     const bool better = candidate.cost < system_.cost;
     if (!better && !options_.keep_worse_step) {
@@ -107,7 +107,7 @@ class LevelAlignment {
       return false;
     }
     result_.T_cur_ref = T_candidate;
-    system_ = std::move(candidate);
+    system_ = candidate;
     return better;
   }
 
@@ -117,7 +117,8 @@ class LevelAlignment {
   JointSystem system_;
 };
 
-void summarize(const JointSystem& system, const JointProblem& problem, AlignResult& result) {
+void summarize(const JointSystem& system, const JointProblem& problem, AlignMemory& memory,
+               AlignResult& result) {
   const PointEquations& first = system.parts.front();
   result.points = system.points;
   result.cost = system.cost;
@@ -128,7 +129,7 @@ void summarize(const JointSystem& system, const JointProblem& problem, AlignResu
     result.visible_fraction = static_cast<double>(first.points) / static_cast<double>(first.total);
   }
   if (result.usable()) {
-    const JointScores scores = problem.scores(system, result.T_cur_ref);
+    const JointScores& scores = problem.scores(system, result.T_cur_ref, memory);
     result.covariance = pose_covariance(problem, system, scores, result.T_cur_ref);
     result.loss_by_readout = scores.loss_by_readout;
     result.agreement = scores.agreement;
@@ -170,6 +171,12 @@ void AlignOptions::validate() const {
 
 AlignResult align(std::span<const AlignReference> references, const AlignCurrent& current,
                   const SE3& T_cur_ref_guess, const AlignOptions& options) {
+  AlignMemory memory;
+  return align(references, current, T_cur_ref_guess, options, memory);
+}
+
+AlignResult align(std::span<const AlignReference> references, const AlignCurrent& current,
+                  const SE3& T_cur_ref_guess, const AlignOptions& options, AlignMemory& memory) {
   AlignResult result;
   result.T_cur_ref = T_cur_ref_guess;
   std::optional<JointProblem> coarser;
@@ -181,9 +188,10 @@ AlignResult align(std::span<const AlignReference> references, const AlignCurrent
       problem.match_brightness(result.T_cur_ref);
     }
     problem.estimate_scales(result.T_cur_ref);
-    const JointSystem system = LevelAlignment(problem, result).run();
+    LevelAlignment alignment(problem, result);
+    const JointSystem& system = alignment.run();
     if (l == 0) {
-      summarize(system, problem, result);
+      summarize(system, problem, memory, result);
     }
     coarser.emplace(std::move(problem));
   }

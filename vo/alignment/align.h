@@ -16,6 +16,10 @@ namespace vo {
 AlignResult align(std::span<const AlignReference> references, const AlignCurrent& current,
                   const SE3& T_cur_ref_guess, const AlignOptions& options);
 
+/// Aligns in memory that is kept from frame to frame, to the same bits.
+AlignResult align(std::span<const AlignReference> references, const AlignCurrent& current,
+                  const SE3& T_cur_ref_guess, const AlignOptions& options, AlignMemory& memory);
+
 /// Aligns a frame to a single reference.
 AlignResult align(const EdgePoints& reference, const FramePyramid& current,
                   const SE3& T_cur_ref_guess, const AlignOptions& options);

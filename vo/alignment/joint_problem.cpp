@@ -58,7 +58,17 @@ JointProblem::JointProblem(std::span<const AlignReference> references, const Ali
       pairs_.push_back({&reference, /*backward=*/true});
     }
   }
-  models_.resize(pairs_.size(), {options.loss_scale, {}});
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    models_.push_back({options.loss_scale, {}});
+  }
+}
+
+/// Calls `body(i)` for each pair.
+template <typename Body>
+void JointProblem::for_each_pair(const Body& body) const {
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    body(i);
+  }
 }
 
 PointView JointProblem::view(const ImagePair& pair, const SE3& T_cur_first) const {
@@ -127,22 +137,29 @@ void JointProblem::add_depth(const SE3& T_cur_first, JointSystem& system) const 
 }
 
 /// Adds the surface points' terms of b by cell, with pixels scaled from their level to this one.
-void JointProblem::add_depth(const SE3& T_cur_first, CellScores& scores) const {
+void JointProblem::add_depth(const SE3& T_cur_first, AlignMemory& memory) const {
   if (!(distance_scale_ > 0)) {
     return;
   }
   const DepthView view = depth_view(T_cur_first);
   const double pixels = static_cast<double>(camera().width) / view.image.camera.width;
-  for (const DepthScore& score : score_depth(view, distance_scale_)) {
-    scores.add(static_cast<float>(pixels * score.pixel.x()),
-               static_cast<float>(pixels * score.pixel.y()), depth_weight() * score.b);
+  score_depth(view, distance_scale_, memory.depth_scores);
+  for (const DepthScore& score : memory.depth_scores) {
+    memory.scores.references.front().add(static_cast<float>(pixels * score.pixel.x()),
+                                         static_cast<float>(pixels * score.pixel.y()),
+                                         depth_weight() * score.b);
   }
 }
 
 JointSystem JointProblem::linearize(const SE3& T_cur_first) const {
   JointSystem system;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    system.parts.push_back(vo::linearize(view(pairs_[i], T_cur_first), options_, models_[i]));
+    system.parts.emplace_back();
+  }
+  for_each_pair([&](std::size_t i) {
+    system.parts[i] = vo::linearize(view(pairs_[i], T_cur_first), options_, models_[i]);
+  });
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
     add_part(i, T_cur_first, system);
   }
   add_depth(T_cur_first, system);
@@ -214,17 +231,30 @@ void JointProblem::add_readout(const ScoredPair& scored, const SE3& T_cur_first,
   equations.H.topRightCorner<2, 6>() += coupling.transpose();
 }
 
-JointScores JointProblem::scores(const JointSystem& system, const SE3& T_cur_first) const {
-  const std::size_t references = index_of(pairs_.back()) + 1;
-  JointScores result{.references = {references, CellScores(camera())},
-                     .by_reference_velocity = {references, Matrix6d::Zero()}};
+void JointScores::reset(std::size_t reference_count, const PinholeCamera& camera) {
+  if (references.size() < reference_count) {
+    references.resize(reference_count);
+  }
+  for (CellScores& reference : references) {
+    reference.reset(camera);
+  }
+  by_current_velocity.setZero();
+  by_reference_velocity.clear();
+  for (std::size_t r = 0; r < reference_count; ++r) {
+    by_reference_velocity.push_back(Matrix6d::Zero());
+  }
+}
+
+const JointScores& JointProblem::scores(const JointSystem& system, const SE3& T_cur_first,
+                                        AlignMemory& memory) const {
+  JointScores& result = memory.scores;
+  result.reset(index_of(pairs_.back()) + 1, camera());
   CurvatureSums sums;
   ReadoutEquations readout;
   readout.H.bottomRightCorner<6, 6>() = system.H;
   readout.b.tail<6>() = system.b;
-  PointTerms scores;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const ScoredPair pair = scored(i, system.parts[i], T_cur_first, scores);
+    const ScoredPair pair = scored(i, system.parts[i], T_cur_first, memory.terms);
     add_velocities(pair, result);
     add_readout(pair, T_cur_first, readout);
     if (i == 0) {
@@ -236,7 +266,7 @@ JointScores JointProblem::scores(const JointSystem& system, const SE3& T_cur_fir
     sums.add(pair.scores, options_, models_[i].scale);
     result.references[index_of(pair.pair)].add(pair.scores, pair.to_pose);
   }
-  add_depth(T_cur_first, result.references.front());
+  add_depth(T_cur_first, memory);
   result.curvature_share = sums.curvature / sums.weight;
   result.loss_by_readout = least_loss(readout.eliminated<6>());
   return result;
@@ -251,31 +281,31 @@ void JointProblem::estimate_scales(const SE3& T_cur_first) {
   if (options_.scale == LossScale::fixed) {
     return;
   }
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+  for_each_pair([&](std::size_t i) {
     models_[i].scale = shown_scale(view(pairs_[i], T_cur_first), models_[i].brightness, options_);
-  }
+  });
 }
 
 void JointProblem::match_brightness(const SE3& T_cur_first) {
   if (options_.brightness == BrightnessModel::same) {
     return;
   }
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+  for_each_pair([&](std::size_t i) {
     models_[i].brightness = matched_brightness(view(pairs_[i], T_cur_first));
-  }
+  });
 }
 
 void JointProblem::start_from(const JointProblem& coarser, const SE3& T_cur_first) {
   if (options_.brightness == BrightnessModel::same) {
     return;
   }
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const auto same = std::find(coarser.pairs_.begin(), coarser.pairs_.end(), pairs_[i]);
+  for_each_pair([&](std::size_t i) {
+    const auto* same = std::find(coarser.pairs_.begin(), coarser.pairs_.end(), pairs_[i]);
     models_[i].brightness =
         same != coarser.pairs_.end()
             ? coarser.models_[static_cast<std::size_t>(same - coarser.pairs_.begin())].brightness
             : matched_brightness(view(pairs_[i], T_cur_first));
-  }
+  });
 }
 
 /// Returns the increment of a pair's pose, gain and offset that goes with one of the system.

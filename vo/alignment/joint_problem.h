@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "vo/alignment/align_result.h"
+#include "vo/core/inplace_vector.h"
 #include "vo/core/normal_equations.h"
 #include "vo/residuals/cell_scores.h"
 #include "vo/residuals/depth_term.h"
@@ -13,6 +14,12 @@
 #include "vo/residuals/view_agreement.h"
 
 namespace vo {
+
+/// Most references of an alignment.
+inline constexpr std::size_t kMaxReferences = 20;
+
+/// Most pairs of images of an alignment: each reference forward and backward.
+inline constexpr std::size_t kMaxPairs = 2 * kMaxReferences;
 
 /// A frame of known pose that the current one is aligned to.
 struct AlignReference {
@@ -45,22 +52,35 @@ struct AlignCurrent {
 /// pair's brightness eliminated. Each pair counts in squares of its own scale. The cost is the loss
 /// per point.
 struct JointSystem : NormalEquations<6> {
-  std::size_t points = 0;             ///< number of seen points
-  std::size_t total = 0;              ///< number of points, seen or not
-  std::vector<PointEquations> parts;  ///< one for each pair: references forward, then backward
+  std::size_t points = 0;  ///< number of seen points
+  std::size_t total = 0;   ///< number of points, seen or not
+  InplaceVector<PointEquations, kMaxPairs>
+      parts;  ///< one for each pair: references forward, then backward
 };
 
 /// The points' contributions to the system's b, by the reference and the cell of the current image.
 struct JointScores {
+  /// Scores of each reference. There may be more than references, to keep memory: those are 0.
   std::vector<CellScores> references;
   double curvature_share = 1;  ///< mean curvature of the loss over the mean weight
 
   /// Derivative of b by the current frame's velocity; 0 without a rolling shutter.
   Matrix6d by_current_velocity = Matrix6d::Zero();
-  std::vector<Matrix6d> by_reference_velocity;
+  InplaceVector<Matrix6d, kMaxReferences> by_reference_velocity;
 
   LossByReadout loss_by_readout;  ///< first-order in the residuals
   ViewAgreement agreement;        ///< of the first reference's points with the current image
+
+  /// Starts anew with this many references, and images of this camera.
+  void reset(std::size_t reference_count, const PinholeCamera& camera);
+};
+
+/// Memory that alignments work in. Who aligns frame after frame keeps it, so that nothing is
+/// allocated once it is large enough.
+struct AlignMemory {
+  JointScores scores;
+  PointTerms terms;                      ///< of the pair of images that is being scored
+  std::vector<DepthScore> depth_scores;  ///< of the first reference's surface points
 };
 
 /// The current frame and all its references at one pyramid level: the references' points looked up
@@ -73,8 +93,10 @@ class JointProblem {
 
   JointSystem linearize(const SE3& T_cur_first) const;
 
-  /// Splits the system's b, linearized at this pose, by reference and cell.
-  JointScores scores(const JointSystem& system, const SE3& T_cur_first) const;
+  /// Splits the system's b, linearized at this pose, by reference and cell. The result lives in the
+  /// memory, until it is used again.
+  const JointScores& scores(const JointSystem& system, const SE3& T_cur_first,
+                            AlignMemory& memory) const;
 
   /// Returns the view of a reference's points in the current image; `models` has it at this index.
   PointView forward_view(std::size_t reference, const SE3& T_cur_first) const;
@@ -99,8 +121,10 @@ class JointProblem {
   /// brightness that go with it, to first order.
   void advance(JointSystem& system, const Vector6d& delta, const SE3& T_cur_first) const;
 
-  const std::vector<ResidualModel>& models() const { return models_; }
-  void set_models(std::vector<ResidualModel> models) { models_ = std::move(models); }
+  using Models = InplaceVector<ResidualModel, kMaxPairs>;
+
+  const Models& models() const { return models_; }
+  void set_models(const Models& models) { models_ = models; }
   const FrameVelocity& reference_velocity(std::size_t reference) const {
     return pairs_[reference].reference->velocity;
   }
@@ -140,10 +164,12 @@ class JointProblem {
   void add_part(std::size_t pair, const SE3& T_cur_first, JointSystem& system) const;
   const AlignReference& first() const { return *pairs_.front().reference; }
   std::size_t index_of(const ImagePair& pair) const;
+  template <typename Body>
+  void for_each_pair(const Body& body) const;
   DepthView depth_view(const SE3& T_cur_first) const;
   double depth_weight() const;
   void add_depth(const SE3& T_cur_first, JointSystem& system) const;
-  void add_depth(const SE3& T_cur_first, CellScores& scores) const;
+  void add_depth(const SE3& T_cur_first, AlignMemory& memory) const;
   ScoredPair scored(std::size_t pair, const PointEquations& part, const SE3& T_cur_first,
                     PointTerms& scores) const;
   void add_velocities(const ScoredPair& scored, JointScores& result) const;
@@ -155,8 +181,8 @@ class JointProblem {
   const AlignCurrent& current_;
   std::size_t level_;
   const AlignOptions& options_;
-  std::vector<ImagePair> pairs_;
-  std::vector<ResidualModel> models_;
+  InplaceVector<ImagePair, kMaxPairs> pairs_;
+  Models models_;
   double distance_scale_ = 0;  ///< m, scale of the distances from the first reference's surfaces
 };
 

@@ -44,12 +44,15 @@ double birge_factor(const std::vector<CellScores>& references) {
   return count > 1 ? std::max(1.0, chi2 / (kParameters * (count - 1))) : 1;
 }
 
-std::vector<Vector6d> sum_of(const std::vector<CellScores>& references) {
-  std::vector<Vector6d> sum = references.front().b();
-  for (std::size_t r = 1; r < references.size(); ++r) {
-    for (std::size_t cell = 0; cell < sum.size(); ++cell) {
-      sum[cell] += references[r].b()[cell];
+/// Returns the scatter of the cells, each summed over the references.
+Matrix6d joint_scatter(const std::vector<CellScores>& references) {
+  Matrix6d sum = Matrix6d::Zero();
+  for (std::size_t cell = 0; cell < references.front().b().size(); ++cell) {
+    Vector6d b = Vector6d::Zero();
+    for (const CellScores& reference : references) {
+      b += reference.b()[cell];
     }
+    sum += b * b.transpose();
   }
   return sum;
 }
@@ -94,14 +97,15 @@ Matrix6d cell_covariance(const JointSystem& system, const JointScores& scores) {
   constexpr double kMinCurvatureShare = 0.25;
   const double share = std::max(scores.curvature_share, kMinCurvatureShare);
   const double factor = birge_factor(scores.references) / (share * share);
-  return factor * propagated(system.H, scatter(sum_of(scores.references)));
+  return factor * propagated(system.H, joint_scatter(scores.references));
 }
 
 }  // namespace
 
 Matrix6d sandwich_covariance(const JointProblem& problem, const JointSystem& system,
                              const SE3& T_cur_first) {
-  return cell_covariance(system, problem.scores(system, T_cur_first));
+  AlignMemory memory;
+  return cell_covariance(system, problem.scores(system, T_cur_first, memory));
 }
 
 Matrix6d pose_covariance(const JointProblem& problem, const JointSystem& system,

@@ -86,6 +86,7 @@ struct EdgePointLevel {
 
   std::size_t size() const { return x_ref.size(); }
   void resize(std::size_t count);
+  void reserve(std::size_t count);                     ///< makes room for later resizes
   void keep(const std::vector<std::size_t>& indices);  ///< keeps these; indices must ascend
 
   static constexpr std::size_t kFloatsPerPoint = 8;

@@ -7,18 +7,18 @@ constexpr int kColumns = 16;
 
 }  // namespace
 
-CellScores::CellScores(const PinholeCamera& camera)
-    : cell_px_(static_cast<float>(camera.width) / kColumns) {
+void CellScores::reset(const PinholeCamera& camera) {
+  cell_px_ = static_cast<float>(camera.width) / kColumns;
   const auto last_row = static_cast<float>(camera.height - 1);
-  b_.resize(cell_of(0, last_row) + kColumns, Vector6d::Zero());
+  b_.assign(cell_of(0, last_row) + kColumns, Vector6d::Zero());
 }
 
 void CellScores::add(const PointTerms& scores, const Projection& projection) {
   using Sum = PointEquations::Vector;
-  std::vector<Sum> sums(b_.size(), Sum::Zero());
+  sums_.assign(b_.size(), Sum::Zero());
   for (std::size_t i = 0; i < scores.weight.size(); ++i) {
     if (scores.weight[i] > 0) {
-      Sum& sum = sums[cell_of(scores.u[i], scores.v[i])];
+      Sum& sum = sums_[cell_of(scores.u[i], scores.v[i])];
       const float weighted = scores.weight[i] * scores.residual[i];
       for (std::size_t p = 0; p < kPassParameters; ++p) {
         sum[static_cast<Eigen::Index>(p)] += static_cast<double>(weighted * scores.J[p][i]);
@@ -26,7 +26,7 @@ void CellScores::add(const PointTerms& scores, const Projection& projection) {
     }
   }
   for (std::size_t cell = 0; cell < b_.size(); ++cell) {
-    b_[cell] += projection * sums[cell];
+    b_[cell] += projection * sums_[cell];
   }
 }
 

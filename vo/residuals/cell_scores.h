@@ -16,7 +16,8 @@ class CellScores {
   /// Maps a pair's b of pose, gain and offset to the b of the pose alone.
   using Projection = Eigen::Matrix<double, 6, 8>;
 
-  explicit CellScores(const PinholeCamera& camera);
+  /// Starts anew, with no points, for images of this camera.
+  void reset(const PinholeCamera& camera);
 
   void add(const PointTerms& scores, const Projection& projection);
   void add(float u, float v, const Vector6d& b);  ///< adds b at (u, v), px
@@ -26,8 +27,9 @@ class CellScores {
  private:
   std::size_t cell_of(float u, float v) const;
 
-  float cell_px_;
+  float cell_px_ = 1;
   std::vector<Vector6d> b_;
+  std::vector<PointEquations::Vector> sums_;  ///< of the points that are being added
 };
 
 }  // namespace vo

@@ -1,8 +1,9 @@
 #include "vo/residuals/depth_term.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
+#include <span>
 
 #include "vo/core/median.h"
 #include "vo/residuals/lane_sums.h"
@@ -113,14 +114,15 @@ PassOptions pass_options(double scale) {
   return {.loss = RobustLoss::student_t, .loss_scale = static_cast<float>(scale), .gain = 0};
 }
 
-/// Calls `visit(block, count)` for all points, 64 at a time.
+/// Calls `visit(block, count)` for 64 points at a time: all of them, or every `stride`-th block.
 template <typename Visit>
-void for_each_block(const DepthView& view, const PassOptions& options, Visit visit) {
+void for_each_block(const DepthView& view, const PassOptions& options, Visit visit,
+                    std::size_t stride = 1) {
   const PassWarp warp(view.image.camera, view.T_cur_ref);
   const bool is_baseline = available_instruction_set() == InstructionSet::baseline;
   const auto linearize = is_baseline ? linearize_baseline : linearize_avx2;
   Block block{};
-  for (std::size_t first = 0; first < view.surface.size(); first += kBlock) {
+  for (std::size_t first = 0; first < view.surface.size(); first += stride * kBlock) {
     linearize(view, warp, options, first, block);
     visit(block, std::min(kBlock, view.surface.size() - first));
   }
@@ -151,8 +153,8 @@ NormalEquations<6> linearize_depth(const DepthView& view, double scale) {
   return sums.leading<kPoseParameters>();
 }
 
-std::vector<DepthScore> score_depth(const DepthView& view, double scale) {
-  std::vector<DepthScore> scores;
+void score_depth(const DepthView& view, double scale, std::vector<DepthScore>& scores) {
+  scores.clear();
   for_each_block(view, pass_options(scale), [&](const Block& block, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
       if (block.seen[i] > 0) {
@@ -160,19 +162,21 @@ std::vector<DepthScore> score_depth(const DepthView& view, double scale) {
       }
     }
   });
-  return scores;
 }
 
 double distance_spread(const DepthView& view) {
-  std::vector<float> magnitudes;
-  for_each_block(view, pass_options(1), [&](const Block& block, std::size_t count) {
+  constexpr std::size_t kEnoughPoints = 600;
+  std::array<float, kEnoughPoints + kBlock> magnitudes;
+  std::size_t seen = 0;
+  const auto keep = [&](const Block& block, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
       if (block.seen[i] > 0) {
-        magnitudes.push_back(std::abs(block.residual[i]));
+        magnitudes[seen++] = std::abs(block.residual[i]);
       }
     }
-  });
-  return robust_sigma(std::move(magnitudes));
+  };
+  for_each_block(view, pass_options(1), keep, 1 + view.surface.size() / kEnoughPoints);
+  return robust_sigma(std::span(magnitudes.data(), seen));
 }
 
 double depth_agreement(const DepthView& view) {

@@ -1,11 +1,13 @@
 #include "vo/residuals/linearize.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
+#include <span>
 
 #include "vo/core/median.h"
 #include "vo/residuals/intensity_moments.h"
+#include "vo/residuals/point_sampler.h"
 
 namespace vo {
 namespace {
@@ -31,33 +33,40 @@ PassOptions pass_options(const AlignOptions& options, const ResidualModel& model
 
 /// Returns the moments of the points' intensities and those of the image where they are seen.
 IntensityMoments moments_of(const PointView& view) {
-  const std::vector<float> seen = sampled_intensities(view);
+  PointSampler sampler(view, available_instruction_set());
   IntensityMoments moments;
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (!std::isnan(seen[i])) {
-      moments.add(view.points.intensity[i], seen[i]);
+  for (std::size_t block = 0; block < sampler.blocks(); ++block) {
+    const float* reference = view.points.intensity.data() + PointSampler::first_of(block);
+    for (const float seen : sampler.sample(block)) {
+      if (!std::isnan(seen)) {
+        moments.add(*reference, seen);
+      }
+      ++reference;
     }
   }
   return moments;
 }
 
 /// Returns 1.4826 times the median |r|, intensity: the standard deviation of Gaussian residuals,
-/// hardly changed by outliers.
+/// hardly changed by outliers. Of many points it takes some 600, evenly spread.
 double residual_spread(const PointView& view, const Brightness& brightness) {
   constexpr std::size_t kEnoughPoints = 600;
   const auto gain = static_cast<float>(brightness.gain);
   const auto offset = static_cast<float>(brightness.offset);
-  std::vector<float> magnitudes;
-  sample_points(view, 1 + view.points.size() / kEnoughPoints, available_instruction_set(),
-                magnitudes);
-  std::size_t seen = 0;
-  for (std::size_t i = 0; i < magnitudes.size(); ++i) {
-    if (!std::isnan(magnitudes[i])) {
-      magnitudes[seen++] = std::abs(magnitudes[i] - (gain * view.points.intensity[i] + offset));
+  const std::size_t stride = 1 + view.points.size() / kEnoughPoints;
+  std::array<float, kEnoughPoints + detail::kBlock> magnitudes;
+  std::size_t count = 0;
+  PointSampler sampler(view, available_instruction_set());
+  for (std::size_t block = 0; block < sampler.blocks(); block += stride) {
+    const float* reference = view.points.intensity.data() + PointSampler::first_of(block);
+    for (const float seen : sampler.sample(block)) {
+      if (!std::isnan(seen)) {
+        magnitudes[count++] = std::abs(seen - (gain * *reference + offset));
+      }
+      ++reference;
     }
   }
-  magnitudes.resize(seen);
-  return robust_sigma(std::move(magnitudes));
+  return robust_sigma(std::span(magnitudes.data(), count));
 }
 
 }  // namespace
@@ -79,7 +88,12 @@ void compute_point_terms(const PointView& view, const AlignOptions& options,
 
 std::vector<float> sampled_intensities(const PointView& view) {
   std::vector<float> intensities;
-  sample_points(view, 1, available_instruction_set(), intensities);
+  intensities.reserve(view.points.size());
+  PointSampler sampler(view, available_instruction_set());
+  for (std::size_t block = 0; block < sampler.blocks(); ++block) {
+    const std::span<const float> seen = sampler.sample(block);
+    intensities.insert(intensities.end(), seen.begin(), seen.end());
+  }
   return intensities;
 }
 

@@ -1,7 +1,6 @@
 #include "vo/residuals/point_pass.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "vo/residuals/lane_sums.h"
 #include "vo/residuals/point_block.h"
@@ -15,8 +14,6 @@ using detail::kFlushPeriod;
 using detail::LaneSums;
 using detail::PassWarp;
 using detail::store_row;
-
-constexpr float kUnseen = std::numeric_limits<float>::quiet_NaN();
 
 EDVO_INLINE void sum_blocks(const PointView& view, const PassOptions& options,
                             PointEquations& sums) {
@@ -55,23 +52,6 @@ EDVO_INLINE void score_blocks(const PointView& view, const PassOptions& options,
   }
 }
 
-EDVO_INLINE void sample_blocks(const PointView& view, std::size_t stride,
-                               std::vector<float>& intensities) {
-  Block block{};
-  const EdgePointLevel& points = view.points;
-  const PassWarp warp(view);
-  for (std::size_t first = 0; first < points.size(); first += stride * kBlock) {
-    const std::size_t count = std::min(kBlock, points.size() - first);
-    load_points(points, first, count, block);
-    warp_block(warp, count, block);
-    sample_block_intensity(view.image.intensity, block);
-    for (std::size_t i = 0; i < kBlock; ++i) {
-      block.intensity[i] = block.seen[i] > 0 ? block.intensity[i] : kUnseen;
-    }
-    store_row(block.intensity, first, count, intensities);
-  }
-}
-
 void sum_baseline(const PointView& view, const PassOptions& options, PointEquations& sums) {
   sum_blocks(view, options, sums);
 }
@@ -98,20 +78,6 @@ EDVO_TARGET_AVX2 void score_avx2(const PointView& view, const PassOptions& optio
 EDVO_TARGET_AVX512 void score_avx512(const PointView& view, const PassOptions& options,
                                      PointTerms& scores) {
   score_blocks(view, options, scores);
-}
-
-void sample_baseline(const PointView& view, std::size_t stride, std::vector<float>& intensities) {
-  sample_blocks(view, stride, intensities);
-}
-
-EDVO_TARGET_AVX2 void sample_avx2(const PointView& view, std::size_t stride,
-                                  std::vector<float>& intensities) {
-  sample_blocks(view, stride, intensities);
-}
-
-EDVO_TARGET_AVX512 void sample_avx512(const PointView& view, std::size_t stride,
-                                      std::vector<float>& intensities) {
-  sample_blocks(view, stride, intensities);
 }
 
 }  // namespace
@@ -154,15 +120,6 @@ void compute_point_terms(const PointView& view, const PassOptions& options, Inst
                      : set == InstructionSet::avx2 ? score_avx2
                                                    : score_baseline;
   score(view, options, scores);
-}
-
-void sample_points(const PointView& view, std::size_t stride, InstructionSet set,
-                   std::vector<float>& intensities) {
-  intensities.assign(view.points.size(), kUnseen);
-  const auto sample = set == InstructionSet::avx512 ? sample_avx512
-                      : set == InstructionSet::avx2 ? sample_avx2
-                                                    : sample_baseline;
-  sample(view, stride, intensities);
 }
 
 }  // namespace vo

@@ -72,9 +72,4 @@ PointEquations sum_points(const PointView& view, const PassOptions& options, Ins
 void compute_point_terms(const PointView& view, const PassOptions& options, InstructionSet set,
                          PointTerms& scores);
 
-/// Samples the image's intensity at each point, NaN where the point is not seen. Only every
-/// `stride`-th group of 64 neighbouring points is looked up; the others are NaN.
-void sample_points(const PointView& view, std::size_t stride, InstructionSet set,
-                   std::vector<float>& intensities);
-
 }  // namespace vo

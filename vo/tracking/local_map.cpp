@@ -39,8 +39,8 @@ Keyframe without_vignette(Keyframe keyframe, const Vignette& vignette) {
 }  // namespace
 
 void MapOptions::validate() const {
-  require(references >= 1 && references <= 20, "map.references: expected 1 to 20, got ",
-          references);
+  require(references >= 1 && references <= static_cast<int>(kMaxReferences),
+          "map.references: expected 1 to ", kMaxReferences, ", got ", references);
   require(max_keyframes >= references, "map.max_keyframes: expected at least map.references, got ",
           max_keyframes);
   require(min_overlap >= 0 && min_overlap <= 1, "map.min_overlap: expected 0 to 1, got ",
@@ -113,35 +113,34 @@ void LocalMap::adjust(std::size_t keyframe, const SE3& T_world_keyframe, EdgePoi
 }
 
 /// Returns at most `count` keyframes that overlap enough, least displacement first.
-std::vector<std::size_t> LocalMap::seen_from(const SE3& T_world_camera, std::size_t count) const {
-  std::vector<std::pair<double, std::size_t>> ranked;
+LocalMap::Ranking LocalMap::seen_from(const SE3& T_world_camera, std::size_t count) const {
+  Ranking ranked;
   for (std::size_t k = 0; k < keyframes_.size(); ++k) {
     const Keyframe& keyframe = *keyframes_[k];
     const ImageMotion motion = image_motion(*keyframe.points, keyframe.pyramid,
                                             T_world_camera.inverse() * keyframe.T_world_keyframe);
     if (motion.overlap >= options_.min_overlap) {
-      ranked.emplace_back(motion.flow_px, k);
+      auto* place = std::upper_bound(
+          ranked.begin(), ranked.end(), motion.flow_px,
+          [](double flow_px, const RankedKeyframe& other) { return flow_px < other.flow_px; });
+      const auto rank = place - ranked.begin();
+      ranked.push_back({motion.flow_px, k});
+      std::rotate(ranked.begin() + rank, ranked.end() - 1, ranked.end());
+    }
+    if (ranked.size() > count) {
+      ranked.pop_back();
     }
   }
-  std::stable_sort(ranked.begin(), ranked.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  ranked.resize(std::min(ranked.size(), count));
-  std::vector<std::size_t> result;
-  for (const auto& [flow, k] : ranked) {
-    result.push_back(k);
-  }
-  return result;
+  return ranked;
 }
 
-std::vector<std::shared_ptr<const Keyframe>> LocalMap::references_for(
-    const SE3& T_world_camera) const {
-  if (options_.references == 1) {
-    return {keyframes_.back()};
-  }
-  std::vector<std::shared_ptr<const Keyframe>> references;
-  for (const std::size_t k :
-       seen_from(T_world_camera, static_cast<std::size_t>(options_.references))) {
-    references.push_back(keyframes_[k]);
+LocalMap::References LocalMap::references_for(const SE3& T_world_camera) const {
+  References references;
+  if (options_.references > 1) {
+    const auto count = static_cast<std::size_t>(options_.references);
+    for (const RankedKeyframe& ranked : seen_from(T_world_camera, count)) {
+      references.push_back(keyframes_[ranked.index]);
+    }
   }
   if (references.empty()) {
     references.push_back(keyframes_.back());
@@ -151,7 +150,10 @@ std::vector<std::shared_ptr<const Keyframe>> LocalMap::references_for(
 
 std::vector<std::size_t> LocalMap::around_last(std::size_t count) const {
   const std::size_t last = keyframes_.size() - 1;
-  std::vector<std::size_t> result = seen_from(keyframes_.back()->T_world_keyframe, count);
+  std::vector<std::size_t> result;
+  for (const RankedKeyframe& ranked : seen_from(keyframes_.back()->T_world_keyframe, count)) {
+    result.push_back(ranked.index);
+  }
   const auto found = std::find(result.begin(), result.end(), last);
   if (found == result.end()) {
     result.insert(result.begin(), last);

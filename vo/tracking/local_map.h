@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "vo/alignment/joint_problem.h"
+#include "vo/core/inplace_vector.h"
 #include "vo/geometry/readout.h"
 #include "vo/geometry/se3.h"
 #include "vo/image/edge_points.h"
@@ -13,6 +15,7 @@
 #include "vo/residuals/frame_velocity.h"
 #include "vo/residuals/surface_points.h"
 #include "vo/tracking/map_options.h"
+#include "vo/tracking/window_options.h"
 
 namespace vo {
 
@@ -31,6 +34,8 @@ struct Keyframe {
 class LocalMap {
  public:
   explicit LocalMap(const MapOptions& options) : options_(options) {}
+
+  using References = InplaceVector<std::shared_ptr<const Keyframe>, kMaxReferences>;
 
   bool empty() const { return keyframes_.empty(); }
   const std::shared_ptr<const Keyframe>& last() const { return keyframes_.back(); }
@@ -51,13 +56,19 @@ class LocalMap {
 
   /// Returns at most `references` keyframes that overlap enough, least displacement first, or the
   /// last keyframe where none does or `references` is 1.
-  std::vector<std::shared_ptr<const Keyframe>> references_for(const SE3& T_world_camera) const;
+  References references_for(const SE3& T_world_camera) const;
 
   /// Returns the indices of the last keyframe, then of those it sees most alike, at most `count`.
   std::vector<std::size_t> around_last(std::size_t count) const;
 
  private:
-  std::vector<std::size_t> seen_from(const SE3& T_world_camera, std::size_t count) const;
+  struct RankedKeyframe {
+    double flow_px;     ///< displacement of its points
+    std::size_t index;  ///< in `keyframes_`
+  };
+  using Ranking = InplaceVector<RankedKeyframe, kMaxWindow + 1>;  ///< room for one more to enter
+
+  Ranking seen_from(const SE3& T_world_camera, std::size_t count) const;
 
   MapOptions options_;
   std::deque<std::shared_ptr<const Keyframe>> keyframes_;  ///< oldest first

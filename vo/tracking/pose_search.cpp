@@ -1,6 +1,7 @@
 #include "vo/tracking/pose_search.h"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -34,8 +35,17 @@ double coarse_agreement(const Keyframe& keyframe, const FramePyramid& frame,
 }
 
 SE3 best_guess(const Keyframe& keyframe, const FramePyramid& frame,
-               const std::vector<SE3>& T_world_camera_guesses) {
-  return best_guesses(keyframe, frame, T_world_camera_guesses, 1).front();
+               std::initializer_list<SE3> T_world_camera_guesses) {
+  SE3 best;
+  double highest_agreement = -std::numeric_limits<double>::infinity();
+  for (const SE3& guess : T_world_camera_guesses) {
+    const double agreement = coarse_agreement(keyframe, frame, guess);
+    if (agreement > highest_agreement) {
+      highest_agreement = agreement;
+      best = guess;
+    }
+  }
+  return best;
 }
 
 std::vector<SE3> best_guesses(const Keyframe& keyframe, const FramePyramid& frame,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <vector>
 
 #include "vo/tracking/local_map.h"
@@ -15,7 +16,7 @@ double coarse_agreement(const Keyframe& keyframe, const FramePyramid& frame,
 /// Returns the pose from which the frame agrees best with the keyframe, the earlier of equals.
 /// There must be at least one guess.
 SE3 best_guess(const Keyframe& keyframe, const FramePyramid& frame,
-               const std::vector<SE3>& T_world_camera_guesses);
+               std::initializer_list<SE3> T_world_camera_guesses);
 
 /// Returns at most `count` poses from which the frame agrees best with the keyframe, best first.
 std::vector<SE3> best_guesses(const Keyframe& keyframe, const FramePyramid& frame,

@@ -146,7 +146,7 @@ ReadoutMotion Tracker::readout_motion_at(const std::optional<FrameVelocity>& vel
 }
 
 Tracker::Attempt Tracker::aligned_from(const FramePyramid& current, const SE3& T_world_guess,
-                                       Start start) const {
+                                       Start start) {
   Attempt attempt{start,
                   references_for(current, T_world_guess),
                   {},
@@ -165,7 +165,7 @@ Tracker::Attempt Tracker::aligned_from(const FramePyramid& current, const SE3& T
   result.T_cur_ref_guess = T_world_guess.inverse() * T_world_first;
   result.alignment =
       align(attempt.references.views, {current, current_points_.get(), attempt.previous},
-            result.T_cur_ref_guess, options);
+            result.T_cur_ref_guess, options, align_memory_);
   result.reason = judge(result.alignment, start);
   if (result.reason == TrackingReason::none) {
     result.status = TrackingStatus::tracked;
@@ -201,7 +201,7 @@ void Tracker::calibrate(const FramePyramid& current, const Attempt& attempt) {
 
 /// Aligns from turned poses and from the keyframes that look most alike, too, and returns the most
 /// credible attempt.
-Tracker::Attempt Tracker::searched(const FramePyramid& current, Attempt first) const {
+Tracker::Attempt Tracker::searched(const FramePyramid& current, Attempt first) {
   constexpr std::size_t kTurnsTried = 3;
   constexpr std::size_t kKeyframesTried = 3;
   std::vector<SE3> guesses =

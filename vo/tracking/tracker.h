@@ -60,9 +60,9 @@ class Tracker {
  private:
   /// The keyframes that a frame is aligned to, the points used of each, and their views.
   struct References {
-    std::vector<std::shared_ptr<const Keyframe>> keyframes;
-    std::vector<std::shared_ptr<const EdgePoints>> points;
-    std::vector<AlignReference> views;  ///< one per keyframe, with its points
+    LocalMap::References keyframes;
+    InplaceVector<std::shared_ptr<const EdgePoints>, kMaxReferences> points;
+    InplaceVector<AlignReference, kMaxReferences> views;  ///< one per keyframe, with its points
 
     bool velocities_known() const;  ///< the first one is known a frame later
   };
@@ -83,8 +83,8 @@ class Tracker {
   SE3 starting_pose(const FramePyramid& current) const;
   AlignOptions align_options() const;
   ReadoutMotion readout_motion_at(const std::optional<FrameVelocity>& velocity) const;
-  Attempt aligned_from(const FramePyramid& current, const SE3& T_world_guess, Start start) const;
-  Attempt searched(const FramePyramid& current, Attempt first) const;
+  Attempt aligned_from(const FramePyramid& current, const SE3& T_world_guess, Start start);
+  Attempt searched(const FramePyramid& current, Attempt first);
   References references_for(const FramePyramid& current, const SE3& T_world_guess) const;
   bool follows_motion(const Attempt& attempt) const;
   void calibrate(const FramePyramid& current, const Attempt& attempt);
@@ -102,6 +102,7 @@ class Tracker {
   ReadoutEstimate readout_;
   VignetteEstimate vignette_;
 
+  AlignMemory align_memory_;
   EdgePointFinder own_point_finder_;
   std::shared_ptr<const EdgePoints> reference_points_;
   std::shared_ptr<EdgePoints> current_points_;  ///< own points of the tracked frame, if symmetric

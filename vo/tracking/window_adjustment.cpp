@@ -250,8 +250,9 @@ class Window {
 }  // namespace
 
 void WindowOptions::validate() const {
-  require(moved >= 1 && moved <= 20, "window.moved: expected 1 to 20, got ", moved);
-  require(held >= 1 && held <= 20, "window.held: expected 1 to 20, got ", held);
+  constexpr auto kMost = static_cast<int>(kMaxWindow / 2);
+  require(moved >= 1 && moved <= kMost, "window.moved: expected 1 to ", kMost, ", got ", moved);
+  require(held >= 1 && held <= kMost, "window.held: expected 1 to ", kMost, ", got ", held);
   require(max_iterations >= 1, "window.max_iterations: expected at least 1, got ", max_iterations);
   require(min_overlap >= 0 && min_overlap <= 1, "window.min_overlap: expected 0 to 1, got ",
           min_overlap);

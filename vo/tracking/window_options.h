@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <utility>
 
 namespace vo {
@@ -17,6 +18,9 @@ constexpr auto enum_names(WindowAdjustment) {
                     std::pair{WindowAdjustment::poses, "poses"},
                     std::pair{WindowAdjustment::depth, "depth"}};
 }
+
+/// Most keyframes of a window.
+inline constexpr std::size_t kMaxWindow = 40;
 
 /// Photometric bundle adjustment of the newest keyframes.
 struct WindowOptions {

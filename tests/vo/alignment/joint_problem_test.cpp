@@ -285,8 +285,9 @@ TEST(JointProblem, LossByReadoutIsThatOfNumericJacobians) {
     const vo::JointProblem problem(numeric.pair.references, numeric.pair.current, 0, options);
     const vo::JointSystem system = problem.linearize(numeric.pair.T_cur_first);
     ASSERT_EQ(system.points, system.total) << "all in view";
+    vo::AlignMemory memory;
     const vo::LossByReadout found =
-        problem.scores(system, numeric.pair.T_cur_first).loss_by_readout;
+        problem.scores(system, numeric.pair.T_cur_first, memory).loss_by_readout;
 
     const std::vector<int> own{6, 7};
     std::vector<int> others{0, 1, 2, 3, 4, 5};

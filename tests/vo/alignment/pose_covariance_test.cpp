@@ -115,7 +115,8 @@ TEST(PoseCovariance, CellsOfAllReferencesSumToTheSystemsRightSide) {
   const vo::AlignOptions options{.brightness = vo::BrightnessModel::affine, .depth_noise = 1};
   const vo::JointProblem problem(references, frame, 0, options);
   const vo::JointSystem system = problem.linearize(SE3());
-  const vo::JointScores scores = problem.scores(system, SE3());
+  vo::AlignMemory memory;
+  const vo::JointScores& scores = problem.scores(system, SE3(), memory);
   ASSERT_EQ(scores.references.size(), references.size());
   Vector6d sum = Vector6d::Zero();
   for (const vo::CellScores& reference : scores.references) {
