@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <nlohmann/json.hpp>
+#include <opencv2/core/utility.hpp>
 
 #include "tools/cli/exit_code.h"
 #include "tools/cli/options.h"
@@ -190,6 +191,7 @@ void write_pictures(const TrackArguments& arguments, const vo::SequenceReader& s
 
 int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera) {
   const vo::TrackerOptions chosen = chosen_options(arguments);
+  cv::setNumThreads(chosen.align.threads);
   const vo::SequenceReader sequence(arguments.sequence, camera, arguments.max_time_difference);
   vo::TrackerOptions options = chosen.starting_from(sequence.camera().readout);
   PanelWriter panels(beside(arguments.out, "_panels"), arguments.debug_images,

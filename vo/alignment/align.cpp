@@ -158,6 +158,7 @@ void AlignOptions::validate() const {
   require(last_step >= 1, "align.last_step: expected at least 1, got ", last_step);
   require(coarse_references >= 0, "align.coarse_references: expected at least 0, got ",
           coarse_references);
+  require(threads >= 1, "align.threads: expected at least 1, got ", threads);
   require(depth_term >= 0, "align.depth_term: expected at least 0, got ", depth_term);
   require(depth_noise >= 0, "align.depth_noise: expected at least 0, got ", depth_noise);
   require(max_depth_ratio == 0 || max_depth_ratio > 1,

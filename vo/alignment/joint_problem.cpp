@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "vo/core/parallel_for.h"
 #include "vo/residuals/rolling_shutter_moments.h"
 
 namespace vo {
@@ -63,12 +64,10 @@ JointProblem::JointProblem(std::span<const AlignReference> references, const Ali
   }
 }
 
-/// Calls `body(i)` for each pair.
+/// Calls `body(i)` for each pair, spread over the options' threads.
 template <typename Body>
 void JointProblem::for_each_pair(const Body& body) const {
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    body(i);
-  }
+  parallel_for(pairs_.size(), options_.threads, body);
 }
 
 PointView JointProblem::view(const ImagePair& pair, const SE3& T_cur_first) const {

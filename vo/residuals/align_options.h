@@ -63,6 +63,7 @@ struct AlignOptions {
   double max_depth_ratio = 0;  ///< most ratio of point to measured depth; 0 is no z-test
   double depth_term = 0;       ///< weight of the point-to-plane distances; 0 is off
   int min_points = 100;        ///< least number of visible points of a fit
+  int threads = 1;             ///< threads that pairs of images are spread over; same bits
 
   void validate() const;  ///< throws Error if an option is invalid
 };
@@ -100,6 +101,7 @@ void visit_fields(Visitor& visit, AlignOptions& options) {
   visit("depth_term", options.depth_term,
         "weight of the distances from the first reference's surfaces; 0 is off");
   visit("min_points", options.min_points, "fewer visible points are not a fit");
+  visit("threads", options.threads, "threads that pairs of images are spread over; same bits");
 }
 
 }  // namespace vo

@@ -99,6 +99,32 @@ TEST(RgbdOdometry, ImagesTakeNoNewMemoryButAfterAKeyframe) {
   EXPECT_GT(frames_in_old_memory, 5);
 }
 
+/// Pairs of images are independent, and their sums are added in order.
+TEST(RgbdOdometry, AnyNumberOfThreadsGivesTheSameBits) {
+  const auto tracked_by = [](int threads) {
+    vo::TrackerOptions options = vo::preset_options(TrackerPreset::best_measured);
+    options.align.threads = threads;
+    vo::RgbdOdometry odometry(small_camera(), options, sway(0));
+    for (int i = 0; i < 20; ++i) {
+      odometry.track(frame_at(sway(i), i));
+    }
+    return odometry.trajectory();
+  };
+  const int before = cv::getNumThreads();
+  cv::setNumThreads(4);
+  const vo::Trajectory one = tracked_by(1);
+  for (const int threads : {2, 4}) {
+    const vo::Trajectory several = tracked_by(threads);
+    ASSERT_EQ(several.size(), one.size());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      EXPECT_EQ(several[i].T_world_camera.translation(), one[i].T_world_camera.translation());
+      EXPECT_EQ(several[i].T_world_camera.rotation().coeffs(),
+                one[i].T_world_camera.rotation().coeffs());
+    }
+  }
+  cv::setNumThreads(before);
+}
+
 TEST(RgbdOdometry, ACoveredLensIsLostAndThenFoundAgain) {
   vo::RgbdOdometry odometry(small_camera(), vo::TrackerOptions(), sway(0));
   odometry.track(frame_at(sway(0), 0));
