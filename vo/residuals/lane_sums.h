@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstring>
 
 #include "vo/residuals/point_block.h"
 
@@ -13,6 +14,38 @@ inline constexpr std::size_t kFlushPeriod =
     8;  // blocks summed in float before they are added in double
 
 using Lanes = std::array<float, kLanes>;
+
+/// The widest register, or as many narrower ones as hold its lanes.
+using WideLanes = float __attribute__((vector_size(kLanes * sizeof(float))));
+
+EDVO_INLINE void load_lanes(const float* values, WideLanes& lanes) {
+  std::memcpy(&lanes, values, sizeof(lanes));
+}
+
+/// A row of a block in registers.
+struct WideRow {
+  std::array<WideLanes, kBlock / kLanes> part;
+
+  /// Loads the product of two rows.
+  EDVO_INLINE WideRow(const BlockRow& a, const BlockRow& b) {
+    WideLanes factor;
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      load_lanes(a.data() + k * kLanes, part[k]);
+      load_lanes(b.data() + k * kLanes, factor);
+      part[k] *= factor;
+    }
+  }
+};
+
+EDVO_INLINE void add_products(const WideRow& a, const BlockRow& b, Lanes& sum) {
+  WideLanes lanes, factor;
+  load_lanes(sum.data(), lanes);
+  for (std::size_t k = 0; k < a.part.size(); ++k) {
+    load_lanes(b.data() + k * kLanes, factor);
+    lanes += a.part[k] * factor;
+  }
+  std::memcpy(sum.data(), &lanes, sizeof(lanes));
+}
 
 EDVO_INLINE void add_products(const BlockRow& a, const BlockRow& b, Lanes& sum) {
   for (std::size_t start = 0; start < kBlock; start += kLanes) {
@@ -38,22 +71,14 @@ struct alignas(64) LaneSums {
   std::array<Lanes, kPassParameters> b{};
   Lanes loss{};
 
-  EDVO_INLINE void add(std::size_t parameters, Block& block) {
+  EDVO_INLINE void add(std::size_t parameters, const Block& block) {
     for (std::size_t p = 0; p < parameters; ++p) {
-      for (std::size_t i = 0; i < kBlock; ++i) {
-        block.J_weighted[p][i] = block.weight[i] * block.J[p][i];
+      const WideRow weighted(block.weight, block.J[p]);
+      const std::size_t row = p * kPassParameters - p * (p + 1) / 2;  // H[row + q] is of p and q
+      for (std::size_t q = p; q < parameters; ++q) {
+        add_products(weighted, block.J[q], H[row + q]);
       }
-    }
-    std::size_t pair = 0;
-    for (std::size_t p = 0; p < kPassParameters; ++p) {
-      for (std::size_t q = p; q < kPassParameters; ++q, ++pair) {
-        if (q < parameters) {
-          add_products(block.J_weighted[p], block.J[q], H[pair]);
-        }
-      }
-      if (p < parameters) {
-        add_products(block.J_weighted[p], block.residual, b[p]);
-      }
+      add_products(weighted, block.residual, b[p]);
     }
     add_values(block.loss, loss);
   }

@@ -31,11 +31,20 @@ PassOptions pass_options(const AlignOptions& options, const ResidualModel& model
           .brightness = options.brightness == BrightnessModel::affine};
 }
 
-/// Returns the moments of the points' intensities and those of the image where they are seen.
-IntensityMoments moments_of(const PointView& view) {
+/// As many points as tell a median or a mean of their intensities well enough.
+constexpr std::size_t kEnoughPoints = 600;
+
+/// Returns of how many blocks of points one is looked up, so that there are enough points.
+std::size_t stride_of(const PointView& view) {
+  return 1 + view.points.size() / kEnoughPoints;
+}
+
+/// Returns the moments of the points' intensities and those of the image where they are seen, of
+/// every `stride`-th block of points.
+IntensityMoments moments_of(const PointView& view, std::size_t stride) {
   PointSampler sampler(view, available_instruction_set());
   IntensityMoments moments;
-  for (std::size_t block = 0; block < sampler.blocks(); ++block) {
+  for (std::size_t block = 0; block < sampler.blocks(); block += stride) {
     const float* reference = view.points.intensity.data() + PointSampler::first_of(block);
     for (const float seen : sampler.sample(block)) {
       if (!std::isnan(seen)) {
@@ -50,10 +59,9 @@ IntensityMoments moments_of(const PointView& view) {
 /// Returns 1.4826 times the median |r|, intensity: the standard deviation of Gaussian residuals,
 /// hardly changed by outliers. Of many points it takes some 600, evenly spread.
 double residual_spread(const PointView& view, const Brightness& brightness) {
-  constexpr std::size_t kEnoughPoints = 600;
   const auto gain = static_cast<float>(brightness.gain);
   const auto offset = static_cast<float>(brightness.offset);
-  const std::size_t stride = 1 + view.points.size() / kEnoughPoints;
+  const std::size_t stride = stride_of(view);
   std::array<float, kEnoughPoints + detail::kBlock> magnitudes;
   std::size_t count = 0;
   PointSampler sampler(view, available_instruction_set());
@@ -110,11 +118,11 @@ std::vector<std::optional<float>> residuals(const EdgePointLevel& reference,
 }
 
 double correlation(const PointView& view) {
-  return moments_of(view).correlation();
+  return moments_of(view, 1).correlation();
 }
 
 Brightness matched_brightness(const PointView& view) {
-  const IntensityMoments m = moments_of(view);
+  const IntensityMoments m = moments_of(view, stride_of(view));
   if (!(m.ref_variance() > 0) || !(m.cur_variance() > 0)) {
     return {};
   }

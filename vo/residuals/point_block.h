@@ -28,7 +28,7 @@ struct alignas(64) Block {
   BlockRow u, v, seen;                          // px; 0 if unseen, else at most 1
   BlockRow intensity, gradient_u, gradient_v;   // current image's intensity; gradient, 1/px
   BlockRow weight, residual, loss;
-  std::array<BlockRow, kPassParameters> J, J_weighted;
+  std::array<BlockRow, kPassParameters> J;
 };
 
 /// A pose and a camera in single precision, with the motion of both frames while they were read.
