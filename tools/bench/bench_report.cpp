@@ -124,10 +124,8 @@ Json growth_json(const GrowthTable& table) {
 
 }  // namespace
 
-BenchReport race_peers(const std::string& input, const Frames& frames,
-                       const std::vector<std::string>& peers, const RaceOptions& options,
-                       const vo::Progress& progress) {
-  LineUp line = line_up(peers);
+BenchReport race_peers(const std::string& input, const Frames& frames, LineUp line,
+                       const RaceOptions& options, const vo::Progress& progress) {
   BenchReport report{.input = input,
                      .cpu = cpu_model(),
                      .width = frames.camera.width,

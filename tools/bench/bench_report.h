@@ -25,10 +25,9 @@ struct BenchReport {
   std::vector<GrowthTable> growth;  ///< empty unless growth was measured
 };
 
-/// Races the peers of the given names. `input` names the frames.
-BenchReport race_peers(const std::string& input, const Frames& frames,
-                       const std::vector<std::string>& peers, const RaceOptions& options,
-                       const vo::Progress& progress);
+/// Races those who line up. `input` names the frames.
+BenchReport race_peers(const std::string& input, const Frames& frames, LineUp line,
+                       const RaceOptions& options, const vo::Progress& progress);
 
 /// Returns the processor's name from /proc/cpuinfo, or "unknown".
 std::string cpu_model();

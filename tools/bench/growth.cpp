@@ -52,7 +52,7 @@ double cpu_ms(const Summary& summary) {
 
 Sweep point_sweep(const vo::TrackerOptions& base) {
   return {"points", "cpu",
-          with_options(base, "edges.percentile", {"98", "96", "93", "88", "80", "65"}),
+          with_options(base, "points.max_points", {"250", "500", "1000", "2000", "4000", "8000"}),
           [](std::size_t, const Summary& summary) { return summary.points; }, cpu_ms};
 }
 

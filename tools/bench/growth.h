@@ -14,7 +14,7 @@
 namespace tools {
 
 /// Run time as a function of one quantity. A row's name is the value that produced it:
-/// "edges.percentile=88", "pyramid.levels=3", "640x480".
+/// "points.max_points=2000", "pyramid.levels=3", "640x480".
 struct GrowthTable {
   std::string quantity;  ///< points | levels | pixels
   std::string timed;     ///< "cpu" if processor time is fitted; empty without a fit

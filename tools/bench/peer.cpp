@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <memory>
 
+#include <opencv2/core/utility.hpp>
+
 #include "tools/bench/opencv_peer.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
@@ -80,14 +82,40 @@ Peer mono_peer() {
           }};
 }
 
-/// Returns the peer of a row. Throws vo::Error when this program has no such option.
-Peer make_contestant(const EdvoRow& row) {
-  vo::TrackerOptions options = vo::preset_options(row.preset);
+/// Lets OpenCV work with this many threads while it lives.
+class OpencvThreads {
+ public:
+  explicit OpencvThreads(int threads) : before_(cv::getNumThreads()) {
+    if (threads != before_) {
+      cv::setNumThreads(threads);
+    }
+  }
+  OpencvThreads(const OpencvThreads&) = delete;
+  OpencvThreads& operator=(const OpencvThreads&) = delete;
+  ~OpencvThreads() {
+    if (cv::getNumThreads() != before_) {
+      cv::setNumThreads(before_);
+    }
+  }
+
+ private:
+  int before_;
+};
+
+vo::TrackerOptions options_of(vo::TrackerPreset preset,
+                              const std::vector<std::pair<std::string, std::string>>& assignments) {
+  vo::TrackerOptions options = vo::preset_options(preset);
   std::vector<vo::Field> fields = vo::fields_of(options);
-  for (const auto& [key, value] : row.assignments) {
+  for (const auto& [key, value] : assignments) {
     vo::set_field(fields, key, value);
   }
-  return edvo_peer(row.name, options);
+  options.validate();
+  return options;
+}
+
+/// Returns the peer of a row. Throws vo::Error when this program has no such option.
+Peer make_contestant(const EdvoRow& row) {
+  return edvo_peer(row.name, options_of(row.preset, row.assignments));
 }
 
 void add(LineUp& result, const EdvoRow& row) {
@@ -113,8 +141,16 @@ void add(LineUp& result, OpencvOdometry kind) {
 Peer edvo_peer(const std::string& name, const vo::TrackerOptions& options) {
   return {name, [options](const vo::PinholeCamera& camera) {
             const auto odometry = std::make_shared<vo::RgbdOdometry>(camera, options);
-            return [odometry](const vo::RgbdFrame& frame) { return track_frame(*odometry, frame); };
+            return [odometry, threads = options.align.threads](const vo::RgbdFrame& frame) {
+              const OpencvThreads limit(threads);
+              return track_frame(*odometry, frame);
+            };
           }};
+}
+
+vo::TrackerOptions default_with(
+    const std::vector<std::pair<std::string, std::string>>& assignments) {
+  return options_of(vo::TrackerPreset::best_measured, assignments);
 }
 
 std::vector<std::string> peer_names() {

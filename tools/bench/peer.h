@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "vo/core/image.h"
@@ -61,5 +62,10 @@ std::vector<std::string> peer_names();
 
 /// Returns the peers of the given names, in the order of the table, and those that cannot run.
 LineUp line_up(const std::vector<std::string>& peers);
+
+/// Returns the options of preset default with these `key=value` assigned; throws vo::Error for one
+/// that cannot be.
+vo::TrackerOptions default_with(
+    const std::vector<std::pair<std::string, std::string>>& assignments);
 
 }  // namespace tools

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -38,6 +39,7 @@ constexpr const char* kBenchExamples =
     "Examples:\n"
     "  edvo bench rgbd_dataset_freiburg1_xyz --camera tum-fr1\n"
     "  edvo bench scenarios/room_orbit.toml --frames 60 --peers edvo,opencv-rgbd\n"
+    "  edvo bench sequence --peers edvo --set align.threads=2 --set map.references=3\n"
     "  edvo bench sequence --peers edvo --growth --json --out bench.json";
 
 struct BenchArguments {
@@ -47,6 +49,7 @@ struct BenchArguments {
   int frames = 100;
   RaceOptions race;
   std::vector<std::string> peers = peer_names();
+  std::vector<std::string> assignments;  ///< key=value of one more row of preset default
   bool growth = false;
   std::string out;
 };
@@ -70,18 +73,25 @@ Frames load_input(const BenchArguments& arguments) {
 
 BenchReport measure(const BenchArguments& arguments, const Frames& input) {
   ProgressBar racing("racing", arguments.common.verbosity());
+  const vo::TrackerOptions options = default_with(split_assignments(arguments.assignments));
+  LineUp line = line_up(arguments.peers);
+  if (!arguments.assignments.empty()) {
+    line.peers.push_back(edvo_peer("default-set", options));
+  }
   BenchReport report =
-      race_peers(arguments.input, input, arguments.peers, arguments.race, racing.callback());
+      race_peers(arguments.input, input, std::move(line), arguments.race, racing.callback());
   if (arguments.growth) {
     ProgressBar growing("growing", arguments.common.verbosity());
-    report.growth = measure_growth(input, vo::preset_options(vo::TrackerPreset::best_measured),
-                                   arguments.race, growing.callback());
+    report.growth = measure_growth(input, options, arguments.race, growing.callback());
   }
   return report;
 }
 
 void bench(const BenchArguments& arguments) {
-  check_usage([&] { arguments.race.validate(); });
+  check_usage([&] {
+    arguments.race.validate();
+    default_with(split_assignments(arguments.assignments));
+  });
   if (!arguments.out.empty()) {
     vo::require_writable(arguments.out);
   }
@@ -110,6 +120,10 @@ void add_bench_command(CLI::App& program, int& /*exit_code*/) {
   command.add_option("--peers", arguments->peers, "who runs, with commas between [all]")
       ->delimiter(',')
       ->check(CLI::IsMember(peer_names()));
+  command.add_option(
+      "--set", arguments->assignments,
+      "key=value as of `edvo track`, may be repeated: one more row, default-set, is\n"
+      "preset default with these values, and what --growth starts from");
   command.add_flag("--growth", arguments->growth,
                    "also how preset default's time grows with points, levels and resolution");
   command.add_option("--out", arguments->out, "the result as JSON, also to this file");

@@ -228,9 +228,10 @@ TEST(BenchProgram, PrintsItsContract) {
   const TempFolder folder;
   support::write_plane_sequence(folder.path() / "sequence", 45);
   const std::string out = (folder.path() / "bench.json").string();
-  const support::ProgramResult result =
-      support::run_program("bench '" + (folder.path() / "sequence").string() +
-                           "' --peers edvo --repeat 1 --growth --quiet --json --out '" + out + "'");
+  const support::ProgramResult result = support::run_program(
+      "bench '" + (folder.path() / "sequence").string() +
+      "' --peers edvo --repeat 1 --set align.threads=2 --growth --quiet --json --out '" + out +
+      "'");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(vo::read_file(out), result.out);
   const json report = json::parse(result.out);
@@ -247,6 +248,7 @@ TEST(BenchProgram, PrintsItsContract) {
     EXPECT_EQ(row["tracked_fraction"], 1.0);
     EXPECT_LT(row["accuracy"]["rpe_translation_rmse_m"], 0.03) << row["name"];
   }
+  EXPECT_EQ(report["contestants"].back()["name"], "default-set");
   ASSERT_EQ(report["growth"].size(), 3U);
   EXPECT_EQ(report["growth"][0]["rows"].size(), 6U);
   EXPECT_EQ(report["growth"][1]["rows"].size(), 5U);
