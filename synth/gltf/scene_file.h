@@ -15,6 +15,7 @@ class SceneFile {
   explicit SceneFile(std::filesystem::path path, GltfOptions options = {});
 
   const std::filesystem::path& path() const { return path_; }
+  const GltfOptions& options() const { return options_; }
   const Scene& scene() const;  ///< reads on first use; throws vo::Error; not thread-safe
   const Notes& notes() const;  ///< what the scene leaves out of the file
 

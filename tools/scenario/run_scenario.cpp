@@ -94,7 +94,7 @@ std::vector<BoundCheck> check_bounds(const Metrics& metrics,
 }
 
 synth::RenderJob render_job(const Scenario& scenario) {
-  const synth::SceneFile scene(scenario.scene_file());
+  const synth::SceneFile scene(scenario.scene_file(), scenario.scene.parts);
   const synth::TimedPath timed = synth::make_path(scenario.resolved_path(), scene);
   return {.scene = scene,
           .recipe = {.truth = synth::sample(timed.path, timed.times),

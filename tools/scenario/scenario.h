@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "synth/gltf/gltf.h"
 #include "synth/path_planning/path_options.h"
 #include "synth/rendering/renderer.h"
 #include "synth/sensor/sensor.h"
@@ -29,11 +30,13 @@ struct Bound {
 
 struct SceneOptions {
   std::filesystem::path gltf;  ///< relative to the assets folder, or absolute
+  synth::GltfOptions parts;    ///< what of the file is read: its scene, its animations
 };
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, SceneOptions& options) {
   visit("gltf", options.gltf, "scene, relative to the assets");
+  visit_fields(visit, options.parts);
 }
 
 struct CameraOptions {

@@ -7,10 +7,12 @@
 #include <tuple>
 #include <utility>
 
+#include "synth/gltf/gltf.h"
 #include "tools/sequence_cache/folder_hash.h"
 #include "tools/sequence_cache/generator_hash.h"
 #include "tools/sequence_cache/scene_files_hash.h"
 #include "vo/core/error.h"
+#include "vo/core/fields.h"
 #include "vo/core/hash.h"
 #include "vo/files/output.h"
 #include "vo/files/result_files.h"
@@ -35,6 +37,8 @@ std::string key_of(const synth::RenderJob& job) {
   vo::ContentHash hash;
   hash.add(generator_hash());
   hash.add(vo::to_hex(scene_files_hash(job.scene.path())));
+  synth::GltfOptions parts = job.scene.options();
+  hash.add(vo::format_toml(vo::fields_of(parts)));
   hash.add(synth::format_recipe(job));
   return vo::to_hex(hash.value());
 }

@@ -110,6 +110,14 @@ TEST_F(LabProgram, TheCacheIsListedVerifiedAndPruned) {
   EXPECT_EQ(run_program("cache prune --max-size many" + cache).exit_code, 2);
 }
 
+TEST_F(LabProgram, ASequenceIsKeptForWhatOfTheFileIsPlayed) {
+  std::string still = read("scenarios/good.toml");
+  still.insert(still.find("[camera]"), "animation = \"none\"\n");
+  write("scenarios/still.toml", still);
+  ASSERT_EQ(test(path("scenarios")).exit_code, 0);
+  EXPECT_THAT(run_program("cache list --cache " + path("cache")).out, HasSubstr("2 sequences"));
+}
+
 TEST_F(LabProgram, TwoRunsShareACache) {
   ProgramResult other;
   std::thread thread(

@@ -51,6 +51,15 @@ TEST(Scenario, ReadsWhatTheFileSaysAndKeepsTheDefaults) {
   EXPECT_THAT(scenario.scene_file().string(), EndsWith("/assets/room/room.gltf"));
 }
 
+TEST(Scenario, SaysWhatOfTheFileIsPlayed) {
+  const std::string key = "gltf = \"room/room.gltf\"\n";
+  std::string text = kScenario;
+  text.insert(text.find(key) + key.size(), "animation = \"none\"\nloop = true\n");
+  const tools::Scenario scenario = load(text);
+  EXPECT_EQ(scenario.scene.parts.animation, "none");
+  EXPECT_TRUE(scenario.scene.parts.loop);
+}
+
 TEST(Scenario, APresetIsWhereTheOptionsStartFromWhereverItStands) {
   const tools::Scenario scenario = load(kScenario);
   EXPECT_EQ(scenario.odometry.tracker.pyramid.levels, 4);
