@@ -175,6 +175,16 @@ Shape painted(Shape shape, const Color& linear) {
   return shape;
 }
 
+Shape stretched(Shape shape, const Vector3d& factors) {
+  for (Vector3d& position : shape.positions) {
+    position = position.cwiseProduct(factors);
+  }
+  for (Vector3d& normal : shape.normals) {
+    normal = normal.cwiseQuotient(factors).normalized();
+  }
+  return shape;
+}
+
 void append(Shape& to, const Shape& shape, const Eigen::Isometry3d& T_to_shape) {
   const int first = static_cast<int>(to.positions.size());
   if (!to.colors.empty() || !shape.colors.empty()) {

@@ -65,6 +65,9 @@ Shape sheet(const std::function<Eigen::Vector3d(double u, double v)>& f, const S
 /// Returns the shape in one vertex colour (linear), which multiplies the material's.
 Shape painted(Shape shape, const Color& linear);
 
+/// Returns the shape with its x, y and z multiplied by `factors`; texture coordinates stay.
+Shape stretched(Shape shape, const Eigen::Vector3d& factors);
+
 /// Appends `shape`, rotated and moved by T_to_shape, to `to`.
 void append(Shape& to, const Shape& shape, const Eigen::Isometry3d& T_to_shape);
 

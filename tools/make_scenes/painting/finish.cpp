@@ -129,6 +129,15 @@ std::vector<Material> test_materials() {
   };
 }
 
+std::vector<Material> visitor_materials() {
+  return {
+      textured("tartan", {0.95, 0.95, 0.95}, "tartan", {0.36, 0.36}),
+      textured("trousers", {0.95, 0.95, 0.95}, "trousers", {0.4, 0.4}),
+      textured("skin", {0.62, 0.36, 0.25}, "plaster", {0.4, 0.4}, kMirrored),
+      textured("hair", {0.11, 0.07, 0.045}, "carpet", {0.12, 0.12}),
+  };
+}
+
 void extend(std::vector<Material>& all, const std::vector<Material>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
@@ -141,6 +150,7 @@ std::vector<Material> materials() {
   extend(all, small_materials());
   extend(all, picture_materials());
   extend(all, test_materials());
+  extend(all, visitor_materials());
   return all;
 }
 
@@ -179,6 +189,8 @@ std::vector<NamedImage> images() {
       {"checker", checker_texture},
       {"crate", crate_texture},
       {"ball", ball_texture},
+      {"tartan", tartan_texture},
+      {"trousers", trousers_texture},
   };
 }
 

@@ -67,6 +67,10 @@ enum class Finish {
   grey_plastic,
   crate,
   ball,
+  tartan,
+  trousers,
+  skin,
+  hair,
 };
 
 enum class Wrap { repeat = 10497, clamp_to_edge = 33071, mirrored_repeat = 33648 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "tools/make_scenes/painting/noise.h"
 #include "tools/make_scenes/painting/texture_painter.h"
@@ -131,6 +132,24 @@ Color leaf_color(double u, double v) {
   return mix(blade, rgb(0xa3b872), 0.8 * midrib);
 }
 
+/// A stripe of a tartan, up to `end` of the sett's width.
+struct Stripe {
+  double end = 1;
+  Color color = Color::Ones();
+};
+
+Color stripe_color(const std::vector<Stripe>& sett, double t) {
+  const auto stripe = std::find_if(sett.begin(), sett.end(),
+                                   [t](const Stripe& candidate) { return t < candidate.end; });
+  return stripe->color;
+}
+
+/// Returns the colour of a cloth whose warp and weft have the same stripes.
+Color tartan_color(const std::vector<Stripe>& sett, double u, double v) {
+  const double wear = fractal_noise(u, v, {6, 6, 101}, 3);
+  return mix(stripe_color(sett, u), stripe_color(sett, v), 0.5) * (0.88 + 0.2 * wear);
+}
+
 }  // namespace
 
 cv::Mat floor_planks_texture() {
@@ -169,6 +188,18 @@ cv::Mat cardboard_texture() {
 }
 cv::Mat leaf_texture() {
   return paint(leaf_color, {128, 256, 6});
+}
+cv::Mat tartan_texture() {
+  const std::vector<Stripe> sett = {
+      {0.34, rgb(0x94403a)}, {0.38, rgb(0xcbb89c)}, {0.62, rgb(0x3d4566)}, {0.66, rgb(0xcbb89c)},
+      {0.80, rgb(0x94403a)}, {0.84, rgb(0x3a3238)}, {0.90, rgb(0xb98f4c)}, {1.00, rgb(0x3a3238)}};
+  return paint([&](double u, double v) { return tartan_color(sett, u, v); }, {256, 256, 8});
+}
+cv::Mat trousers_texture() {
+  const std::vector<Stripe> sett = {{0.30, rgb(0x4d5358)}, {0.36, rgb(0x8f8d84)},
+                                    {0.52, rgb(0x3a4046)}, {0.55, rgb(0x9a978b)},
+                                    {0.82, rgb(0x5a6066)}, {1.00, rgb(0x2d3236)}};
+  return paint([&](double u, double v) { return tartan_color(sett, u, v); }, {256, 256, 8});
 }
 
 }  // namespace scenes

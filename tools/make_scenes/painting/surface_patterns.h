@@ -17,5 +17,7 @@ cv::Mat marble_texture();        ///< 0.6 x 0.6 m, grey
 cv::Mat tiles_texture();         ///< 0.3 x 0.3 m
 cv::Mat cardboard_texture();     ///< 0.5 x 0.5 m, grey
 cv::Mat leaf_texture();          ///< one leaf, its stalk along v
+cv::Mat tartan_texture();        ///< 0.36 x 0.36 m, one sett of a shirt's tartan
+cv::Mat trousers_texture();      ///< 0.4 x 0.4 m, a coarser check
 
 }  // namespace scenes

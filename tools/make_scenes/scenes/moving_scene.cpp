@@ -1,5 +1,4 @@
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 #include "tools/make_scenes/furniture/books.h"
@@ -10,6 +9,7 @@
 #include "tools/make_scenes/furniture/storage.h"
 #include "tools/make_scenes/furniture/tables.h"
 #include "tools/make_scenes/model/model_builder.h"
+#include "tools/make_scenes/model/periodic_motion.h"
 #include "tools/make_scenes/scenes/scenes.h"
 
 namespace scenes {
@@ -25,7 +25,7 @@ constexpr double kDoorX = 1.2;        // m, centre of the doorway in the wall z 
 constexpr double kDoorWidth = 0.9;    // m
 constexpr double kDoorHeight = 2.05;  // m
 constexpr double kClosetDepth = 0.8;  // m
-constexpr double kPeriod = 8;         // s
+constexpr Period kPeriod = {.duration = 8, .steps = 160};
 constexpr double kBallRadius = 0.14;  // m
 constexpr double kGap = 0.001;        // m
 
@@ -109,31 +109,21 @@ Mesh crate() {
   return mesh;
 }
 
-Motion repeated(int node, const std::function<Isometry3d(double phase)>& pose) {
-  constexpr int kSteps = 160;
-  Motion motion = {node, {}, {}};
-  for (int i = 0; i <= kSteps; ++i) {
-    motion.times.push_back(kPeriod * i / kSteps);
-    motion.T_parent_node.push_back(pose(2 * std::numbers::pi * i / kSteps));
-  }
-  return motion;
-}
-
 void add_moving_things(ModelBuilder& scene, int root) {
   const int leaf =
       scene.place(root, "door_leaf", scene.add_mesh(door_leaf()), Isometry3d::Identity());
-  scene.add_motion(repeated(leaf, [](double phase) {
+  scene.add_motion(periodic_motion(leaf, kPeriod, [](double phase) {
     return at(kDoorX - kDoorWidth / 2, 0, -kHalfZ + 0.025) * about_y(-40 * (1 - std::cos(phase)));
   }));
   const int ball_node = scene.place(root, "ball", scene.add_mesh(ball()), Isometry3d::Identity());
-  scene.add_motion(repeated(ball_node, [](double phase) {
+  scene.add_motion(periodic_motion(ball_node, kPeriod, [](double phase) {
     const double x = 1.5 * std::cos(phase);
     const double turn_deg = -x / kBallRadius * 180 / std::numbers::pi;  // rolling without slip
     return at(x, kBallRadius + kGap, 0.1) * about_z(turn_deg);
   }));
   const int crate_node =
       scene.place(root, "crate", scene.add_mesh(crate()), Isometry3d::Identity());
-  scene.add_motion(repeated(crate_node, [](double phase) {
+  scene.add_motion(periodic_motion(crate_node, kPeriod, [](double phase) {
     return at(-1.5, kGap, -0.8 - 0.7 * std::sin(phase)) * about_y(15 * std::sin(2 * phase));
   }));
 }

@@ -11,6 +11,7 @@ Model make_corridor();       ///< 24 x 2.2 x 2.6 m along z, repeated every 3 m
 Model make_desk();           ///< a cluttered desk for close-up views
 Model make_white_room();     ///< white surfaces with shading but little texture
 Model make_plane_and_box();  ///< unlit, for closed-form truth; see assets/README.md
+Model make_visited_room();   ///< a person walks to and fro in it, period 6.4 s
 Model make_moving_room();    ///< animated door, ball and crate, period 8 s
 
 }  // namespace scenes
