@@ -9,6 +9,7 @@
 
 #include "synth/camera/make_renderer.h"
 #include "synth/scene/scene_motion.h"
+#include "synth/sensor/noise_model.h"
 #include "vo/core/error.h"
 #include "vo/dataset/depth_units.h"
 #include "vo/dataset/trajectory_file.h"
@@ -38,7 +39,7 @@ class FrameCounter {
 };
 
 vo::SequenceLayout layout_of(const SequenceRecipe& recipe) {
-  return {.camera = recipe.camera,
+  return {.camera = written_camera(recipe),
           .float_depth = recipe.float_depth,
           .depth_delay = recipe.sensor.depth.delay};
 }
@@ -55,6 +56,12 @@ vo::Trajectory depth_truth(const SequenceRecipe& recipe) {
 }
 
 }  // namespace
+
+vo::RgbdCamera written_camera(const SequenceRecipe& recipe) {
+  vo::RgbdCamera camera = recipe.camera;
+  camera.depth_noise = depth_noise_model(recipe.sensor, camera);
+  return camera;
+}
 
 CameraPath path_of(const SequenceRecipe& recipe) {
   return recipe.path ? recipe.path : path_through(recipe.truth);

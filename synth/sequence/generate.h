@@ -31,6 +31,9 @@ struct SequenceRecipe {
   TruthOptions channels;  ///< exact ground truth to write beside the poses
 };
 
+/// Returns the recipe's camera with the depth noise of its sensor, as camera.toml tells it.
+vo::RgbdCamera written_camera(const SequenceRecipe& recipe);
+
 /// Returns the recipe's camera path or, where it is empty, the spline through its poses.
 CameraPath path_of(const SequenceRecipe& recipe);
 

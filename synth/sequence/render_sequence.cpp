@@ -151,7 +151,8 @@ std::string format_recipe(const RenderJob& job) {
   }
   text += std::string("float_depth = ") +
           (recipe.float_depth == vo::FloatDepth::npy ? "true" : "false") + "\n";
-  text += vo::format_toml(vo::fields_of(recipe.camera, "camera."));
+  vo::RgbdCamera camera = written_camera(recipe);
+  text += vo::format_toml(vo::fields_of(camera, "camera."));
   text += vo::format_toml(vo::fields_of(recipe.render, "render."));
   text += vo::format_toml(vo::fields_of(recipe.sensor, "sensor."));
   return text + describe_channels(recipe);

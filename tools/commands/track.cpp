@@ -193,7 +193,7 @@ int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCame
   const vo::TrackerOptions chosen = chosen_options(arguments);
   cv::setNumThreads(chosen.align.threads);
   const vo::SequenceReader sequence(arguments.sequence, camera, arguments.max_time_difference);
-  vo::TrackerOptions options = chosen.starting_from(sequence.camera().readout);
+  vo::TrackerOptions options = chosen.starting_from(sequence.camera());
   PanelWriter panels(beside(arguments.out, "_panels"), arguments.debug_images,
                      arguments.common.existing());
   ProgressBar bar("tracking", arguments.common.verbosity());

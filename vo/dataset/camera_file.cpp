@@ -77,6 +77,9 @@ std::string format_camera(const RgbdCamera& camera) {
   if (!camera.readout.is_rolling()) {
     std::erase_if(fields, [](const Field& field) { return field.key.starts_with("readout"); });
   }
+  if (!camera.depth_noise.is_known()) {
+    std::erase_if(fields, [](const Field& field) { return field.key.starts_with("depth_noise"); });
+  }
   return format_toml(fields);
 }
 

@@ -22,7 +22,7 @@ const std::vector<CameraPreset>& camera_presets();
 RgbdCamera load_camera(const std::string& preset_or_path);
 
 RgbdCamera read_camera(const std::filesystem::path& path);
-/// Returns the text of a camera.toml; an unknown read-out is left out.
+/// Returns the text of a camera.toml; a read-out or depth noise that is unknown is left out.
 std::string format_camera(const RgbdCamera& camera);
 
 }  // namespace vo

@@ -121,6 +121,7 @@ void RgbdCamera::validate() const {
           depth_units_per_m);
   require(std::abs(readout.seconds) <= kMaxReadout, "camera: expected readout from ", -kMaxReadout,
           " to ", kMaxReadout, " s, got ", readout.seconds);
+  depth_noise.validate();
 }
 
 }  // namespace vo

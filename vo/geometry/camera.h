@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "vo/geometry/depth_noise.h"
 #include "vo/geometry/lens.h"
 #include "vo/geometry/readout.h"
 
@@ -52,6 +53,7 @@ struct RgbdCamera {
   PinholeCamera pinhole;
   double depth_units_per_m = 5000;  ///< a 16-bit depth pixel divided by this is metres
   Readout readout;                  ///< of a rolling shutter; 0 s where it is not known
+  DepthNoise depth_noise;           ///< of the depth camera; 0 where it is not known
 
   void validate() const;  ///< throws Error unless the values are usable
 };
@@ -65,6 +67,7 @@ void visit_fields(Visitor& visit, RgbdCamera& camera) {
       "rolling shutter's time from the first to the last line, s, negative where the last is read "
       "first; 0 is unknown");
   visit("readout_axis", camera.readout.axis, "which lines the shutter reads");
+  visit("depth_noise", camera.depth_noise, "of the depth camera; 0 is unknown");
 }
 
 }  // namespace vo

@@ -100,6 +100,7 @@ void EdgePointOptions::validate() const {
   require(max_points >= 0, "points.max_points: expected at least 0, got ", max_points);
   require(discontinuity_radius >= 0 && discontinuity_radius <= 10,
           "points.discontinuity_radius: expected 0 to 10, got ", discontinuity_radius);
+  depth_noise.validate();
   require(discontinuity_ratio > 1, "points.discontinuity_ratio: expected above 1, got ",
           discontinuity_ratio);
 }
@@ -161,9 +162,10 @@ void EdgePointFinder::find(const PyramidLevel& reference, const EdgeMask& mask,
   find_usable_pixels(reference.depth, mask, usable_depth(options), pixels_);
   thin_out(options, mask.cols, pixels_);
   depths_.clear();
+  const DepthNoise noise = known_depth_noise(options.depth_noise);
   for (const cv::Point pixel : pixels_) {
     const float z = reference.depth(pixel);
-    depths_.push_back({pixel, z, structured_light_sigma(z)});
+    depths_.push_back({pixel, z, static_cast<float>(noise.sigma(z))});
   }
   constexpr double kSpread = 1.125;  // most points that thinning keeps, times those wanted
   points.reserve(static_cast<std::size_t>(kSpread * options.max_points));

@@ -9,6 +9,7 @@
 
 #include "vo/core/hash.h"
 #include "vo/core/instruction_set.h"
+#include "vo/geometry/depth_noise.h"
 #include "vo/image/pyramid.h"
 
 namespace vo {
@@ -52,6 +53,7 @@ struct EdgePointOptions {
   int discontinuity_radius =
       0;  ///< px; points this near to a depth step are left out; 0 keeps them
   double discontinuity_ratio = 1.05;  ///< ratio of nearby depths that makes a step
+  DepthNoise depth_noise;  ///< of the measured depths; where it is not known, structured light's
 
   EdgePointOptions at_level(std::size_t level) const;  ///< the options for that pyramid level
   void validate() const;                               ///< throws Error if an option is invalid
@@ -70,6 +72,8 @@ void visit_fields(Visitor& visit, EdgePointOptions& options) {
   visit("discontinuity_radius", options.discontinuity_radius,
         "pixels this near to a depth step are not used, px of the finest level");
   visit("discontinuity_ratio", options.discontinuity_ratio, "of depths that are a step");
+  visit("depth_noise", options.depth_noise,
+        "of depth; 0 is the camera's or, where that is unknown, structured light's");
 }
 
 /// The chosen pixels of one pyramid level, one element per point in each array, in scan order.
@@ -102,13 +106,6 @@ struct EdgePoints {
 };
 
 std::size_t memory_bytes(const EdgePoints& points);
-
-/// Returns the standard deviation of a Kinect's depth measurement, m (Khoshelham & Elberink 2012
-/// and Nguyen, Izadi, Lovell 2012 agree in form).
-inline float structured_light_sigma(float depth) {
-  const float beyond = depth - 0.4F;
-  return 0.0012F + 0.0019F * beyond * beyond;
-}
 
 /// A pixel with its depth and that depth's standard deviation.
 struct PixelDepth {

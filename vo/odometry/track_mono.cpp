@@ -134,7 +134,7 @@ MonoSequenceResult track_mono_sequence(const MonoInput& input, const MonoOptions
   MonoFrames frames(input, options.bootstrap);
   const RgbdCamera& camera = frames.sequence().camera();
   MonoOptions started = options;
-  started.tracker = options.tracker.starting_from(camera.readout);
+  started.tracker = options.tracker.starting_from(camera);
   return track_mono_images({.camera = camera.pinhole,
                             .T_world_first = {},
                             .size = frames.size(),

@@ -112,7 +112,7 @@ std::string note_on(const SequenceResult& result) {
 SequenceResult track_sequence(const SequenceReader& sequence, const TrackerOptions& options,
                               const SE3& T_world_first, const FrameObserver& observe,
                               const Progress& progress) {
-  RgbdOdometry odometry(sequence.camera().pinhole, options.starting_from(sequence.camera().readout),
+  RgbdOdometry odometry(sequence.camera().pinhole, options.starting_from(sequence.camera()),
                         T_world_first);
   FrameStream stream(sequence);
   SequenceResult result;

@@ -91,7 +91,7 @@ void visit_fields(Visitor& visit, AlignOptions& options) {
         "whether weights enter squared, as the paper's authors have it");
   visit("brightness", options.brightness, "how the brightness of two images may differ");
   visit("depth_noise", options.depth_noise,
-        "times a structured-light sensor's depth noise, in the weights; 0 is off");
+        "times the depth camera's noise, in the weights; 0 is off");
   visit("readout", options.readout.seconds,
         "time from the first to the last line, s, negative where the last is read first: a rolling "
         "shutter");

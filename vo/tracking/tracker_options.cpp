@@ -29,10 +29,13 @@ void TrackerOptions::validate() const {
   lost.validate();
 }
 
-TrackerOptions TrackerOptions::starting_from(const Readout& readout) const {
+TrackerOptions TrackerOptions::starting_from(const RgbdCamera& camera) const {
   TrackerOptions options = *this;
   if (shutter == ShutterModel::estimated && !align.readout.is_rolling()) {
-    options.align.readout = readout;
+    options.align.readout = camera.readout;
+  }
+  if (!points.depth_noise.is_known()) {
+    options.points.depth_noise = camera.depth_noise;
   }
   return options;
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "vo/edges/edges.h"
+#include "vo/geometry/camera.h"
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
 #include "vo/residuals/align_options.h"
@@ -112,9 +113,9 @@ struct TrackerOptions {
 
   void validate() const;  ///< throws Error if an option is invalid
 
-  /// Returns these options for a camera of this read-out: where it is estimated and no option gives
-  /// it, the estimate starts from the camera's.
-  TrackerOptions starting_from(const Readout& readout) const;
+  /// Returns these options for a camera: where no option gives them, the depth noise is the
+  /// camera's and an estimate of the read-out starts from the camera's.
+  TrackerOptions starting_from(const RgbdCamera& camera) const;
 };
 
 template <typename Visitor>

@@ -28,6 +28,18 @@ TEST(CameraFile, ReadInvertsFormat) {
   }
 }
 
+TEST(CameraFile, HoldsTheDepthNoiseWhereItIsKnown) {
+  const TempFolder folder;
+  vo::RgbdCamera camera = vo::camera_presets().front().camera;
+  EXPECT_THAT(vo::format_camera(camera), testing::Not(HasSubstr("depth_noise")));
+  camera.depth_noise = {.constant = 3e-4, .quadratic = 4e-3};
+  vo::write_file(folder.path() / "c.toml", vo::format_camera(camera));
+  const vo::DepthNoise read = vo::read_camera(folder.path() / "c.toml").depth_noise;
+  EXPECT_EQ(read.constant, 3e-4);
+  EXPECT_EQ(read.linear, 0);
+  EXPECT_EQ(read.quadratic, 4e-3);
+}
+
 TEST(CameraFile, AnUnknownPresetNamesTheNearestOne) {
   EXPECT_THAT(error_text([] { vo::load_camera("tum-fr4"); }),
               AllOf(HasSubstr("camera 'tum-fr4': neither a file nor a preset"),

@@ -37,6 +37,20 @@ TEST(EdgePoints, LieOnTheSurfaceWhereTheMaskIs) {
   }
 }
 
+TEST(EdgePoints, AreAsUncertainAsTheDepthCameraIs) {
+  const vo::FramePyramid reference = pyramid_at({});
+  const vo::DepthNoise stereo{.constant = 3e-4, .quadratic = 4e-3};
+  for (const auto& [given, expected] :
+       {std::pair{stereo, stereo}, std::pair{vo::DepthNoise{}, vo::kStructuredLightNoise}}) {
+    const vo::EdgePointLevel points =
+        vo::edge_points(reference, reference, {.depth_noise = given}).levels[0];
+    ASSERT_GT(points.size(), 0U);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_NEAR(points.depth_sigma[i], expected.sigma(points.z_ref[i]), 1e-8);
+    }
+  }
+}
+
 TEST(EdgePoints, SourcesChooseWhoseEdges) {
   const vo::FramePyramid reference = pyramid_at({});
   const vo::FramePyramid current = pyramid_at(moved_by(0.05));
