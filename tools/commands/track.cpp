@@ -1,6 +1,9 @@
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -129,6 +132,21 @@ nlohmann::ordered_json reasons_json(const vo::SequenceResult& result) {
   return json;
 }
 
+/// Returns how sure the last pose is, relative to the first frame; null without a pose.
+nlohmann::ordered_json last_pose_json(const vo::SequenceResult& result) {
+  const auto last = std::find_if(result.frames.rbegin(), result.frames.rend(), [](const auto& f) {
+    return f.status != vo::TrackingStatus::lost;
+  });
+  if (last == result.frames.rend()) {
+    return nullptr;
+  }
+  const vo::Vector6d variance = last->absolute_covariance.diagonal();
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  return {{"timestamp", last->timestamp},
+          {"sigma_m", std::sqrt(variance.head<3>().sum())},
+          {"sigma_deg", kDegrees * std::sqrt(variance.tail<3>().sum())}};
+}
+
 nlohmann::ordered_json summary(const TrackArguments& arguments, const Tracked& tracked) {
   nlohmann::ordered_json json = {
       {"edvo", vo::version()}, {"sequence", arguments.sequence}, {"estimate", arguments.out}};
@@ -148,6 +166,7 @@ nlohmann::ordered_json summary(const TrackArguments& arguments, const Tracked& t
     json["keyframe_scales"] = scales_json(*tracked.mono);
   } else {
     json["preset"] = arguments.preset;
+    json["last_pose"] = last_pose_json(tracked.result);
     json["typical_depth_m"] = tracked.result.typical_depth_m();
   }
   json["note"] = tracked.note;
@@ -285,7 +304,7 @@ void add_track_command(CLI::App& program, int& exit_code) {
   command.add_option("--set", arguments->assignments, "key=value, may be repeated; keys below")
       ->allow_extra_args(false);
   command.add_option("--frame-log", arguments->frame_log,
-                     "CSV: status, termination, points, cost and covariance of every frame");
+                     "CSV: status, termination, points, cost and covariances of every frame");
   command
       .add_option("--debug-images", arguments->debug_images,
                   "a picture of every N-th frame and the trajectory, beside --out")

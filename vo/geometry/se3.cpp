@@ -103,6 +103,12 @@ Matrix6d adjoint(const SE3& T_a_b) {
   return result;
 }
 
+Matrix6d compounded_covariance(const SE3& T_a_b, const Matrix6d& of_T_a_b,
+                               const Matrix6d& of_T_b_c) {
+  const Matrix6d Ad = adjoint(T_a_b);
+  return of_T_a_b + Ad * of_T_b_c * Ad.transpose();
+}
+
 SE3 look_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, const Eigen::Vector3d& up) {
   const Eigen::Vector3d forward = (target - eye).normalized();
   const Eigen::Vector3d right = forward.cross(up).normalized();

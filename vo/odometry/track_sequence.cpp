@@ -38,17 +38,34 @@ double rounded_cm(double meters) {
   return std::round(100 * meters) / 100;
 }
 
+std::string covariance_titles(const std::string& name) {
+  const std::array names{"tx", "ty", "tz", "rx", "ry", "rz"};
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    for (std::size_t j = i; j < names.size(); ++j) {
+      text += concat(",", name, "_", names.at(i), "_", names.at(j));
+    }
+  }
+  return text;
+}
+
 std::string frame_log_header() {
   std::string text =
       "timestamp,status,reason,keyframe,termination,iterations,points,visible_fraction,correlation,"
       "depth_agreement,cost,conditioning,readout_s,readout_axis,vignette_2,vignette_4";
-  const std::array names{"tx", "ty", "tz", "rx", "ry", "rz"};
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    for (std::size_t j = i; j < names.size(); ++j) {
-      text += concat(",covariance_", names.at(i), "_", names.at(j));
+  return text + ",reference_timestamp" + covariance_titles("covariance") +
+         covariance_titles("absolute_covariance") + "\n";
+}
+
+/// Returns the upper triangle row by row.
+std::string covariance_values(const Matrix6d& covariance) {
+  std::string text;
+  for (int i = 0; i < covariance.rows(); ++i) {
+    for (int j = i; j < covariance.cols(); ++j) {
+      text += "," + format_real(covariance(i, j));
     }
   }
-  return text + "\n";
+  return text;
 }
 
 }  // namespace
@@ -161,12 +178,10 @@ std::string format_frame_log(const std::vector<TrackingResult>& frames) {
     for (const double value : frame.vignette.coefficients) {
       text += "," + format_real(value);
     }
-    for (int i = 0; i < alignment.covariance.rows(); ++i) {
-      for (int j = i; j < alignment.covariance.cols(); ++j) {
-        text += "," + format_real(alignment.covariance(i, j));
-      }
-    }
-    text += "\n";
+    const bool has_reference = aligned && frame.status != TrackingStatus::lost;
+    text += concat(",", has_reference ? format_timestamp(frame.reference_timestamp) : "",
+                   covariance_values(alignment.covariance),
+                   covariance_values(frame.absolute_covariance), "\n");
   }
   return text;
 }

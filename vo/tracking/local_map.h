@@ -28,6 +28,8 @@ struct Keyframe {
   std::shared_ptr<const SurfacePoints> surface;  ///< surface points for depth alignment, or null
   std::vector<float> measured_depth;  ///< m, of the finest points if the window adjusts depth
   Readout readout;                    ///< rolling shutter's read-out by which the pose was found
+  Matrix6d absolute_covariance =
+      Matrix6d::Zero();  ///< of T_world_keyframe, as in TrackingResult; not adjusted by the window
 };
 
 /// The keyframes around the camera.

@@ -170,6 +170,8 @@ Tracker::Attempt Tracker::aligned_from(const FramePyramid& current, const SE3& T
   if (result.reason == TrackingReason::none) {
     result.status = TrackingStatus::tracked;
     result.T_world_camera = T_world_first * result.alignment.T_cur_ref.inverse();
+    result.absolute_covariance = compounded_covariance(
+        result.alignment.T_cur_ref, result.alignment.covariance, first.absolute_covariance);
   }
   return attempt;
 }
@@ -272,12 +274,13 @@ void Tracker::accept(const FramePyramid& current, const Attempt& attempt) {
     mean_velocity_ = {T_last_cur.log() / seconds, seconds};
     velocity_ = velocity_at_end(*mean_velocity_, before);
     if (frames_since_keyframe_ == 1 && !map_.last()->velocity) {
-      map_.set_last_velocity({mean_velocity_->twist, Vector6d::Zero()});
+      map_.set_last_velocity({.twist = mean_velocity_->twist});
     }
   }
   T_last_predicted_ =
       options_.motion_model != MotionModel::stationary && follows ? T_last_cur : SE3();
   T_world_last_ = attempt.result.T_world_camera;
+  absolute_covariance_ = attempt.result.absolute_covariance;
   last_timestamp_ = current.timestamp;
   is_lost_ = attempt.result.reason == TrackingReason::image_repeated;
 }
@@ -372,7 +375,7 @@ void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyf
     measured_depth = points->levels.front().z_ref;
   }
   map_.add({keyframe, std::move(points), T_world_keyframe, velocity_, std::move(surface),
-            std::move(measured_depth), readout()});
+            std::move(measured_depth), readout(), absolute_covariance_});
   frames_since_keyframe_ = 0;
   if (options_.window.adjust != WindowAdjustment::none) {
     adjust_keyframes();

@@ -114,6 +114,7 @@ class Tracker {
   bool depth_is_mapped_ = false;  ///< whether the points' depths were found with the tracked poses
   double last_timestamp_ = 0;     ///< s, of the last tracked frame
   SE3 T_world_last_;
+  Matrix6d absolute_covariance_ = Matrix6d::Zero();  ///< of T_world_last_, as in TrackingResult
   SE3 T_last_predicted_;                       ///< motion expected from the last frame to the next
   std::optional<MeanVelocity> mean_velocity_;  ///< between the last two frames, if known
   std::optional<FrameVelocity> velocity_;      ///< at the last tracked frame, if known

@@ -58,8 +58,16 @@ struct TrackingResult {
   AlignResult alignment;           ///< to the first reference; meaningless when initialized
   double reference_timestamp = 0;  ///< s, timestamp of the first reference
   SE3 T_cur_ref_guess;             ///< pose where the alignment started
-  Readout readout;                 ///< rolling shutter's read-out used for this frame
-  Vignette vignette;               ///< removed from this frame's intensities
+
+  /// Covariance of the increment delta of T_world_camera exp(delta), [translation; rotation] in the
+  /// camera's own frame, m and rad; exp(delta) left of T_camera_world has the same. The first frame
+  /// is the origin, without doubt. It is compounded_covariance() of the alignment's and the first
+  /// reference's: that a pose and its reference may err alike, being aligned to common keyframes,
+  /// is neglected, and so is what other references know. 0 where there is no pose but the first.
+  Matrix6d absolute_covariance = Matrix6d::Zero();
+
+  Readout readout;    ///< rolling shutter's read-out used for this frame
+  Vignette vignette;  ///< removed from this frame's intensities
 };
 
 }  // namespace vo

@@ -98,6 +98,29 @@ TEST(Se3, StaysOrthonormalOverTenThousandConstantVelocityCompositions) {
   EXPECT_LT(worst, 1e-12);
 }
 
+/// Derivatives of the composed increment by both factors' increments carry their covariances on.
+TEST(Se3, CompoundedCovarianceIsThatOfTheComposedIncrement) {
+  const SE3 T_a_b = SE3::exp(tangent(0.3, -0.2, 0.5, 0.4, -0.3, 0.2));
+  const SE3 T_b_c = SE3::exp(tangent(-0.1, 0.4, 0.2, -0.2, 0.5, 0.1));
+  const vo::Matrix6d root_a_b = vo::Matrix6d::Identity() + 0.3 * adjoint(T_b_c);
+  const vo::Matrix6d root_b_c = 0.5 * adjoint(T_a_b);
+  constexpr double kStep = 1e-6;
+  vo::Matrix6d J_a_b;
+  vo::Matrix6d J_b_c;
+  for (int k = 0; k < 6; ++k) {
+    const Vector6d step = kStep * Vector6d::Unit(k);
+    const SE3 T_a_c_inverse = (T_a_b * T_b_c).inverse();
+    J_a_b.col(k) = (SE3::exp(step) * T_a_b * T_b_c * T_a_c_inverse).log() / kStep;
+    J_b_c.col(k) = (T_a_b * SE3::exp(step) * T_b_c * T_a_c_inverse).log() / kStep;
+  }
+  const vo::Matrix6d of_a_b = root_a_b * root_a_b.transpose();
+  const vo::Matrix6d of_b_c = root_b_c * root_b_c.transpose();
+  const vo::Matrix6d expected =
+      J_a_b * of_a_b * J_a_b.transpose() + J_b_c * of_b_c * J_b_c.transpose();
+  EXPECT_LT((vo::compounded_covariance(T_a_b, of_a_b, of_b_c) - expected).norm(),
+            1e-5 * expected.norm());
+}
+
 TEST(Se3, LookAtShowsTheTargetInTheCentreAndUpUpwards) {
   const Eigen::Vector3d eye(1, 2, 3);
   const Eigen::Vector3d target(-2, 1, 0.5);

@@ -1,5 +1,7 @@
 #include "vo/odometry/rgbd_odometry.h"
 
+#include <map>
+
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
@@ -59,6 +61,26 @@ TEST(RgbdOdometry, FollowsATexturedPlaneWhileItAdjustsItsKeyframes) {
       }
     }
     EXPECT_GE(odometry.tracker().map().keyframes().size(), 3U);
+  }
+}
+
+/// A pose is as sure as its reference and its alignment to that; the first frame is the origin.
+TEST(RgbdOdometry, AbsoluteCovarianceIsCompoundedFromReferenceToReference) {
+  vo::TrackerOptions options = vo::preset_options(TrackerPreset::best_measured);
+  options.keyframes.every = 4;
+  vo::RgbdOdometry odometry(small_camera(), options, sway(3));
+  std::map<double, vo::Matrix6d> absolute;
+  for (int i = 0; i < 20; ++i) {
+    const vo::TrackingResult result = odometry.track(frame_at(sway(3 + i), i));
+    if (i == 0) {
+      EXPECT_TRUE(result.absolute_covariance.isZero(0));
+    } else {
+      const vo::Matrix6d Ad = adjoint(result.alignment.T_cur_ref);
+      const vo::Matrix6d expected = result.alignment.covariance +
+                                    Ad * absolute.at(result.reference_timestamp) * Ad.transpose();
+      EXPECT_LT((result.absolute_covariance - expected).norm(), 1e-12 * expected.norm());
+    }
+    absolute[result.timestamp] = result.absolute_covariance;
   }
 }
 

@@ -51,8 +51,22 @@ TEST(TrackSequence, FrameLogHasAColumnForEveryTitle) {
   std::string row;
   std::getline(lines, header);
   std::getline(lines, row);
-  EXPECT_EQ(columns(header), 16 + 21) << "covariance: upper triangle of 6x6";
+  EXPECT_EQ(columns(header), 17 + 2 * 21) << "covariances: upper triangles of 6x6";
   EXPECT_EQ(columns(row), columns(header));
+}
+
+TEST(TrackSequence, FrameLogNamesTheFrameThatACovarianceRefersTo) {
+  vo::TrackingResult first{.timestamp = 1, .status = vo::TrackingStatus::initialized};
+  vo::TrackingResult frame{
+      .timestamp = 2.5, .status = vo::TrackingStatus::tracked, .reference_timestamp = 1};
+  frame.alignment.covariance(0, 0) = 0.25;
+  frame.absolute_covariance(0, 0) = 0.75;
+  const std::string log = vo::format_frame_log({first, frame});
+  EXPECT_THAT(log, testing::HasSubstr(",reference_timestamp,covariance_tx_tx,covariance_tx_ty,"));
+  EXPECT_THAT(log, testing::HasSubstr(",covariance_rz_rz,absolute_covariance_tx_tx,"));
+  EXPECT_THAT(log, testing::HasSubstr(",1.000000,0.25,"));
+  EXPECT_THAT(log, testing::HasSubstr(",0.75,"));
+  EXPECT_THAT(log, testing::HasSubstr(",,0,")) << "the first frame has no reference";
 }
 
 TEST(TrackSequence, NoteTellsWhyFramesAreLostOrUncertainAndOfDepthsInAnotherUnit) {
