@@ -28,7 +28,7 @@ MetricTraits traits_of(const std::string& metric) {
   if (metric == "keyframes") {
     return {Sense::neither, 1};
   }
-  if (metric == "nees_median" || metric == "depth_nees") {
+  if (metric.starts_with("nees_") || metric == "depth_nees") {
     return {Sense::neither, 0.2};
   }
   if (metric.ends_with("_fraction")) {
@@ -239,6 +239,9 @@ std::vector<Change> compare_results(const TestResults& before, const TestResults
     }
     const Pair pair = pair_of(*was, now);
     for (const auto& [metric, unused] : metric_values({})) {
+      if (before.unknown_metrics.contains(metric)) {
+        continue;
+      }
       Change change = compare_metric(pair, metric, options);
       if (std::isnan(change.before) && std::isnan(change.after)) {
         continue;

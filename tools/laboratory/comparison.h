@@ -49,7 +49,8 @@ std::string describe(const Change& change);
 
 /// Compares every metric of the scenarios in both results. Trials with the same seeds are compared
 /// by a paired t-test of the logarithms' differences, others as independent samples by Welch's
-/// t-test; Holm's correction bounds the probability of any false alarm. A single pair of trials
+/// t-test; Holm's correction bounds the probability of any false alarm. Metrics that the earlier
+/// results do not know are not compared. A single pair of trials
 /// gives no variance: tracker and sequence are deterministic, so every difference is significant.
 std::vector<Change> compare_results(const TestResults& before, const TestResults& after,
                                     const ComparisonOptions& options);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,6 +57,7 @@ struct TestResults {
   std::string edvo;     ///< version of edvo
   std::string tracker;  ///< "edvo" or the command of an external tracker
   std::vector<ScenarioResult> scenarios;
+  std::set<std::string> unknown_metrics;  ///< metrics that the version of these results had not yet
 
   bool passed() const;
 };

@@ -74,6 +74,22 @@ ScenarioResult scenario_from_json(const Json& json) {
   return scenario;
 }
 
+/// Returns the metrics that no trial of a file names, not even as unmeasured.
+std::set<std::string> unknown_metrics(const Json& scenarios) {
+  std::set<std::string> unknown;
+  for (const auto& [metric, unused] : metric_values({})) {
+    unknown.insert(metric);
+  }
+  for (const Json& scenario : scenarios) {
+    for (const Json& trial : scenario.at("trials")) {
+      for (const auto& [metric, value] : trial.at("metrics").items()) {
+        unknown.erase(metric);
+      }
+    }
+  }
+  return unknown;
+}
+
 }  // namespace
 
 Json trial_json(const TrialResult& trial) {
@@ -122,6 +138,7 @@ TestResults read_results(const std::filesystem::path& file) {
     for (const Json& scenario : json.at("scenarios")) {
       results.scenarios.push_back(scenario_from_json(scenario));
     }
+    results.unknown_metrics = unknown_metrics(json.at("scenarios"));
     return results;
   } catch (const nlohmann::json::exception& error) {
     vo::fail(file.string(), ": expected the results of `edvo test --json`: ", error.what());

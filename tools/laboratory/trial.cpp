@@ -87,9 +87,8 @@ void measure_outside(const Scenario& scenario, const TrialSettings& settings,
   Outcome outcome{.tracking = {}, .truth = sequence.ground_truth(), .metrics = {}};
   try {
     outcome.tracking = track_outside(*settings.tracker, folder, sequence, waiting);
-    outcome.metrics = measure(outcome.truth, outcome.tracking, scenario.score);
+    outcome.metrics = without_nees(measure(outcome.truth, outcome.tracking, scenario.score));
     outcome.metrics.keyframes = kUnknownMetric;
-    outcome.metrics.nees_median = kUnknownMetric;
     trial.metrics = outcome.metrics;
     if (is_reported(settings, trial)) {
       add_report(scenario, outcome, FrameGallery(), trial);

@@ -33,7 +33,7 @@ void measure_trajectory(const Scenario& scenario, const vo::Trajectory& truth,
                         const TrackingRun& run, Metrics& metrics) {
   const vo::Trajectory& estimate = run.tracking.trajectory;
   if (!has_metric_start(scenario.odometry)) {
-    metrics.nees_median = kUnknown;
+    metrics = without_nees(metrics);
     metrics.drift_percent = kUnknown;
   }
   const double length = estimate.size() < kMinPoses ? 0 : tracked_length(truth, estimate);

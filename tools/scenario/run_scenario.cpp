@@ -67,7 +67,12 @@ Metrics measure(const vo::Trajectory& truth, const vo::SequenceResult& tracking,
   Metrics metrics = make_metrics([](const std::string&) { return kUnknown; });
   metrics.tracked_fraction = tracking.tracked_fraction();
   metrics.keyframes = static_cast<double>(tracking.keyframes());
-  metrics.nees_median = nees_median(truth, tracking.frames);
+  const Nees relative = relative_nees(truth, tracking.frames);
+  metrics.nees_median = relative.median;
+  metrics.nees_p90 = relative.p90;
+  const Nees absolute = absolute_nees(truth, tracking.frames);
+  metrics.nees_absolute_median = absolute.median;
+  metrics.nees_absolute_p90 = absolute.p90;
   if (tracking.trajectory.size() >= kMinPoses) {
     const vo::TrajectoryErrors errors =
         vo::evaluate(truth, tracking.trajectory,

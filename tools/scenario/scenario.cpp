@@ -1,5 +1,6 @@
 #include "tools/scenario/scenario.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -159,6 +160,15 @@ std::vector<std::pair<std::string, double>> metric_values(const Metrics& metrics
   ValueCollector collector;
   visit_fields(collector, copy);
   return collector.values;
+}
+
+Metrics without_nees(const Metrics& metrics) {
+  const std::vector<std::pair<std::string, double>> values = metric_values(metrics);
+  return make_metrics([&](const std::string& name) {
+    const auto found = std::find_if(values.begin(), values.end(),
+                                    [&](const auto& value) { return value.first == name; });
+    return name.starts_with("nees_") ? std::numeric_limits<double>::quiet_NaN() : found->second;
+  });
 }
 
 Metrics make_metrics(const std::function<double(const std::string& name)>& value_of) {

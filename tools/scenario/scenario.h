@@ -121,8 +121,11 @@ struct Metrics {
   double drift_percent = 0;  ///< distance of the last pose from the truth over the path's length
   double tracked_fraction = 0;
   double keyframes = 0;
-  double nees_median = 0;          ///< median NEES of the poses; 1 is calibrated
-  double repeat_difference_m = 0;  ///< greatest distance between two runs; only if bounded
+  double nees_median = 0;           ///< NEES of poses relative to their references; 1 is calibrated
+  double nees_p90 = 0;              ///< tail of the same, at the 90th percentile
+  double nees_absolute_median = 0;  ///< NEES of poses relative to the first frame
+  double nees_absolute_p90 = 0;     ///< tail of the same, at the 90th percentile
+  double repeat_difference_m = 0;   ///< greatest distance between two runs; only if bounded
 
   // Metrics of modes mono and mapping; those of depth use the last map's confident hypotheses.
   double ate_percent = 0;             ///< ATE over the length of the tracked part of the path
@@ -144,6 +147,9 @@ void visit_fields(Visitor& visit, Metrics& metrics) {
   visit("tracked_fraction", metrics.tracked_fraction, "frames with a pose");
   visit("keyframes", metrics.keyframes, "frames that became a reference");
   visit("nees_median", metrics.nees_median, "squared errors over covariances; 1 is calibrated");
+  visit("nees_p90", metrics.nees_p90, "the same in the tail, at the 90th percentile");
+  visit("nees_absolute_median", metrics.nees_absolute_median, "of poses since the first frame");
+  visit("nees_absolute_p90", metrics.nees_absolute_p90, "the same in the tail");
   visit("repeat_difference_m", metrics.repeat_difference_m, "of two runs; measured if bounded");
   visit("ate_percent", metrics.ate_percent, "mono: absolute error over path length");
   visit("scale_error_percent", metrics.scale_error_percent, "mono, metric: size against truth's");
@@ -159,6 +165,9 @@ std::vector<std::pair<std::string, double>> metric_values(const Metrics& metrics
 
 /// Returns metrics with the values that `value_of` gives for each name.
 Metrics make_metrics(const std::function<double(const std::string& name)>& value_of);
+
+/// Returns the metrics with those that judge poses' covariances unknown (NaN).
+Metrics without_nees(const Metrics& metrics);
 
 /// A scenario file: what is rendered, how it is tracked, and which bounds the metrics must meet.
 struct Scenario {

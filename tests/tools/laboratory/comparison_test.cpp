@@ -85,6 +85,17 @@ TEST(Comparison, WhatCanNoLongerBeMeasuredIsAnAlarm) {
   EXPECT_THAT(tools::describe(found[0]), HasSubstr("it can no longer be measured"));
 }
 
+TEST(Comparison, AMetricThatTheEarlierResultsDoNotKnowIsNotCompared) {
+  TestResults before = results_of({0.01, 0.02});
+  before.scenarios[0].trials[0].metrics.keyframes = kUnknown;
+  TestResults after = before;
+  after.scenarios[0].trials[0].metrics.nees_p90 = 2;
+  after.scenarios[0].trials[1].metrics.nees_p90 = 3;
+  EXPECT_EQ(alarms(before, after).size(), 1U) << "known and not measured before";
+  before.unknown_metrics = {"nees_p90"};
+  EXPECT_TRUE(alarms(before, after).empty());
+}
+
 TEST(Comparison, ASeedThatCannotBeMeasuredIsNoAlarmByItself) {
   const TestResults all = results_of({0.010, 0.012, 0.011, 0.013, 0.010});
   TestResults some = results_of({0.010, 0.012, 0.011, 0.013, kUnknown});

@@ -29,4 +29,17 @@ TEST(ResultsJson, WhatIsReadIsWrittenAlike) {
   EXPECT_EQ(tools::results_json(tools::read_results(file)).dump(), written);
 }
 
+TEST(ResultsJson, KnowsWhichMetricsAFileDoesNotName) {
+  const support::TempFolder folder;
+  const auto file = folder.path() / "results.json";
+  nlohmann::json json = tools::results_json(two_scenarios());
+  for (nlohmann::json& scenario : json["scenarios"]) {
+    for (nlohmann::json& trial : scenario["trials"]) {
+      trial["metrics"].erase("nees_p90");
+    }
+  }
+  vo::write_file(file, json.dump());
+  EXPECT_EQ(tools::read_results(file).unknown_metrics, std::set<std::string>{"nees_p90"});
+}
+
 }  // namespace
