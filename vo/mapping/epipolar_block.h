@@ -76,7 +76,7 @@ struct alignas(64) LineBlock {
 
 /// Sets the outcome to `reason` if the edge fails, unless an earlier step has ruled it out.
 EDVO_INLINE void rule_out(bool fails, SearchOutcome reason, std::int32_t& outcome) {
-  outcome = fails & (outcome == code(SearchOutcome::found)) ? code(reason) : outcome;
+  outcome = (fails & (outcome == code(SearchOutcome::found))) ? code(reason) : outcome;
 }
 
 /// Loads one target per lane, where `target_of` gives the target of a lane.
@@ -144,9 +144,9 @@ EDVO_INLINE void aim_lines(const SearchView& view, LineBlock& block) {
     const float cosine = gradient_along / norm;
     block.cosine[i] = cosine;
     block.sine[i] = (block.along_u[i] * gv - block.along_v[i] * gu) / norm;
+    const float gradient = 2 * std::abs(gradient_along);
     const bool observable = (block.length[i] * block.inverse_depth[i] >= min_parallax) &
-                            (2 * std::abs(gradient_along) >= min_gradient) &
-                            (cosine * cosine >= min_cos2);
+                            (gradient >= min_gradient) & (cosine * cosine >= min_cos2);
     rule_out(!observable, SearchOutcome::unobservable, block.outcome[i]);
   }
 }

@@ -312,9 +312,10 @@ EDVO_INLINE void refine_lines(const SearchView& view, LineBlock& block) {
   constexpr float kMisplaced2 = 0.1F;  // px^2, displacement by interpolation on strong edges
   for (std::size_t i = 0; i < kLines; ++i) {
     const float limit2 = static_cast<float>(kCompared) * limit * limit;
+    const float moved = std::abs(block.s[i] - pixels.start[i]);
+    const float may_move = 1.5F * std::max(block.step[i], 1.0F);
     const bool is_match =
-        (block.squares[i] <= limit2 + kMisplaced2 * block.information[i]) &
-        (std::abs(block.s[i] - pixels.start[i]) <= 1.5F * std::max(block.step[i], 1.0F));
+        (block.squares[i] <= limit2 + kMisplaced2 * block.information[i]) & (moved <= may_move);
     rule_out(!is_match, SearchOutcome::no_match, block.outcome[i]);
   }
 }

@@ -159,7 +159,7 @@ EDVO_INLINE void move_block(const MoveView& view, Block& block) {
     block.position_v[i] = edge.imaged.v[i];
     block.direction_u[i] = length > 0 ? u / length : 0;
     block.direction_v[i] = length > 0 ? v / length : 0;
-    block.visible[i] = is_ahead & is_inside & (d > 0) ? 1 : 0;
+    block.visible[i] = (is_ahead & is_inside & (d > 0)) ? 1 : 0;
   }
 }
 
