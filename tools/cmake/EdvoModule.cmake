@@ -15,14 +15,15 @@ function(edvo_module)
   edvo_precompile(${name})
 endfunction()
 
-# edvo_precompile(target) parses the headers that most files read once for all targets; for the
-# folders of the program's commands those of the command line and of JSON, too.
+# edvo_precompile(target) parses the headers that most files read once for all targets; for those of
+# EDVO_QUICK_TARGETS those of the command line and of JSON, too. Targets that share them are equally
+# optimised: g++ 13 and later read them only so.
 function(edvo_precompile target)
   if(target STREQUAL vo_core)
     target_precompile_headers(${target} PRIVATE ${EDVO_PRECOMPILED_HEADERS})
   elseif(target STREQUAL tools_precompiled_headers)
     target_precompile_headers(${target} PRIVATE ${EDVO_PRECOMPILED_HEADERS} ${EDVO_PRECOMPILED_TOOLS_HEADERS})
-  elseif(target MATCHES "^(edvo|tools_.*)$" AND NOT target MATCHES "^tools_make_scenes_")
+  elseif(target IN_LIST EDVO_QUICK_TARGETS)
     target_precompile_headers(${target} REUSE_FROM tools_precompiled_headers)
   else()
     target_precompile_headers(${target} REUSE_FROM vo_core)
