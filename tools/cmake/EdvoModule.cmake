@@ -33,5 +33,7 @@ endfunction()
 # edvo_compile_quickly(target) spends less on optimisation, in a target whose time to run is spent
 # in libraries. g++ 12 takes Eigen's matrices for uninitialized at this level.
 function(edvo_compile_quickly target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1 -Wno-maybe-uninitialized>)
+  target_compile_options(${target} PRIVATE
+    $<$<CONFIG:Release>:-O1>
+    $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
 endfunction()
