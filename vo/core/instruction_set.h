@@ -4,8 +4,10 @@
 #include <utility>
 
 // Innermost loops are written once, as plain loops that the compiler turns into vector
-// instructions, inlined (EDVO_INLINE) into one function per instruction set (EDVO_TARGET_...).
-#define EDVO_INLINE inline __attribute__((always_inline))
+// instructions, inlined (EDVO_INLINE) into one function per instruction set (EDVO_TARGET_...). So
+// are the lambdas that they call (EDVO_INLINE_LAMBDA): a call leads to baseline instructions.
+#define EDVO_INLINE_LAMBDA __attribute__((always_inline))
+#define EDVO_INLINE inline EDVO_INLINE_LAMBDA
 
 #if defined(__x86_64__) && defined(__clang__)
 // Clang takes 512-bit registers only where a function asks for them and for no processor by name.

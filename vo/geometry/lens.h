@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include "vo/core/instruction_set.h"
+
 namespace vo {
 
 enum class DistortionModel { brown_conrady, kannala_brandt };
@@ -68,7 +70,8 @@ struct DistortedPoint {
 };
 
 template <typename Scalar>
-inline DistortedPoint<Scalar> distort_brown_conrady(const Distortion& lens, Scalar x, Scalar y) {
+EDVO_INLINE DistortedPoint<Scalar> distort_brown_conrady(const Distortion& lens, Scalar x,
+                                                         Scalar y) {
   const auto k1 = static_cast<Scalar>(lens.k1);
   const auto k2 = static_cast<Scalar>(lens.k2);
   const auto k3 = static_cast<Scalar>(lens.k3);
@@ -92,7 +95,7 @@ struct ImagedAngle {
 };
 
 template <typename Scalar>
-inline ImagedAngle<Scalar> image_angle(const Distortion& lens, Scalar angle) {
+EDVO_INLINE ImagedAngle<Scalar> image_angle(const Distortion& lens, Scalar angle) {
   const auto k1 = static_cast<Scalar>(lens.k1);
   const auto k2 = static_cast<Scalar>(lens.k2);
   const auto k3 = static_cast<Scalar>(lens.k3);
@@ -103,7 +106,8 @@ inline ImagedAngle<Scalar> image_angle(const Distortion& lens, Scalar angle) {
 }
 
 template <typename Scalar>
-inline DistortedPoint<Scalar> distort_kannala_brandt(const Distortion& lens, Scalar x, Scalar y) {
+EDVO_INLINE DistortedPoint<Scalar> distort_kannala_brandt(const Distortion& lens, Scalar x,
+                                                          Scalar y) {
   const Scalar r2 = x * x + y * y;
   Scalar radial = 1;                                                  // x_d / x
   Scalar slope = 2 * (static_cast<Scalar>(lens.k1) - Scalar(1) / 3);  // d radial / dx = slope x

@@ -51,17 +51,15 @@ EDVO_INLINE ImagedDirection<Scalar> image_direction(const Projection<Scalar>& pr
 template <typename Visit>
 EDVO_INLINE void dispatch_lens(const Distortion& lens, const Visit& visit) {
   if (lens.is_zero()) {
-    visit([]<typename Scalar>(const Distortion&, Scalar x, Scalar y) {
+    visit([]<typename Scalar>(const Distortion&, Scalar x, Scalar y) EDVO_INLINE_LAMBDA {
       return DistortedPoint<Scalar>{x, y, 1, 0, 1};
     });
   } else if (lens.model == DistortionModel::kannala_brandt) {
-    visit([]<typename Scalar>(const Distortion& fisheye, Scalar x, Scalar y) {
-      return distort_kannala_brandt(fisheye, x, y);
-    });
+    visit([]<typename Scalar>(const Distortion& fisheye, Scalar x, Scalar y)
+              EDVO_INLINE_LAMBDA { return distort_kannala_brandt(fisheye, x, y); });
   } else {
-    visit([]<typename Scalar>(const Distortion& brown_conrady, Scalar x, Scalar y) {
-      return distort_brown_conrady(brown_conrady, x, y);
-    });
+    visit([]<typename Scalar>(const Distortion& brown_conrady, Scalar x, Scalar y)
+              EDVO_INLINE_LAMBDA { return distort_brown_conrady(brown_conrady, x, y); });
   }
 }
 

@@ -52,7 +52,8 @@ EDVO_INLINE void distort_block(const Distortion& lens, const Distort& distort, B
 
 /// Computes the derivatives of the lens distortion at the pixels' rays.
 EDVO_INLINE void apply_lens(const Distortion& lens, Block& block) {
-  dispatch_lens(lens, [&](const auto& distort) { distort_block(lens, distort, block); });
+  dispatch_lens(
+      lens, [&](const auto& distort) EDVO_INLINE_LAMBDA { distort_block(lens, distort, block); });
 }
 
 /// Computes the points' positions and, from the intensity's derivative by the image coordinates

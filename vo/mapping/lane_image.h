@@ -39,8 +39,9 @@ EDVO_INLINE void distort_lanes(const Projection<float>& camera, const Distort& d
 template <std::size_t kLanes>
 EDVO_INLINE void image_lanes(const Projection<float>& camera, const Lanes<kLanes>& x,
                              const Lanes<kLanes>& y, ImagedLanes<kLanes>& imaged) {
-  dispatch_lens(camera.lens,
-                [&](const auto& distort) { distort_lanes(camera, distort, x, y, imaged); });
+  dispatch_lens(camera.lens, [&](const auto& distort) EDVO_INLINE_LAMBDA {
+    distort_lanes(camera, distort, x, y, imaged);
+  });
 }
 
 /// An image and the bounds within which it can be sampled.

@@ -143,8 +143,9 @@ EDVO_INLINE void warp_block(const PassWarp& warp, std::size_t count, Block& bloc
   for (std::size_t i = 0; i < kBlock; ++i) {
     block.inverse_z[i] = 1 / block.z[i];
   }
-  dispatch_lens(warp.projection.lens,
-                [&](const auto& distort) { distort_block(warp, distort, block); });
+  dispatch_lens(warp.projection.lens, [&](const auto& distort) EDVO_INLINE_LAMBDA {
+    distort_block(warp, distort, block);
+  });
   for (std::size_t i = 0; i < kBlock; ++i) {
     const float u = block.u[i];
     const float v = block.v[i];
