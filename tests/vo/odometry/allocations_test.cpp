@@ -24,28 +24,29 @@ void* counted(void* memory) {
 
 }  // namespace
 
-void* operator new(std::size_t bytes) {
+// Not inlined, or g++ takes each malloc and free within them for a mismatch of new and free.
+[[gnu::noinline]] void* operator new(std::size_t bytes) {
   return counted(std::malloc(bytes));
 }
 
-void* operator new(std::size_t bytes, std::align_val_t alignment) {
+[[gnu::noinline]] void* operator new(std::size_t bytes, std::align_val_t alignment) {
   const auto unit = static_cast<std::size_t>(alignment);
   return counted(std::aligned_alloc(unit, (bytes + unit - 1) / unit * unit));
 }
 
-void operator delete(void* memory) noexcept {
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
   std::free(memory);
 }
 
-void operator delete(void* memory, std::size_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
   std::free(memory);
 }
 
-void operator delete(void* memory, std::align_val_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept {
   std::free(memory);
 }
 
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
   std::free(memory);
 }
 
@@ -63,8 +64,7 @@ bool is_full(std::size_t elements) {
 /// trajectory grows by a pose a frame, in memory that doubles.
 TEST(RgbdOdometry, AllocatesNothingButForKeyframes) {
   constexpr int kWarmUp = 40;  // frames: the sway's period
-  vo::RgbdOdometry odometry(small_camera(),
-                            vo::preset_options(vo::TrackerPreset::best_measured));
+  vo::RgbdOdometry odometry(small_camera(), vo::preset_options(vo::TrackerPreset::best_measured));
   int steady = 0;
   bool was_keyframe = true;
   for (int i = 0; i < 2 * kWarmUp; ++i) {

@@ -106,7 +106,7 @@ vo::LocalMap map_of(const vo::MapOptions& options, const std::vector<double>& po
   return map;
 }
 
-std::vector<double> positions_of(const std::vector<std::shared_ptr<const vo::Keyframe>>& frames) {
+std::vector<double> positions_of(const vo::LocalMap::References& frames) {
   std::vector<double> positions;
   positions.reserve(frames.size());
   for (const auto& frame : frames) {
