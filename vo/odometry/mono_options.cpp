@@ -29,6 +29,7 @@ MonoOptions mono_options() {
   options.tracker.doubt = false;
   options.tracker.points.min_depth = 1e-3;
   options.tracker.points.max_depth = 1e3;
+  options.tracker.points.coarser_share = 0.7;
   options.tracker.points.discontinuity_radius = 0;
   options.tracker.align.depth_noise = 1;
   options.tracker.align.min_translation = 5e-5;  // finer steps than depths of a map are worth

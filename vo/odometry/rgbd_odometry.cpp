@@ -43,7 +43,7 @@ TrackerOptions best_options() {
   TrackerOptions options;
   options.pyramid.levels = 5;
   options.points.max_points = 2000;
-  options.points.coarser_share = 0.7;
+  options.points.coarser_share = 0.55;
   options.points.discontinuity_radius = 1;
   options.align.step_limit_growth = 5;
   options.align.last_step = 5;
