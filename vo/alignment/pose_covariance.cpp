@@ -8,7 +8,8 @@
 namespace vo {
 namespace {
 
-constexpr double kBiasPx = 0.005;  // px, in u and in v
+constexpr double kBiasPx = 0.005;       // px, in u and in v
+constexpr double kExposureShare = 0.7;  // of the read-out time, that lines are exposed for
 constexpr int kParameters = 6;
 
 Vector6d total(const std::vector<Vector6d>& b) {
@@ -65,11 +66,12 @@ double bias_variance(const Matrix6d& H, const PinholeCamera& camera) {
   return kBiasPx * kBiasPx * squared_gradients / 2;
 }
 
-/// Returns the covariance of a velocity whose doubt is spread evenly over all directions.
-Matrix6d velocity_covariance(const FrameVelocity& velocity) {
+/// Returns the covariance of a twist whose linear and angular part are as large as these, each in
+/// any direction.
+Matrix6d in_any_direction(const Vector6d& twist) {
   Vector6d variance;
-  variance.head<3>().setConstant(velocity.doubt.head<3>().squaredNorm() / 3);
-  variance.tail<3>().setConstant(velocity.doubt.tail<3>().squaredNorm() / 3);
+  variance.head<3>().setConstant(twist.head<3>().squaredNorm() / 3);
+  variance.tail<3>().setConstant(twist.tail<3>().squaredNorm() / 3);
   return variance.asDiagonal();
 }
 
@@ -77,12 +79,25 @@ Matrix6d velocity_covariance(const FrameVelocity& velocity) {
 Matrix6d shutter_scatter(const JointProblem& problem, const JointScores& scores,
                          const SE3& T_cur_first) {
   const Matrix6d& K = scores.by_current_velocity;
-  Matrix6d sum = K * velocity_covariance(problem.current_velocity(T_cur_first)) * K.transpose();
+  Matrix6d sum = K * in_any_direction(problem.current_velocity(T_cur_first).doubt) * K.transpose();
   for (std::size_t r = 0; r < scores.by_reference_velocity.size(); ++r) {
     const Matrix6d& K_ref = scores.by_reference_velocity[r];
-    sum += K_ref * velocity_covariance(problem.reference_velocity(r)) * K_ref.transpose();
+    sum += K_ref * in_any_direction(problem.reference_velocity(r).doubt) * K_ref.transpose();
   }
   return sum;
+}
+
+/// Returns the covariance of the increment by which accelerations move the mean of an image, of the
+/// current frame and of the first reference.
+Matrix6d acceleration_covariance(const JointProblem& problem, const SE3& T_cur_first) {
+  const double readout = problem.options().readout.seconds;
+  const double exposure = kExposureShare * readout;
+  const double seconds2 = (readout * readout + exposure * exposure) / 24;
+  const Matrix6d Ad = adjoint(T_cur_first);
+  const Matrix6d squared_accelerations =
+      in_any_direction(problem.current_velocity(T_cur_first).acceleration) +
+      Ad * in_any_direction(problem.reference_velocity(0).acceleration) * Ad.transpose();
+  return seconds2 * seconds2 * squared_accelerations;
 }
 
 /// Returns H^-1 S H^-1, the covariance of the increment that follows from the covariance S of b.
@@ -113,6 +128,7 @@ Matrix6d pose_covariance(const JointProblem& problem, const JointSystem& system,
   const Matrix6d H_inverse = system.H.ldlt().solve(Matrix6d::Identity());
   return cell_covariance(system, scores) +
          propagated(system.H, shutter_scatter(problem, scores, T_cur_first)) +
+         acceleration_covariance(problem, T_cur_first) +
          bias_variance(system.H, problem.camera()) * (H_inverse + H_inverse.transpose()) / 2;
 }
 

@@ -21,13 +21,18 @@ namespace vo {
 Matrix6d sandwich_covariance(const JointProblem& problem, const JointSystem& system,
                              const SE3& T_cur_first);
 
-/// Returns the sandwich_covariance() plus two terms for errors that it does not show. One is 0.005
-/// px of interpolation bias that all pixels share, as if H held one pixel's information only; it
-/// was found on rendered sequences with perfect depth, where it brings NEES to 0.5 to 1.5.
+/// Returns the sandwich_covariance() plus three terms for errors that it does not show:
 ///
-/// The other is, with a rolling shutter, what the pose would move by if the velocities that rows
-/// are moved with were off by their doubt, for each frame independently and in any direction, to
-/// first order.
+/// - 0.005 px of interpolation bias that all pixels share, as if H held one pixel's information
+///   only; it was found on rendered sequences with perfect depth, where it brings NEES to 0.5
+///   to 1.5.
+/// - With a rolling shutter, what the pose would move by if the velocities that lines are moved
+///   with were off by their doubt, for each frame independently and in any direction, to first
+///   order.
+/// - With a rolling shutter, the acceleration a while an image is taken, which a steady velocity
+///   leaves out. At t from the middle it displaces the camera by a t^2 / 2; its mean over lines
+///   read in T and exposed for E, a (T^2 + E^2) / 24, is taken for the pose. T is the read-out
+///   time, E is not known and taken as 0.7 T; a is the last known one, in any direction.
 ///
 /// Errors that all references share are not included: depth that lags behind the image, a read-out
 /// time that is not found yet. `scores` must be those of `system`.

@@ -17,6 +17,8 @@ struct FrameVelocity {
   Vector6d twist = Vector6d::Zero();
   /// Uncertainty of the twist's linear and angular part, each in any direction.
   Vector6d doubt = Vector6d::Zero();
+  /// Steady acceleration since the interval before, m/s^2 and rad/s^2; 0 where it is not known.
+  Vector6d acceleration = Vector6d::Zero();
 };
 
 /// Extrapolates the last interval's mean velocity, which holds at its middle, to its end with the
@@ -26,11 +28,11 @@ struct FrameVelocity {
 inline FrameVelocity velocity_at_end(const MeanVelocity& last,
                                      const std::optional<MeanVelocity>& before) {
   if (!before) {
-    return {last.twist, Vector6d::Zero()};
+    return {.twist = last.twist};
   }
   const double share = last.seconds / (last.seconds + before->seconds);
   const Vector6d gain = share * (last.twist - before->twist);
-  return {last.twist + gain, gain};
+  return {last.twist + gain, gain, 2 / last.seconds * gain};
 }
 
 }  // namespace vo

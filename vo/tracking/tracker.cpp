@@ -273,9 +273,7 @@ void Tracker::accept(const FramePyramid& current, const Attempt& attempt) {
   if (follows && tells_velocity(seconds)) {
     mean_velocity_ = {T_last_cur.log() / seconds, seconds};
     velocity_ = velocity_at_end(*mean_velocity_, before);
-    if (frames_since_keyframe_ == 1 && !map_.last()->velocity) {
-      map_.set_last_velocity({.twist = mean_velocity_->twist});
-    }
+    tell_first_velocity();
   }
   T_last_predicted_ =
       options_.motion_model != MotionModel::stationary && follows ? T_last_cur : SE3();
@@ -283,6 +281,17 @@ void Tracker::accept(const FramePyramid& current, const Attempt& attempt) {
   absolute_covariance_ = attempt.result.absolute_covariance;
   last_timestamp_ = current.timestamp;
   is_lost_ = attempt.result.reason == TrackingReason::image_repeated;
+}
+
+/// Gives a keyframe whose motion was not known the mean velocity until the frame after it, and as
+/// its doubt and acceleration those that the second frame after it shows.
+void Tracker::tell_first_velocity() {
+  const std::optional<FrameVelocity>& known = map_.last()->velocity;
+  if (frames_since_keyframe_ == 1 && !known) {
+    map_.set_last_velocity({.twist = mean_velocity_->twist});
+  } else if (frames_since_keyframe_ == 2 && known && known->acceleration.isZero(0)) {
+    map_.set_last_velocity({known->twist, velocity_->doubt, velocity_->acceleration});
+  }
 }
 
 bool Tracker::needs_keyframe(const FramePyramid& current, const TrackingResult& result) const {

@@ -94,6 +94,7 @@ class Tracker {
   double correlation_of(const AlignResult& alignment, Start start) const;
   TrackingReason judge(const AlignResult& alignment, Start start) const;
   void accept(const FramePyramid& current, const Attempt& attempt);
+  void tell_first_velocity();
   bool can_be_reference(const FramePyramid& frame) const;
   bool is_blurred(const FramePyramid& current, const SE3& T_cur_last) const;
 

@@ -165,11 +165,9 @@ class DoubtfulVelocity : public testing::Test {
 };
 
 TEST_F(DoubtfulVelocity, OfAReferenceIsInTheCovariance) {
-  const vo::Matrix6d expected = scatter_by_velocity(doubt_, [&](const Vector6d& off) {
-    return aligned({off, Vector6d::Zero()}, {});
-  });
-  expect_near(aligned({Vector6d::Zero(), doubt_}, {}).covariance - aligned({}, {}).covariance,
-              expected);
+  const vo::Matrix6d expected =
+      scatter_by_velocity(doubt_, [&](const Vector6d& off) { return aligned({.twist = off}, {}); });
+  expect_near(aligned({.doubt = doubt_}, {}).covariance - aligned({}, {}).covariance, expected);
 }
 
 TEST_F(DoubtfulVelocity, OfTheCurrentFrameIsInTheCovariance) {
@@ -181,6 +179,29 @@ TEST_F(DoubtfulVelocity, OfTheCurrentFrameIsInTheCovariance) {
   const vo::AlignResult certain = velocity_changed_by(Vector6d::Zero());
   expect_near(velocity_changed_by(doubt_).covariance - certain.covariance,
               scatter_by_velocity(doubt_, velocity_changed_by));
+}
+
+/// An image of lines exposed one after the other shows a camera that accelerates at its mean place.
+TEST_F(DoubtfulVelocity, AccelerationWhileAnImageIsTakenIsInTheCovariance) {
+  constexpr int kSteps = 200;
+  const double readout = options_.readout.seconds;
+  const double exposure = 0.7 * readout;
+  double half_mean_square = 0;  // s^2, of the time from the middle of the image
+  for (int line = 0; line < kSteps; ++line) {
+    for (int instant = 0; instant < kSteps; ++instant) {
+      const double t =
+          readout * ((line + 0.5) / kSteps - 0.5) + exposure * ((instant + 0.5) / kSteps - 0.5);
+      half_mean_square += t * t / (2.0 * kSteps * kSteps);
+    }
+  }
+  vo::FrameVelocity accelerated;
+  accelerated.acceleration << 3, 0, 4, 0, 12, 5;
+  const vo::AlignResult result = aligned(accelerated, {});
+  Vector6d variance;
+  variance << Vector6d::Constant(25.0 / 3).head<3>(), Vector6d::Constant(169.0 / 3).head<3>();
+  const vo::Matrix6d Ad = adjoint(result.T_cur_ref);
+  expect_near(result.covariance - aligned({}, {}).covariance,
+              half_mean_square * half_mean_square * Ad * variance.asDiagonal() * Ad.transpose());
 }
 
 }  // namespace
