@@ -21,16 +21,12 @@ inline vo::FramePyramid plane_view(const vo::SE3& T_world_camera) {
 inline vo::EdgePointLevel interior(const vo::EdgePointLevel& points, int border,
                                    std::size_t step = 1) {
   const vo::PinholeCamera camera = small_camera();
-  std::vector<std::size_t> inside;
-  for (std::size_t i = 0; i < points.size(); i += step) {
-    const cv::Point pixel = points.pixel[i];
-    if (pixel.x > border && pixel.x < camera.width - border && pixel.y > border &&
-        pixel.y < camera.height - border) {
-      inside.push_back(i);
-    }
-  }
   vo::EdgePointLevel kept = points;
-  kept.keep(inside);
+  kept.keep_if([&](std::size_t i) {
+    const cv::Point pixel = points.pixel[i];
+    return i % step == 0 && pixel.x > border && pixel.x < camera.width - border &&
+           pixel.y > border && pixel.y < camera.height - border;
+  });
   return kept;
 }
 

@@ -141,10 +141,10 @@ nlohmann::ordered_json last_pose_json(const vo::SequenceResult& result) {
     return nullptr;
   }
   const vo::Vector6d variance = last->absolute_covariance.diagonal();
-  constexpr double kDegrees = 180 / std::numbers::pi;
+  constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
   return {{"timestamp", last->timestamp},
           {"sigma_m", std::sqrt(variance.head<3>().sum())},
-          {"sigma_deg", kDegrees * std::sqrt(variance.tail<3>().sum())}};
+          {"sigma_deg", kDegreesPerRadian * std::sqrt(variance.tail<3>().sum())}};
 }
 
 nlohmann::ordered_json summary(const TrackArguments& arguments, const Tracked& tracked) {
@@ -166,6 +166,7 @@ nlohmann::ordered_json summary(const TrackArguments& arguments, const Tracked& t
     json["keyframe_scales"] = scales_json(*tracked.mono);
   } else {
     json["preset"] = arguments.preset;
+    json["moving_fraction"] = tracked.result.moving_fraction();
     json["last_pose"] = last_pose_json(tracked.result);
     json["typical_depth_m"] = tracked.result.typical_depth_m();
   }

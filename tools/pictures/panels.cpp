@@ -1,6 +1,7 @@
 #include "tools/pictures/panels.h"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "tools/pictures/pictures.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
+#include "vo/image/view_grid.h"
+#include "vo/tracking/tracker.h"
 
 namespace tools {
 namespace {
@@ -31,6 +34,20 @@ Picture draw_edges(const vo::PyramidLevel& level) {
   level.intensity.convertTo(gray, CV_8U, 100, 155);
   Picture picture = as_picture(gray);
   picture.setTo(cv::Vec3b(160, 60, 0), level.edges);
+  return picture;
+}
+
+/// Draws the image with the tiles in red that move by themselves.
+Picture draw_moving(const cv::Mat& image, const vo::TileMask& moving) {
+  Picture picture = as_picture(image);
+  const vo::ViewTiles grid({.width = picture.cols, .height = picture.rows});
+  for (int v = 0; v < picture.rows; ++v) {
+    for (int u = 0; u < picture.cols; ++u) {
+      if (moving[grid.of({u, v})]) {
+        picture(v, u) = picture(v, u) / 2 + cv::Vec3b(0, 0, 127);
+      }
+    }
+  }
   return picture;
 }
 
@@ -70,6 +87,7 @@ Picture draw_figures(const vo::TrackingResult& result, cv::Size size) {
           (result.is_keyframe ? ", keyframe" : ""),
       "ended: " + std::string(vo::to_string(alignment.termination)),
       vo::concat(alignment.points, " points, ", alignment.iterations, " iterations"),
+      vo::concat(std::lround(100 * result.moving_fraction), " % of the view moves by itself"),
       correlation.data(),
       position.data(),
       "residuals: red brighter, blue darker than the reference,",
@@ -105,8 +123,8 @@ Picture draw_panel(const vo::RgbdFrame& frame, const vo::FramePyramid& pyramid,
   const vo::PyramidLevel& level = pyramid.levels.front();
   const vo::EdgePointLevel points = aligned_points(tracker, result, 0);
   return montage(
-      {{titled(as_picture(frame.image), "image"), titled(draw_edges(level), "edges"),
-        titled(draw_depth(frame.depth), "depth")},
+      {{titled(draw_moving(frame.image, tracker.segmentation().moving()), "image, red: moves"),
+        titled(draw_edges(level), "edges"), titled(draw_depth(frame.depth), "depth")},
        {titled(draw_residuals(points, level, result.T_cur_ref_guess), "residual before"),
         titled(draw_residuals(points, level, result.alignment.T_cur_ref), "residual after"),
         draw_figures(result, level.intensity.size())}});

@@ -124,6 +124,7 @@ void summarize(const JointSystem& system, const JointProblem& problem, AlignMemo
   result.cost = system.cost;
   result.gain = problem.models().front().brightness.gain;
   result.offset = problem.models().front().brightness.offset;
+  result.models = problem.models();
   result.conditioning = conditioning_of(system.H);
   if (first.total > 0) {
     result.visible_fraction = static_cast<double>(first.points) / static_cast<double>(first.total);

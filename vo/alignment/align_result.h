@@ -4,10 +4,17 @@
 #include <cstddef>
 #include <utility>
 
+#include "vo/core/inplace_vector.h"
 #include "vo/geometry/se3.h"
 #include "vo/residuals/view_agreement.h"
 
 namespace vo {
+
+/// Most references of an alignment.
+inline constexpr std::size_t kMaxReferences = 20;
+
+/// Most pairs of images of an alignment: each reference forward and backward.
+inline constexpr std::size_t kMaxPairs = 2 * kMaxReferences;
 
 /// The reason why the alignment ended on the finest level it reached.
 enum class Termination {
@@ -50,6 +57,8 @@ struct AlignResult {
   /// Covariance of the left increment delta of exp(delta) T_cur_ref; see pose_covariance().
   Matrix6d covariance = Matrix6d::Zero();
 
+  /// Models of the finest level's pairs of images, in the order of JointProblem.
+  InplaceVector<ResidualModel, kMaxPairs> models;
   ViewAgreement agreement;        ///< of the first reference's points with the current image
   LossByReadout loss_by_readout;  ///< 0 where the camera's velocity is not known
 

@@ -15,12 +15,6 @@
 
 namespace vo {
 
-/// Most references of an alignment.
-inline constexpr std::size_t kMaxReferences = 20;
-
-/// Most pairs of images of an alignment: each reference forward and backward.
-inline constexpr std::size_t kMaxPairs = 2 * kMaxReferences;
-
 /// A frame of known pose that the current one is aligned to.
 struct AlignReference {
   const EdgePoints& points;
@@ -100,6 +94,12 @@ class JointProblem {
 
   /// Returns the view of a reference's points in the current image; `models` has it at this index.
   PointView forward_view(std::size_t reference, const SE3& T_cur_first) const;
+
+  /// Returns the view of a pair of images, in the order of `models`: each reference's points in the
+  /// current image, then the current points in each reference's image.
+  PointView pair_view(std::size_t pair, const SE3& T_cur_first) const {
+    return view(pairs_[pair], T_cur_first);
+  }
 
   /// Returns vo::depth_agreement() of the first reference's surfaces, or 1 without surfaces.
   double depth_agreement(const SE3& T_cur_first) const;

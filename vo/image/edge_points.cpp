@@ -105,10 +105,6 @@ void EdgePointOptions::validate() const {
           discontinuity_ratio);
 }
 
-auto EdgePointLevel::values() -> std::array<std::vector<float>*, kFloatsPerPoint> {
-  return {&x_ref, &y_ref, &z_ref, &intensity, &dI_dx, &dI_dy, &dI_dz, &depth_sigma};
-}
-
 void EdgePointLevel::resize(std::size_t count) {
   for (std::vector<float>* each : values()) {
     each->resize(count);
@@ -121,19 +117,6 @@ void EdgePointLevel::reserve(std::size_t count) {
     each->reserve(count);
   }
   pixel.reserve(count);
-}
-
-void EdgePointLevel::keep(const std::vector<std::size_t>& indices) {
-  for (std::vector<float>* each : values()) {
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-      (*each)[i] = (*each)[indices[i]];
-    }
-    each->resize(indices.size());
-  }
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    pixel[i] = pixel[indices[i]];
-  }
-  pixel.resize(indices.size());
 }
 
 std::size_t memory_bytes(const EdgePoints& points) {

@@ -90,13 +90,30 @@ struct EdgePointLevel {
 
   std::size_t size() const { return x_ref.size(); }
   void resize(std::size_t count);
-  void reserve(std::size_t count);                     ///< makes room for later resizes
-  void keep(const std::vector<std::size_t>& indices);  ///< keeps these; indices must ascend
+  void reserve(std::size_t count);  ///< makes room for later resizes
+
+  /// Keeps the points whose index `is_kept` says true of, called once for each in their order.
+  template <typename IsKept>
+  void keep_if(IsKept is_kept) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < size(); ++i) {
+      if (is_kept(i)) {
+        for (std::vector<float>* each : values()) {
+          (*each)[kept] = (*each)[i];
+        }
+        pixel[kept] = pixel[i];
+        ++kept;
+      }
+    }
+    resize(kept);
+  }
 
   static constexpr std::size_t kFloatsPerPoint = 8;
 
  private:
-  std::array<std::vector<float>*, kFloatsPerPoint> values();
+  std::array<std::vector<float>*, kFloatsPerPoint> values() {
+    return {&x_ref, &y_ref, &z_ref, &intensity, &dI_dx, &dI_dy, &dI_dz, &depth_sigma};
+  }
 };
 
 /// The points of a reference frame at all pyramid levels; levels[0] is the finest. A depth sensor

@@ -52,7 +52,8 @@ std::string covariance_titles(const std::string& name) {
 std::string frame_log_header() {
   std::string text =
       "timestamp,status,reason,keyframe,termination,iterations,points,visible_fraction,correlation,"
-      "depth_agreement,cost,conditioning,readout_s,readout_axis,vignette_2,vignette_4";
+      "depth_agreement,cost,conditioning,readout_s,readout_axis,vignette_2,vignette_4,"
+      "moving_fraction";
   return text + ",reference_timestamp" + covariance_titles("covariance") +
          covariance_titles("absolute_covariance") + "\n";
 }
@@ -94,6 +95,14 @@ std::size_t SequenceResult::uncertain() const {
   return static_cast<std::size_t>(
       std::count_if(frames.begin(), frames.end(),
                     [](const TrackingResult& f) { return f.status == TrackingStatus::uncertain; }));
+}
+
+double SequenceResult::moving_fraction() const {
+  double sum = 0;
+  for (const TrackingResult& frame : frames) {
+    sum += frame.moving_fraction;
+  }
+  return frames.empty() ? 0 : sum / static_cast<double>(frames.size());
 }
 
 std::map<TrackingReason, std::size_t> SequenceResult::reasons() const {
@@ -178,6 +187,7 @@ std::string format_frame_log(const std::vector<TrackingResult>& frames) {
     for (const double value : frame.vignette.coefficients) {
       text += "," + format_real(value);
     }
+    text += "," + format_real(frame.moving_fraction);
     const bool has_reference = aligned && frame.status != TrackingStatus::lost;
     text += concat(",", has_reference ? format_timestamp(frame.reference_timestamp) : "",
                    covariance_values(alignment.covariance),

@@ -43,6 +43,10 @@ constexpr auto enum_names(BrightnessModel) {
                     std::pair{BrightnessModel::affine, "affine"}};
 }
 
+/// The ratio of a point's depth to the one measured where it is seen from which on it is another
+/// surface's.
+inline constexpr double kVisibleDepthRatio = 1.08;
+
 struct AlignOptions {
   int max_iterations = 30;         ///< most iterations per pyramid level
   double min_translation = 1e-5;   ///< m; converged when a step is below this and min_rotation_deg

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vo/image/view_cells.h"
+#include "vo/image/view_grid.h"
 #include "vo/residuals/linearize.h"
 #include "vo/residuals/point_pass.h"
 

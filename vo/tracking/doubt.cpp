@@ -15,6 +15,13 @@ constexpr double kMostMeanDisagreement = 0.07;
 /// Nine of ten frames of a rigid world have less than 0.05, one in a hundred 0.27.
 constexpr double kMostDepthDisagreement = 0.3;
 
+/// Area of the surfaces that move over that of the static ones, as a mean, from which on it is not
+/// clear which of them is the world.
+constexpr double kCompetingArea = 0.42;
+
+/// Share of the view that may be black.
+constexpr double kMostCovered = 0.3;
+
 constexpr double kNewest = 0.2;  // weight of a frame in the means
 
 }  // namespace
@@ -32,15 +39,22 @@ void RecentMean::add(double value, double limit) {
   is_high = mean > (is_high ? limit / 2 : limit);
 }
 
-TrackingReason Doubt::judge(const AlignResult& alignment) {
+TrackingReason Doubt::judge(const AlignResult& alignment, const ViewSurfaces& surfaces) {
   const double disagreement = alignment.agreement.disagreeing_fraction;
   disagreement_.add(disagreement, kMostMeanDisagreement);
   depth_disagreement_.add(1 - alignment.depth_agreement, kMostDepthDisagreement);
+  moving_area_.add(surfaces.areas.moving_ratio(), kCompetingArea);
   if (image_is_repeated_) {
     return TrackingReason::image_repeated;
   }
   if (same_depths_ > kSlowDepth) {
     return TrackingReason::depth_repeated;
+  }
+  if (surfaces.covered_fraction > kMostCovered) {
+    return TrackingReason::view_covered;
+  }
+  if (moving_area_.is_high) {
+    return TrackingReason::two_motions;
   }
   if (disagreement > kMostDisagreement || disagreement_.is_high) {
     return TrackingReason::parts_disagree;

@@ -4,6 +4,7 @@
 
 #include "vo/alignment/align_result.h"
 #include "vo/image/pyramid.h"
+#include "vo/segmentation/tile_surfaces.h"
 #include "vo/tracking/tracking_result.h"
 
 namespace vo {
@@ -17,6 +18,12 @@ struct RecentMean {
   void add(double value, double limit);
 };
 
+/// Says what the surfaces of a view do: how much of them moves by itself, and how much is covered.
+struct ViewSurfaces {
+  SurfaceAreas areas;
+  double covered_fraction = 0;  ///< share of the view's tiles
+};
+
 /// Says whether a pose that was found is to be relied on. A driver that repeats images, a depth
 /// image that stands still, something that covers the view, is stuck in it or moves through it:
 /// each may leave an alignment with a small covariance and a wrong pose.
@@ -25,8 +32,9 @@ class Doubt {
   /// Takes in the fingerprints of the next frame's images, before it is aligned; 0 says nothing.
   void see(const FramePyramid& frame);
 
-  /// Takes in the alignment of the frame seen last, and returns why its pose is uncertain, or none.
-  TrackingReason judge(const AlignResult& alignment);
+  /// Takes in the alignment of the frame seen last and what its surfaces do, and returns why its
+  /// pose is uncertain, or none.
+  TrackingReason judge(const AlignResult& alignment, const ViewSurfaces& surfaces);
 
  private:
   std::uint64_t image_ = 0;
@@ -34,6 +42,7 @@ class Doubt {
   bool image_is_repeated_ = false;
   int same_depths_ = 0;            ///< frames in a row with other images and the same depth
   RecentMean disagreement_;        ///< share of the points that disagree
+  RecentMean moving_area_;         ///< area of moving surfaces over that of static ones
   RecentMean depth_disagreement_;  ///< share of the surfaces that disagree
 };
 

@@ -103,6 +103,24 @@ void LocalMap::set_last_points(std::shared_ptr<const EdgePoints> points) {
   keyframes_.back() = std::make_shared<const Keyframe>(std::move(keyframe));
 }
 
+void LocalMap::leave_out(const Keyframe& keyframe, const TileMask& tiles) {
+  const auto found = std::find_if(keyframes_.begin(), keyframes_.end(),
+                                  [&](const auto& each) { return each.get() == &keyframe; });
+  if (found == keyframes_.end()) {
+    return;
+  }
+  Keyframe left = keyframe;
+  auto points = std::make_shared<EdgePoints>(*keyframe.points);
+  vo::leave_out(tiles, keyframe.pyramid, *points);
+  left.points = std::move(points);
+  if (keyframe.surface != nullptr) {
+    auto surface = std::make_shared<SurfacePoints>(*keyframe.surface);
+    vo::leave_out(tiles, keyframe.pyramid, *surface);
+    left.surface = std::move(surface);
+  }
+  *found = std::make_shared<const Keyframe>(std::move(left));
+}
+
 void LocalMap::adjust(std::size_t keyframe, const SE3& T_world_keyframe, EdgePointLevel finest) {
   Keyframe adjusted = *keyframes_[keyframe];
   adjusted.T_world_keyframe = T_world_keyframe;

@@ -14,6 +14,7 @@
 #include "vo/image/pyramid.h"
 #include "vo/residuals/frame_velocity.h"
 #include "vo/residuals/surface_points.h"
+#include "vo/segmentation/tile_mask.h"
 #include "vo/tracking/map_options.h"
 #include "vo/tracking/window_options.h"
 
@@ -52,6 +53,9 @@ class LocalMap {
   void forget_bent(const Readout& readout);
   void set_last_velocity(const FrameVelocity& velocity);  ///< for when the next frame tells
   void set_last_points(std::shared_ptr<const EdgePoints> points);  ///< with newer depths
+
+  /// Leaves out of a keyframe what has moved by itself, in these tiles of its view.
+  void leave_out(const Keyframe& keyframe, const TileMask& tiles);
 
   /// Replaces a keyframe's pose and its points of the finest level.
   void adjust(std::size_t keyframe, const SE3& T_world_keyframe, EdgePointLevel finest);

@@ -5,7 +5,6 @@
 
 #include "vo/core/error.h"
 #include "vo/geometry/readout.h"
-#include "vo/image/view_cells.h"
 #include "vo/tracking/image_motion.h"
 #include "vo/tracking/pose_search.h"
 #include "vo/tracking/sharpness.h"
@@ -25,6 +24,9 @@ constexpr double kKeyframeOverlap = 0.75;
 
 /// Correlation of an alignment; with less a keyframe waits.
 constexpr double kKeyframeCorrelation = 0;
+
+/// Share of the view's tiles that move from which on it matters what hides what.
+constexpr double kMuchMotion = 0.025;
 
 /// Share of the loss's curvature by the read-out time that is left where the depths were found with
 /// the same read-out time: with a wrong one they absorb nine tenths of what it bends.
@@ -70,11 +72,13 @@ TrackingResult Tracker::track(const FramePyramid& current) {
   }
   ++frames_since_keyframe_;
   doubt_.see(current);
-  Attempt attempt = aligned_from(current, starting_pose(current), Start::expected);
+  Attempt attempt = aligned_from(current, {Start::expected, starting_pose(current)});
+  attempt = segmented(current, std::move(attempt));
   if (is_doubtful(attempt.result) && options_.lost.recover) {
     attempt = searched(current, std::move(attempt));
   }
   reference_points_ = attempt.references.points.front();
+  attempt.result.moving_fraction = segmentation_.moving_fraction();
   if (attempt.result.status == TrackingStatus::tracked && options_.doubt) {
     judge_pose(attempt.result);
   }
@@ -86,19 +90,22 @@ TrackingResult Tracker::track(const FramePyramid& current) {
   } else {
     T_last_predicted_ = SE3();
     is_lost_ = true;
+    segmentation_.reset();
   }
   return attempt.result;
 }
 
 /// Reuses the memory of the last frame's points unless that frame became a keyframe.
 void Tracker::find_current_points(const FramePyramid& current) {
-  if (current_points_ == nullptr || current_points_.use_count() > 1) {
-    current_points_ = std::make_shared<EdgePoints>();
+  current_points_.reset();
+  if (own_points_ == nullptr || own_points_.use_count() > 1) {
+    own_points_ = std::make_shared<EdgePoints>();
   }
-  own_point_finder_.find(current, current, *current_points_);
-  if (options_.doubt) {
-    leave_out(disagreeing_, current, *current_points_);
+  own_point_finder_.find(current, current, *own_points_);
+  if (is_segmenting()) {
+    foresee_tiles(current);
   }
+  use_points_outside(is_segmenting() ? unusable(moving_tiles(expected_)) : TileMask(), current);
 }
 
 SE3 Tracker::starting_pose(const FramePyramid& current) const {
@@ -108,15 +115,15 @@ SE3 Tracker::starting_pose(const FramePyramid& current) const {
              : T_world_predicted;
 }
 
-Tracker::References Tracker::references_for(const FramePyramid& current,
-                                            const SE3& T_world_guess) const {
-  References references{map_.references_for(T_world_guess), {}, {}};
+References Tracker::references_for(const FramePyramid& current, const SE3& T_world_guess) const {
+  References references{map_.references_for(T_world_guess), {}, {}, {}};
   const SE3 T_first_world = references.keyframes.front()->T_world_keyframe.inverse();
   for (const std::shared_ptr<const Keyframe>& keyframe : references.keyframes) {
     references.points.push_back(options_.points.source == EdgeSource::reference
                                     ? keyframe->points
                                     : std::make_shared<const EdgePoints>(edge_points(
                                           keyframe->pyramid, current, options_.points)));
+    references.surfaces.push_back(keyframe->surface);
     references.views.push_back({*references.points.back(),
                                 T_first_world * keyframe->T_world_keyframe,
                                 options_.symmetric ? &keyframe->pyramid : nullptr,
@@ -126,16 +133,15 @@ Tracker::References Tracker::references_for(const FramePyramid& current,
   return references;
 }
 
-bool Tracker::References::velocities_known() const {
-  return std::all_of(keyframes.begin(), keyframes.end(),
-                     [](const auto& keyframe) { return keyframe->velocity.has_value(); });
-}
-
-/// Returns the options of an alignment with the read-out that is known by now.
+/// Returns the options of an alignment with the read-out that is known by now. Where something
+/// moves, points that the depth image shows to be hidden have no part.
 AlignOptions Tracker::align_options() const {
   AlignOptions options = options_.align;
   if (options_.shutter == ShutterModel::estimated) {
     options.readout = depth_is_mapped_ ? readout_.mapped() : readout_.readout();
+  }
+  if (segmentation_.moving_fraction() > kMuchMotion && options.max_depth_ratio == 0) {
+    options.max_depth_ratio = kVisibleDepthRatio;
   }
   return options;
 }
@@ -145,10 +151,21 @@ ReadoutMotion Tracker::readout_motion_at(const std::optional<FrameVelocity>& vel
                                             : ReadoutMotion();
 }
 
-Tracker::Attempt Tracker::aligned_from(const FramePyramid& current, const SE3& T_world_guess,
-                                       Start start) {
-  Attempt attempt{start,
-                  references_for(current, T_world_guess),
+Tracker::Attempt Tracker::aligned_from(const FramePyramid& current, const Guess& guess) {
+  References references = references_for(current, guess.T_world_camera);
+  if (is_segmenting()) {
+    const TileMask tiles = unusable(moving_tiles(expected_));
+    if (static_cast<double>(tiles.count()) > kMuchMotion * ViewTiles::kCount) {
+      references.leave_out(tiles, current, guess.T_world_camera);
+    }
+  }
+  return aligned_with(current, guess, std::move(references), current_points_.get());
+}
+
+Tracker::Attempt Tracker::aligned_with(const FramePyramid& current, const Guess& guess,
+                                       References references, const EdgePoints* points) {
+  Attempt attempt{guess.start,
+                  std::move(references),
                   {},
                   {.timestamp = current.timestamp, .T_world_camera = T_world_last_}};
   const Keyframe& first = *attempt.references.keyframes.front();
@@ -162,11 +179,10 @@ Tracker::Attempt Tracker::aligned_from(const FramePyramid& current, const SE3& T
   result.readout = options.readout;
   result.vignette = current.vignette;
   result.reference_timestamp = first.pyramid.timestamp;
-  result.T_cur_ref_guess = T_world_guess.inverse() * T_world_first;
-  result.alignment =
-      align(attempt.references.views, {current, current_points_.get(), attempt.previous},
-            result.T_cur_ref_guess, options, align_memory_);
-  result.reason = judge(result.alignment, start);
+  result.T_cur_ref_guess = guess.T_world_camera.inverse() * T_world_first;
+  result.alignment = align(attempt.references.views, {current, points, attempt.previous},
+                           result.T_cur_ref_guess, options, align_memory_);
+  result.reason = judge(result.alignment, guess.start);
   if (result.reason == TrackingReason::none) {
     result.status = TrackingStatus::tracked;
     result.T_world_camera = T_world_first * result.alignment.T_cur_ref.inverse();
@@ -213,7 +229,7 @@ Tracker::Attempt Tracker::searched(const FramePyramid& current, Attempt first) {
   }
   Attempt best = std::move(first);
   for (const SE3& guess : guesses) {
-    Attempt attempt = aligned_from(current, guess, Start::searched);
+    Attempt attempt = aligned_from(current, {Start::searched, guess});
     if (is_more_credible(attempt.result, best.result)) {
       best = std::move(attempt);
     }
@@ -224,8 +240,7 @@ Tracker::Attempt Tracker::searched(const FramePyramid& current, Attempt first) {
 /// Marks a pose as uncertain where something speaks against it. After a repeated image it is not
 /// known how the camera moves.
 void Tracker::judge_pose(TrackingResult& result) {
-  disagreeing_ = result.alignment.agreement.disagreeing;
-  result.reason = doubt_.judge(result.alignment);
+  result.reason = doubt_.judge(result.alignment, surfaces_);
   if (result.reason != TrackingReason::none) {
     result.status = TrackingStatus::uncertain;
   }
@@ -315,7 +330,8 @@ bool Tracker::needs_keyframe(const FramePyramid& current, const TrackingResult& 
   constexpr double kLongestWait = 2;  // times the due keyframe's flow, for a sharp frame
   const bool urgent = flow > kLongestWait * options.max_flow || overlap < options_.map.min_overlap;
   return urgent ||
-         (result.alignment.correlation >= kKeyframeCorrelation && !is_blurred(current, T_cur_last));
+         (result.status == TrackingStatus::tracked &&
+          result.alignment.correlation >= kKeyframeCorrelation && !is_blurred(current, T_cur_last));
 }
 
 /// Returns whether the frame is too blurred relative to the last keyframe.
@@ -332,8 +348,8 @@ bool Tracker::is_blurred(const FramePyramid& current, const SE3& T_cur_last) con
 void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyframe) {
   if (current_points_ == nullptr) {
     find_current_points(keyframe);
-  } else if (options_.doubt && options_.symmetric) {
-    leave_out(disagreeing_, keyframe, *current_points_);
+  } else if (is_segmenting()) {
+    use_points_outside(unusable(grown(segmentation_.moving())), keyframe);
   }
   set_keyframe(keyframe, T_world_keyframe,
                options_.symmetric ? current_points_ : std::exchange(current_points_, nullptr));
@@ -374,10 +390,13 @@ void Tracker::adjust_keyframes() {
 
 void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyframe,
                            std::shared_ptr<const EdgePoints> points) {
-  std::shared_ptr<const SurfacePoints> surface;
+  std::shared_ptr<SurfacePoints> surface;
   if (options_.align.depth_term > 0 && !keyframe.levels.front().depth.empty()) {
-    surface = std::make_shared<const SurfacePoints>(
-        surface_points(keyframe.levels[surface_level(keyframe)]));
+    surface =
+        std::make_shared<SurfacePoints>(surface_points(keyframe.levels[surface_level(keyframe)]));
+    if (segmentation_.moving().any()) {
+      leave_out(grown(segmentation_.moving()), keyframe, *surface);
+    }
   }
   std::vector<float> measured_depth;
   if (options_.window.adjust == WindowAdjustment::depth) {

@@ -9,9 +9,12 @@
 #include "vo/geometry/readout.h"
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
+#include "vo/segmentation/motion_segmentation.h"
+#include "vo/segmentation/tile_surfaces.h"
 #include "vo/tracking/doubt.h"
 #include "vo/tracking/local_map.h"
 #include "vo/tracking/readout_estimate.h"
+#include "vo/tracking/references.h"
 #include "vo/tracking/tracker_options.h"
 #include "vo/tracking/tracking_result.h"
 #include "vo/tracking/vignette_estimate.h"
@@ -54,22 +57,20 @@ class Tracker {
   /// Returns the vignette that is to be removed from the next frame.
   const Vignette& vignette() const { return vignette_.vignette(); }
 
+  /// Returns what moves by itself in the last tracked frame.
+  const MotionSegmentation& segmentation() const { return segmentation_; }
+
   /// Returns the first reference's points as aligned to the last frame; for pictures and tests.
   const EdgePoints& reference_points() const { return *reference_points_; }
 
  private:
-  /// The keyframes that a frame is aligned to, the points used of each, and their views.
-  struct References {
-    LocalMap::References keyframes;
-    InplaceVector<std::shared_ptr<const EdgePoints>, kMaxReferences> points;
-    InplaceVector<AlignReference, kMaxReferences> views;  ///< one per keyframe, with its points
-
-    bool velocities_known() const;  ///< the first one is known a frame later
-  };
-
   /// Where an alignment starts: at the pose that the motion model expects, or at one of those that
   /// a search tries.
   enum class Start { expected, searched };
+  struct Guess {
+    Start start = Start::expected;
+    SE3 T_world_camera;
+  };
 
   /// A frame aligned from one start, and what it was aligned with.
   struct Attempt {
@@ -77,15 +78,44 @@ class Tracker {
     References references;
     std::optional<PreviousFrame> previous;  ///< where the motion since it is known
     TrackingResult result;
+
+    /// Returns the pose that the alignment found, whether it is believed or not.
+    SE3 T_world_camera() const {
+      return references.keyframes.front()->T_world_keyframe * result.alignment.T_cur_ref.inverse();
+    }
+  };
+
+  /// What a frame's tiles show if its pose is that of an alignment.
+  struct Explanation {
+    StaticEvidence evidence;
+    TileEvidence log_odds;
+    TileMask moving;
+    SurfaceAreas areas;
+    bool is_another_motion = false;  ///< than that of all points together
   };
 
   void find_current_points(const FramePyramid& current);
   SE3 starting_pose(const FramePyramid& current) const;
   AlignOptions align_options() const;
   ReadoutMotion readout_motion_at(const std::optional<FrameVelocity>& velocity) const;
-  Attempt aligned_from(const FramePyramid& current, const SE3& T_world_guess, Start start);
+  Attempt aligned_from(const FramePyramid& current, const Guess& guess);
+  Attempt aligned_with(const FramePyramid& current, const Guess& guess, References references,
+                       const EdgePoints* points);
   Attempt searched(const FramePyramid& current, Attempt first);
   References references_for(const FramePyramid& current, const SE3& T_world_guess) const;
+  bool is_segmenting() const;
+  void foresee_tiles(const FramePyramid& current);
+  TileMask unusable(const TileMask& moving) const;
+  void use_points_outside(const TileMask& tiles, const FramePyramid& current);
+  Explanation explained(const FramePyramid& current, const Attempt& attempt,
+                        const AlignResult& aligned);
+  AlignResult aligned_in(const TileMask& tiles, const FramePyramid& current,
+                         const Attempt& attempt);
+  Explanation best_explanation(const FramePyramid& current, Attempt& attempt);
+  void forget_moved(const References& references, const StaticEvidence& evidence);
+  Attempt aligned_without(const TileMask& moving, const FramePyramid& current,
+                          const Attempt& attempt);
+  Attempt segmented(const FramePyramid& current, Attempt attempt);
   bool follows_motion(const Attempt& attempt) const;
   void calibrate(const FramePyramid& current, const Attempt& attempt);
   std::vector<WindowFrame> window(const std::vector<std::size_t>& keyframes) const;
@@ -106,10 +136,15 @@ class Tracker {
   AlignMemory align_memory_;
   EdgePointFinder own_point_finder_;
   std::shared_ptr<const EdgePoints> reference_points_;
-  std::shared_ptr<EdgePoints> current_points_;  ///< own points of the tracked frame, if symmetric
+  std::shared_ptr<EdgePoints> own_points_;      ///< own points of the tracked frame, if symmetric
+  std::shared_ptr<EdgePoints> fewer_points_;    ///< own points outside some tiles
+  std::shared_ptr<EdgePoints> current_points_;  ///< those of them that are aligned
 
   Doubt doubt_;
-  ViewCells::Set disagreeing_;  ///< parts of the last tracked view that disagreed
+  MotionSegmentation segmentation_;
+  ViewSurfaces surfaces_;    ///< of the tracked frame
+  TileMask covered_;         ///< tiles of the tracked frame that something covers
+  TileEvidence expected_{};  ///< log-odds that the tracked frame's tiles are static, beforehand
   int frames_since_keyframe_ = 0;
   bool is_lost_ = false;          ///< whether the last frame was lost
   bool depth_is_mapped_ = false;  ///< whether the points' depths were found with the tracked poses

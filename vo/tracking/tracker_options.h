@@ -109,7 +109,7 @@ struct TrackerOptions {
   LensModel lens = LensModel::distortion;
   ShutterModel shutter = ShutterModel::given;
   VignetteModel vignette = VignetteModel::ignore;
-  bool doubt = false;  ///< whether poses are doubted, and parts that disagree left out
+  bool doubt = false;  ///< whether what moves is left out, and poses are doubted
 
   void validate() const;  ///< throws Error if an option is invalid
 
@@ -134,9 +134,10 @@ void visit_fields(Visitor& visit, TrackerOptions& options) {
   visit("lens", options.lens, "how lens distortion enters the warp");
   visit("shutter", options.shutter, "how a rolling shutter enters the warp");
   visit("vignette", options.vignette, "how a fall-off of brightness towards the corners enters");
-  visit("doubt", options.doubt,
-        "whether poses are uncertain where images repeat or parts of the view disagree, which are "
-        "left out");
+  visit(
+      "doubt", options.doubt,
+      "whether what moves is left out, and poses are uncertain where images repeat or parts of the "
+      "view disagree");
 }
 
 }  // namespace vo

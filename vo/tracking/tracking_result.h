@@ -35,6 +35,8 @@ enum class TrackingReason {
   image_repeated,   ///< the image is the one before, byte for byte, under another stamp
   depth_repeated,   ///< the depth has stood still for many frames, the image has not
   parts_disagree,   ///< parts of the view show something else than the rest of it lets expect
+  two_motions,      ///< two parts of the view move differently, and neither is clearly the world
+  view_covered,     ///< much of the image is black where depths are measured
 };
 
 constexpr auto enum_names(TrackingReason) {
@@ -46,7 +48,9 @@ constexpr auto enum_names(TrackingReason) {
                     std::pair{TrackingReason::depths_disagree, "depths_disagree"},
                     std::pair{TrackingReason::image_repeated, "image_repeated"},
                     std::pair{TrackingReason::depth_repeated, "depth_repeated"},
-                    std::pair{TrackingReason::parts_disagree, "parts_disagree"}};
+                    std::pair{TrackingReason::parts_disagree, "parts_disagree"},
+                    std::pair{TrackingReason::two_motions, "two_motions"},
+                    std::pair{TrackingReason::view_covered, "view_covered"}};
 }
 
 struct TrackingResult {
@@ -65,6 +69,8 @@ struct TrackingResult {
   /// reference's: that a pose and its reference may err alike, being aligned to common keyframes,
   /// is neglected, and so is what other references know. 0 where there is no pose but the first.
   Matrix6d absolute_covariance = Matrix6d::Zero();
+
+  double moving_fraction = 0;  ///< share of the view's tiles that move by themselves
 
   Readout readout;    ///< rolling shutter's read-out used for this frame
   Vignette vignette;  ///< removed from this frame's intensities

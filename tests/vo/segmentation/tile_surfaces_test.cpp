@@ -1,0 +1,48 @@
+#include "vo/segmentation/tile_surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/textured_plane.h"
+
+namespace {
+
+using support::small_camera;
+using vo::ViewTiles;
+
+/// A grey wall 4 m away, in front of whose left quarter something hangs at 1 m.
+vo::FramePyramid wall_and_curtain(int grey) {
+  const vo::PinholeCamera camera = small_camera();
+  vo::RgbdFrame frame{0, vo::ByteImage(camera.height, camera.width, static_cast<uchar>(grey)),
+                      vo::DepthImage(camera.height, camera.width, 4.0F)};
+  frame.depth.colRange(0, camera.width / 4).setTo(1.0F);
+  return vo::build_pyramid(frame, camera, {.levels = 4});
+}
+
+TEST(TileSurfaces, TellsFarTilesFromNearOnes) {
+  const vo::TileMask far = vo::far_tiles(wall_and_curtain(100));
+  for (std::size_t tile = 0; tile < ViewTiles::kCount; ++tile) {
+    EXPECT_EQ(far[tile], tile % ViewTiles::kColumns >= ViewTiles::kColumns / 4) << tile;
+  }
+}
+
+TEST(TileSurfaces, CountTilesBySquaredDepth) {
+  vo::ViewTiles::Values log_odds;
+  log_odds.fill(1);
+  for (std::size_t tile = 0; tile < ViewTiles::kCount; ++tile) {
+    if (tile % ViewTiles::kColumns < ViewTiles::kColumns / 4) {
+      log_odds[tile] = -3;
+    }
+  }
+  const vo::SurfaceAreas areas = vo::surface_areas(log_odds, wall_and_curtain(100));
+  EXPECT_NEAR(areas.moving_ratio(), 1.0 / (3 * 16), 1e-6);
+}
+
+TEST(TileSurfaces, AreCoveredWhereTheImageIsBlackAndDepthIsMeasured) {
+  EXPECT_TRUE(vo::covered_tiles(wall_and_curtain(0)).all());
+  EXPECT_TRUE(vo::covered_tiles(wall_and_curtain(4)).none());
+  vo::FramePyramid dark = wall_and_curtain(0);
+  dark.levels.back().depth.setTo(0);
+  EXPECT_TRUE(vo::covered_tiles(dark).none()) << "a lens cap covers both sensors";
+}
+
+}  // namespace

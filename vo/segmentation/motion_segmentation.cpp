@@ -1,0 +1,52 @@
+#include "vo/segmentation/motion_segmentation.h"
+
+#include <algorithm>
+
+#include "vo/segmentation/tile_surfaces.h"
+
+namespace vo {
+
+TileEvidence MotionSegmentation::expected(const FramePyramid& frame) const {
+  constexpr float kMemory = 0.85F;  // share of the log-odds that is left after a frame
+  const ViewTiles::Values depth = tile_depths(frame);
+  TileEvidence result;
+  for (std::size_t tile = 0; tile < result.size(); ++tile) {
+    result[tile] =
+        kMemory * (is_same_depth(depth_[tile], depth[tile]) ? log_odds_[tile]
+                                                            : mean_around(tile, depth[tile]));
+  }
+  return result;
+}
+
+/// Returns the mean log-odds of the tile's neighbours that showed this depth, or 0 without any.
+float MotionSegmentation::mean_around(std::size_t tile, float depth) const {
+  float sum = 0;
+  float count = 0;
+  ViewTiles::for_each_around(tile, [&](std::size_t near) {
+    if (is_same_depth(depth_[near], depth)) {
+      sum += log_odds_[near];
+      count += 1;
+    }
+  });
+  return sum / std::max(count, 1.0F);
+}
+
+void MotionSegmentation::update(const FramePyramid& frame, const TileEvidence& log_odds) {
+  log_odds_ = log_odds;
+  depth_ = tile_depths(frame);
+  moving_ = moving_tiles(log_odds);
+}
+
+TileEvidence log_odds_after(const TileEvidence& expected, const TileEvidence& evidence) {
+  constexpr float kMostOfFrame = 2.5;
+  constexpr float kMostMoving = -4;
+  constexpr float kMostStatic = 1;
+  TileEvidence result;
+  for (std::size_t tile = 0; tile < result.size(); ++tile) {
+    const float now = std::clamp(evidence[tile], -kMostOfFrame, kMostOfFrame);
+    result[tile] = std::clamp(expected[tile] + now, kMostMoving, kMostStatic);
+  }
+  return result;
+}
+
+}  // namespace vo

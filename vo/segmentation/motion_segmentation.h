@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+
+#include "vo/image/pyramid.h"
+#include "vo/segmentation/static_evidence.h"
+#include "vo/segmentation/tile_mask.h"
+
+namespace vo {
+
+/// Follows from frame to frame which tiles of the view are static and which move by themselves. A
+/// tile keeps its log-odds while it shows the same depth; where the depth changes, those of the
+/// neighbours of the new depth move in, so that the label goes along with what moves.
+class MotionSegmentation {
+ public:
+  /// Returns the log-odds that the frame's tiles are static, from the frames before.
+  TileEvidence expected(const FramePyramid& frame) const;
+
+  /// Takes in the log-odds of a frame's tiles.
+  void update(const FramePyramid& frame, const TileEvidence& log_odds);
+
+  /// Forgets all, where the camera is lost and no tile is known any more.
+  void reset() { *this = {}; }
+
+  /// Returns the tiles that move in the last frame.
+  const TileMask& moving() const { return moving_; }
+
+  /// Returns the share of the view's tiles that move.
+  double moving_fraction() const {
+    return static_cast<double>(moving_.count()) / ViewTiles::kCount;
+  }
+
+ private:
+  float mean_around(std::size_t tile, float depth) const;
+
+  TileEvidence log_odds_{};
+  ViewTiles::Values depth_{};  ///< tile_depths() of the last frame
+  TileMask moving_;
+};
+
+/// Returns the log-odds of tiles after a frame's evidence, of which none counts for everything.
+TileEvidence log_odds_after(const TileEvidence& expected, const TileEvidence& evidence);
+
+}  // namespace vo
