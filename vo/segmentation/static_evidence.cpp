@@ -190,8 +190,7 @@ void StaticEvidence::add_depths(const FramePyramid& current, const FramePyramid&
   const PyramidLevel& then = reference.levels[level];
   if (!now.depth.empty() && !then.depth.empty()) {
     add_seen_through(then, now, T_cur_ref, 1, references_[r]);
-    add_seen_through(now, then, T_cur_ref.inverse(), weight_,
-                     current_);
+    add_seen_through(now, then, T_cur_ref.inverse(), weight_, current_);
   }
 }
 

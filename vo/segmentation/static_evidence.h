@@ -35,8 +35,8 @@ class StaticEvidence {
   /// `aligned` is what the alignment of the frame found, `memory` is worked in. The references must
   /// have images.
   StaticEvidence(std::span<const AlignReference> references, const AlignCurrent& current,
-                 const AlignResult& aligned, const AlignOptions& options, ComparedReferences compared,
-                 PointTerms& memory);
+                 const AlignResult& aligned, const AlignOptions& options,
+                 ComparedReferences compared, PointTerms& memory);
 
   /// Returns the evidence for the tiles of the current view.
   const TileEvidence& of_current() const { return current_; }
