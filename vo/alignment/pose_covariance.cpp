@@ -93,10 +93,10 @@ Matrix6d acceleration_covariance(const JointProblem& problem, const SE3& T_cur_f
   const double readout = problem.options().readout.seconds;
   const double exposure = kExposureShare * readout;
   const double seconds2 = (readout * readout + exposure * exposure) / 24;
-  const Matrix6d Ad = adjoint(T_cur_first);
+  const Matrix6d J = adjoint(T_cur_first);
   const Matrix6d squared_accelerations =
       in_any_direction(problem.current_velocity(T_cur_first).acceleration) +
-      Ad * in_any_direction(problem.reference_velocity(0).acceleration) * Ad.transpose();
+      J * in_any_direction(problem.reference_velocity(0).acceleration) * J.transpose();
   return seconds2 * seconds2 * squared_accelerations;
 }
 

@@ -15,21 +15,21 @@ template <typename T, std::size_t N>
 class InplaceVector {
  public:
   InplaceVector() = default;
-  InplaceVector(const InplaceVector& other) { append(other.begin(), other.end()); }
+  InplaceVector(const InplaceVector& other) { fill(other.begin(), other.end()); }
   InplaceVector(InplaceVector&& other) noexcept {
-    append(std::make_move_iterator(other.begin()), std::make_move_iterator(other.end()));
+    fill(std::make_move_iterator(other.begin()), std::make_move_iterator(other.end()));
   }
   InplaceVector& operator=(const InplaceVector& other) {
     if (this != &other) {
       clear();
-      append(other.begin(), other.end());
+      fill(other.begin(), other.end());
     }
     return *this;
   }
   InplaceVector& operator=(InplaceVector&& other) noexcept {
     if (this != &other) {
       clear();
-      append(std::make_move_iterator(other.begin()), std::make_move_iterator(other.end()));
+      fill(std::make_move_iterator(other.begin()), std::make_move_iterator(other.end()));
     }
     return *this;
   }
@@ -68,11 +68,10 @@ class InplaceVector {
   bool empty() const { return size_ == 0; }
 
  private:
+  /// Fills the empty vector with at most N elements.
   template <typename Iterator>
-  void append(Iterator first, Iterator last) {
-    for (; first != last; ++first) {
-      emplace_back(*first);
-    }
+  void fill(Iterator first, Iterator last) {
+    size_ = static_cast<std::size_t>(std::uninitialized_copy(first, last, data()) - data());
   }
 
   std::size_t size_ = 0;

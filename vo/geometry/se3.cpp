@@ -103,10 +103,10 @@ Matrix6d adjoint(const SE3& T_a_b) {
   return result;
 }
 
-Matrix6d compounded_covariance(const SE3& T_a_b, const Matrix6d& of_T_a_b,
-                               const Matrix6d& of_T_b_c) {
-  const Matrix6d Ad = adjoint(T_a_b);
-  return of_T_a_b + Ad * of_T_b_c * Ad.transpose();
+Matrix6d compounded_covariance(const SE3& T_a_b, const Matrix6d& covariance_a_b,
+                               const Matrix6d& covariance_b_c) {
+  const Matrix6d J = adjoint(T_a_b);
+  return covariance_a_b + J * covariance_b_c * J.transpose();
 }
 
 SE3 look_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, const Eigen::Vector3d& up) {

@@ -49,8 +49,8 @@ Matrix6d adjoint(const SE3& T_a_b);
 /// Returns the covariance of the left increment of T_a_c = T_a_b T_b_c, given those of the left
 /// increments of T_a_b and T_b_c, to first order and without correlation between the two (Barfoot &
 /// Furgale, "Associating Uncertainty With Three-Dimensional Poses", 2014).
-Matrix6d compounded_covariance(const SE3& T_a_b, const Matrix6d& of_T_a_b,
-                               const Matrix6d& of_T_b_c);
+Matrix6d compounded_covariance(const SE3& T_a_b, const Matrix6d& covariance_a_b,
+                               const Matrix6d& covariance_b_c);
 
 /// Returns T_world_camera of a camera at `eye` whose optical axis runs through `target` and whose
 /// image shows `up` upwards. All are in world coordinates; `up` must not be parallel to the viewing
