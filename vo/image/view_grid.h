@@ -37,11 +37,13 @@ class ViewGrid {
   /// Calls `visit` with the index of the cell and of each of its up to eight neighbours.
   template <typename Visit>
   static void for_each_around(std::size_t cell, Visit visit) {
-    const auto row = static_cast<int>(cell) / kColumns;
-    const auto column = static_cast<int>(cell) % kColumns;
-    for (int r = row > 0 ? row - 1 : 0; r <= row + 1 && r < kRows; ++r) {
-      for (int c = column > 0 ? column - 1 : 0; c <= column + 1 && c < kColumns; ++c) {
-        visit(static_cast<std::size_t>(r * kColumns + c));
+    constexpr std::size_t kWidth = Columns;
+    constexpr std::size_t kHeight = Rows;
+    const std::size_t row = cell / kWidth;
+    const std::size_t column = cell % kWidth;
+    for (std::size_t r = row > 0 ? row - 1 : 0; r <= row + 1 && r < kHeight; ++r) {
+      for (std::size_t c = column > 0 ? column - 1 : 0; c <= column + 1 && c < kWidth; ++c) {
+        visit(r * kWidth + c);
       }
     }
   }
