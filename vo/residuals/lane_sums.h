@@ -63,6 +63,15 @@ EDVO_INLINE void add_values(const BlockRow& a, Lanes& sum) {
   }
 }
 
+/// Returns the sum of all lanes, in their order.
+inline double total(const Lanes& lanes) {
+  double sum = 0;
+  for (const float value : lanes) {
+    sum += static_cast<double>(value);
+  }
+  return sum;
+}
+
 /// The sums over some blocks in single precision, lane by lane.
 struct alignas(64) LaneSums {
   static constexpr std::size_t kPairs = kPassParameters * (kPassParameters + 1) / 2;
@@ -95,15 +104,6 @@ struct alignas(64) LaneSums {
     }
     sums.cost += total(loss);
     *this = {};
-  }
-
- private:
-  static double total(const Lanes& lanes) {
-    double sum = 0;
-    for (const float value : lanes) {
-      sum += static_cast<double>(value);
-    }
-    return sum;
   }
 };
 

@@ -31,7 +31,7 @@ PassOptions pass_options(const AlignOptions& options, const ResidualModel& model
           .brightness = options.brightness == BrightnessModel::affine};
 }
 
-/// As many points as tell a median or a mean of their intensities well enough.
+/// Number of points that tells a median or a mean of their intensities well enough.
 constexpr std::size_t kEnoughPoints = 600;
 
 /// Returns of how many blocks of points one is looked up, so that there are enough points.

@@ -14,9 +14,10 @@ using detail::kBlock;
 using detail::kLanes;
 using detail::Lanes;
 using detail::load_row;
+using detail::total;
 
-/// How far past the middle row and the middle column points are, as a share of the image's size, in
-/// the order of ReadoutAxis.
+/// The distances of points past the middle row and the middle column, as shares of the image's
+/// size, in the order of ReadoutAxis.
 using LinePlaces = std::array<BlockRow, 2>;
 
 /// The terms of 64 points of a view. Where there are fewer, the others have weight 0.
@@ -54,14 +55,6 @@ EDVO_INLINE void multiply(const BlockRow& a, const BlockRow& b, BlockRow& produc
   for (std::size_t i = 0; i < kBlock; ++i) {
     product[i] = a[i] * b[i];
   }
-}
-
-double total(const Lanes& lanes) {
-  double sum = 0;
-  for (const float value : lanes) {
-    sum += static_cast<double>(value);
-  }
-  return sum;
 }
 
 /// Sums w s J J^T, whose upper square is symmetric, over blocks of points.

@@ -6,14 +6,13 @@
 
 namespace vo {
 
-TileEvidence MotionSegmentation::expected(const FramePyramid& frame) const {
+TileEvidence MotionSegmentation::expected(const ViewTiles::Values& depths) const {
   constexpr float kMemory = 0.85F;  // share of the log-odds that is left after a frame
-  const ViewTiles::Values depth = tile_depths(frame);
   TileEvidence result;
   for (std::size_t tile = 0; tile < result.size(); ++tile) {
     result[tile] =
-        kMemory * (is_same_depth(depth_[tile], depth[tile]) ? log_odds_[tile]
-                                                            : mean_around(tile, depth[tile]));
+        kMemory * (is_same_depth(depths_[tile], depths[tile]) ? log_odds_[tile]
+                                                              : mean_around(tile, depths[tile]));
   }
   return result;
 }
@@ -23,7 +22,7 @@ float MotionSegmentation::mean_around(std::size_t tile, float depth) const {
   float sum = 0;
   float count = 0;
   ViewTiles::for_each_around(tile, [&](std::size_t near) {
-    if (is_same_depth(depth_[near], depth)) {
+    if (is_same_depth(depths_[near], depth)) {
       sum += log_odds_[near];
       count += 1;
     }
@@ -31,9 +30,9 @@ float MotionSegmentation::mean_around(std::size_t tile, float depth) const {
   return sum / std::max(count, 1.0F);
 }
 
-void MotionSegmentation::update(const FramePyramid& frame, const TileEvidence& log_odds) {
+void MotionSegmentation::update(const ViewTiles::Values& depths, const TileEvidence& log_odds) {
   log_odds_ = log_odds;
-  depth_ = tile_depths(frame);
+  depths_ = depths;
   moving_ = moving_tiles(log_odds);
 }
 

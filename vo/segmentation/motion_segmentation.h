@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "vo/image/pyramid.h"
+#include "vo/image/view_grid.h"
 #include "vo/segmentation/static_evidence.h"
 #include "vo/segmentation/tile_mask.h"
 
@@ -13,11 +13,12 @@ namespace vo {
 /// neighbours of the new depth move in, so that the label goes along with what moves.
 class MotionSegmentation {
  public:
-  /// Returns the log-odds that the frame's tiles are static, from the frames before.
-  TileEvidence expected(const FramePyramid& frame) const;
+  /// Returns the log-odds that the tiles of a frame of these tile_depths(), m, are static, from the
+  /// frames before.
+  TileEvidence expected(const ViewTiles::Values& depths) const;
 
-  /// Takes in the log-odds of a frame's tiles.
-  void update(const FramePyramid& frame, const TileEvidence& log_odds);
+  /// Takes in the tile_depths(), m, and the log-odds of a frame's tiles.
+  void update(const ViewTiles::Values& depths, const TileEvidence& log_odds);
 
   /// Forgets all, where the camera is lost and no tile is known any more.
   void reset() { *this = {}; }
@@ -26,15 +27,13 @@ class MotionSegmentation {
   const TileMask& moving() const { return moving_; }
 
   /// Returns the share of the view's tiles that move.
-  double moving_fraction() const {
-    return static_cast<double>(moving_.count()) / ViewTiles::kCount;
-  }
+  double moving_fraction() const { return share_of_view(moving_); }
 
  private:
   float mean_around(std::size_t tile, float depth) const;
 
   TileEvidence log_odds_{};
-  ViewTiles::Values depth_{};  ///< tile_depths() of the last frame
+  ViewTiles::Values depths_{};  ///< tile_depths() of the last frame
   TileMask moving_;
 };
 

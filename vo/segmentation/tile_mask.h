@@ -11,6 +11,11 @@ namespace vo {
 /// A set of a view's tiles.
 using TileMask = ViewTiles::Set;
 
+/// Returns the share of the view that these tiles are.
+inline double share_of_view(const TileMask& tiles) {
+  return static_cast<double>(tiles.count()) / ViewTiles::kCount;
+}
+
 /// Returns the tiles and their neighbours.
 TileMask grown(const TileMask& tiles);
 

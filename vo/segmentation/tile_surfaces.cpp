@@ -76,41 +76,38 @@ bool is_same_depth(float a, float b) {
   return std::abs(a - b) <= kSame * std::max(a, b);
 }
 
-TileMask far_tiles(const FramePyramid& frame) {
-  const ViewTiles::Values depth = tile_depths(frame);
+TileMask far_tiles(const ViewTiles::Values& depths) {
   Histogram histogram{};
-  for (const float z : depth) {
+  for (const float z : depths) {
     if (has_depth(z)) {
       histogram[inverse_depth_bin(z)] += 1;
     }
   }
   const std::size_t split = otsu_threshold(histogram);
   TileMask far;
-  for (std::size_t tile = 0; tile < depth.size(); ++tile) {
-    far[tile] = has_depth(depth[tile]) && inverse_depth_bin(depth[tile]) <= split;
+  for (std::size_t tile = 0; tile < depths.size(); ++tile) {
+    far[tile] = has_depth(depths[tile]) && inverse_depth_bin(depths[tile]) <= split;
   }
   return far;
 }
 
-TileMask covered_tiles(const FramePyramid& frame) {
+TileMask covered_tiles(const FramePyramid& frame, const ViewTiles::Values& depths) {
   constexpr float kBlack = 1.5F / 255;
   const PyramidLevel& level = frame.levels.back();
   const ViewTiles::Values intensity = means_where_measured(level.intensity, level);
-  const ViewTiles::Values depth = tile_depths(frame);
   TileMask covered;
-  for (std::size_t tile = 0; tile < depth.size(); ++tile) {
-    covered[tile] = has_depth(depth[tile]) && intensity[tile] < kBlack;
+  for (std::size_t tile = 0; tile < depths.size(); ++tile) {
+    covered[tile] = has_depth(depths[tile]) && intensity[tile] < kBlack;
   }
   return covered;
 }
 
-SurfaceAreas surface_areas(const ViewTiles::Values& log_odds, const FramePyramid& frame) {
+SurfaceAreas surface_areas(const ViewTiles::Values& log_odds, const ViewTiles::Values& depths) {
   constexpr float kClearlyStatic = 0.5F;
-  const ViewTiles::Values depth = tile_depths(frame);
   const TileMask moving = moving_tiles(log_odds);
   SurfaceAreas areas;
-  for (std::size_t tile = 0; tile < depth.size(); ++tile) {
-    const double area = depth[tile] * depth[tile];
+  for (std::size_t tile = 0; tile < depths.size(); ++tile) {
+    const double area = depths[tile] * depths[tile];
     areas.of_static += log_odds[tile] > kClearlyStatic ? area : 0;
     areas.of_moving += moving[tile] ? area : 0;
   }

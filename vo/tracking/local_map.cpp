@@ -36,6 +36,18 @@ Keyframe without_vignette(Keyframe keyframe, const Vignette& vignette) {
   return keyframe;
 }
 
+/// Returns the depths measured at a keyframe's finest points but for those in the tiles.
+std::vector<float> measured_outside(const TileMask& tiles, const Keyframe& keyframe) {
+  const ViewTiles grid(keyframe.pyramid.levels.front().camera);
+  std::vector<float> left;
+  for (std::size_t i = 0; i < keyframe.measured_depth.size(); ++i) {
+    if (!tiles[grid.of(keyframe.points->levels.front().pixel[i])]) {
+      left.push_back(keyframe.measured_depth[i]);
+    }
+  }
+  return left;
+}
+
 }  // namespace
 
 void MapOptions::validate() const {
@@ -102,22 +114,6 @@ void LocalMap::set_last_points(std::shared_ptr<const EdgePoints> points) {
   }
   keyframes_.back() = std::make_shared<const Keyframe>(std::move(keyframe));
 }
-
-namespace {
-
-/// Returns the depths measured at a keyframe's finest points but for those in the tiles.
-std::vector<float> measured_outside(const TileMask& tiles, const Keyframe& keyframe) {
-  const ViewTiles grid(keyframe.pyramid.levels.front().camera);
-  std::vector<float> left;
-  for (std::size_t i = 0; i < keyframe.measured_depth.size(); ++i) {
-    if (!tiles[grid.of(keyframe.points->levels.front().pixel[i])]) {
-      left.push_back(keyframe.measured_depth[i]);
-    }
-  }
-  return left;
-}
-
-}  // namespace
 
 void LocalMap::leave_out(const Keyframe& keyframe, const TileMask& tiles) {
   const auto found = std::find_if(keyframes_.begin(), keyframes_.end(),

@@ -147,7 +147,7 @@ Tracker::Attempt Tracker::aligned_from(const FramePyramid& current, const Guess&
   References references = references_for(current, guess.T_world_camera);
   if (is_segmenting()) {
     const TileMask tiles = unusable(moving_tiles(expected_));
-    if (static_cast<double>(tiles.count()) > kMuchMotion * ViewTiles::kCount) {
+    if (share_of_view(tiles) > kMuchMotion) {
       references.leave_out(tiles, current, guess.T_world_camera);
     }
   }

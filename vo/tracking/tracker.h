@@ -85,7 +85,7 @@ class Tracker {
     }
   };
 
-  /// What a frame's tiles show if its pose is that of an alignment.
+  /// Holds what the tiles of a frame show if the frame's pose is that of an alignment.
   struct Explanation {
     StaticEvidence evidence;
     TileEvidence log_odds;
@@ -142,8 +142,9 @@ class Tracker {
 
   Doubt doubt_;
   MotionSegmentation segmentation_;
-  ViewSurfaces surfaces_;    ///< of the tracked frame
-  TileMask covered_;         ///< tiles of the tracked frame that something covers
+  ViewSurfaces surfaces_;            ///< of the tracked frame
+  ViewTiles::Values tile_depths_{};  ///< tile_depths() of the tracked frame, m
+  TileMask covered_;                 ///< tiles of the tracked frame that something covers
   TileEvidence expected_{};  ///< log-odds that the tracked frame's tiles are static, beforehand
   int frames_since_keyframe_ = 0;
   bool is_lost_ = false;          ///< whether the last frame was lost

@@ -5,7 +5,7 @@
 #include "vo/tracking/sharpness.h"
 #include "vo/tracking/tracker.h"
 
-/// When the tracker makes a keyframe, and of what.
+/// This file holds when the tracker makes a keyframe, and of what.
 namespace vo {
 namespace {
 

@@ -1,11 +1,10 @@
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "vo/segmentation/tile_surfaces.h"
 #include "vo/tracking/tracker.h"
 
-/// How the tracker tells the world from what moves in it.
+/// This file holds how the tracker tells the world from what moves in it.
 namespace vo {
 namespace {
 
@@ -15,10 +14,6 @@ constexpr double kStirring = 0.04;
 /// Share of the aligned points in moving tiles that is worth another alignment without them.
 constexpr double kFew = 0.03;
 
-double share_of_view(const TileMask& tiles) {
-  return static_cast<double>(tiles.count()) / ViewTiles::kCount;
-}
-
 }  // namespace
 
 bool Tracker::is_segmenting() const {
@@ -27,8 +22,9 @@ bool Tracker::is_segmenting() const {
 
 /// Says of the tiles of the tracked frame what is known before it is aligned.
 void Tracker::foresee_tiles(const FramePyramid& current) {
-  expected_ = segmentation_.expected(current);
-  covered_ = covered_tiles(current);
+  tile_depths_ = tile_depths(current);
+  expected_ = segmentation_.expected(tile_depths_);
+  covered_ = covered_tiles(current, tile_depths_);
   surfaces_.covered_fraction = share_of_view(covered_);
 }
 
@@ -62,7 +58,7 @@ Tracker::Explanation Tracker::explained(const FramePyramid& current, const Attem
                                 {current, own_points_.get(), attempt.previous}, aligned,
                                 align_options(), compared, align_memory_.terms);
   const TileEvidence log_odds = log_odds_after(expected_, evidence.of_current());
-  return {evidence, log_odds, moving_tiles(log_odds), surface_areas(log_odds, current)};
+  return {evidence, log_odds, moving_tiles(log_odds), surface_areas(log_odds, tile_depths_)};
 }
 
 /// Aligns what lies in these tiles alone, from the last pose.
@@ -92,7 +88,7 @@ Tracker::Explanation Tracker::best_explanation(const FramePyramid& current, Atte
       best.areas.moving_ratio() < kCompeting) {
     return best;
   }
-  for (const TileMask& tiles : {grown(best.moving), ~grown(~far_tiles(current))}) {
+  for (const TileMask& tiles : {grown(best.moving), ~grown(~far_tiles(tile_depths_))}) {
     const AlignResult other = aligned_in(tiles, current, attempt);
     if (!other.usable()) {
       continue;
@@ -152,7 +148,7 @@ Tracker::Attempt Tracker::segmented(const FramePyramid& current, Attempt attempt
     use_points_outside(unusable(moving_tiles(expected_)), current);
     return attempt;
   }
-  segmentation_.update(current, best.log_odds);
+  segmentation_.update(tile_depths_, best.log_odds);
   surfaces_.areas = best.areas;
   forget_moved(attempt.references, best.evidence);
   return attempt;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/textured_plane.h"
+#include "vo/segmentation/tile_surfaces.h"
 
 namespace {
 
@@ -12,14 +13,15 @@ using vo::ViewTiles;
 
 constexpr int kWidth = 10;  // tiles, of what moves
 
-/// A wall 4 m away, before which something hangs at 1 m, from this column of tiles on.
-vo::FramePyramid thing_at(int column) {
+/// Returns the tiles' depths of a wall 4 m away, before which something hangs at 1 m, from this
+/// column of tiles on.
+ViewTiles::Values thing_at(int column) {
   const vo::PinholeCamera camera = small_camera();
   vo::RgbdFrame frame{0, vo::ByteImage(camera.height, camera.width, uchar{100}),
                       vo::DepthImage(camera.height, camera.width, 4.0F)};
   const int tile_px = camera.width / ViewTiles::kColumns;
   frame.depth.colRange(column * tile_px, (column + kWidth) * tile_px).setTo(1.0F);
-  return vo::build_pyramid(frame, camera, {.levels = 4});
+  return vo::tile_depths(vo::build_pyramid(frame, camera, {.levels = 4}));
 }
 
 bool is_on_thing(std::size_t tile, int column) {
@@ -38,12 +40,12 @@ TileEvidence evidence_of(int column) {
 /// The thing goes a tile to the right each frame; after the first nothing is seen of its motion.
 TEST(MotionSegmentation, KeepsTheLabelOnWhatMoves) {
   vo::MotionSegmentation segmentation;
-  vo::FramePyramid frame = thing_at(5);
-  segmentation.update(frame, vo::log_odds_after(segmentation.expected(frame), evidence_of(5)));
-  segmentation.update(frame, vo::log_odds_after(segmentation.expected(frame), evidence_of(5)));
+  ViewTiles::Values depths = thing_at(5);
+  segmentation.update(depths, vo::log_odds_after(segmentation.expected(depths), evidence_of(5)));
+  segmentation.update(depths, vo::log_odds_after(segmentation.expected(depths), evidence_of(5)));
   for (int column = 6; column < 9; ++column) {
-    frame = thing_at(column);
-    segmentation.update(frame, segmentation.expected(frame));
+    depths = thing_at(column);
+    segmentation.update(depths, segmentation.expected(depths));
     for (std::size_t tile = 0; tile < ViewTiles::kCount; ++tile) {
       EXPECT_EQ(segmentation.moving()[tile], is_on_thing(tile, column)) << column << ", " << tile;
     }
@@ -53,15 +55,15 @@ TEST(MotionSegmentation, KeepsTheLabelOnWhatMoves) {
 
 TEST(MotionSegmentation, ForgetsWhatItNoLongerSees) {
   vo::MotionSegmentation segmentation;
-  const vo::FramePyramid frame = thing_at(5);
-  segmentation.update(frame, vo::log_odds_after(segmentation.expected(frame), evidence_of(5)));
+  const ViewTiles::Values depths = thing_at(5);
+  segmentation.update(depths, vo::log_odds_after(segmentation.expected(depths), evidence_of(5)));
   EXPECT_TRUE(segmentation.moving().any());
   for (int i = 0; i < 10; ++i) {
-    segmentation.update(frame, segmentation.expected(frame));
+    segmentation.update(depths, segmentation.expected(depths));
   }
   EXPECT_TRUE(segmentation.moving().none());
   segmentation.reset();
-  EXPECT_EQ(segmentation.expected(frame), TileEvidence{});
+  EXPECT_EQ(segmentation.expected(depths), TileEvidence{});
 }
 
 TEST(MotionSegmentation, BelievesNoSingleFrameForEver) {

@@ -18,8 +18,12 @@ vo::FramePyramid wall_and_curtain(int grey) {
   return vo::build_pyramid(frame, camera, {.levels = 4});
 }
 
+vo::TileMask covered(const vo::FramePyramid& frame) {
+  return vo::covered_tiles(frame, vo::tile_depths(frame));
+}
+
 TEST(TileSurfaces, TellsFarTilesFromNearOnes) {
-  const vo::TileMask far = vo::far_tiles(wall_and_curtain(100));
+  const vo::TileMask far = vo::far_tiles(vo::tile_depths(wall_and_curtain(100)));
   for (std::size_t tile = 0; tile < ViewTiles::kCount; ++tile) {
     EXPECT_EQ(far[tile], tile % ViewTiles::kColumns >= ViewTiles::kColumns / 4) << tile;
   }
@@ -33,16 +37,17 @@ TEST(TileSurfaces, CountTilesBySquaredDepth) {
       log_odds[tile] = -3;
     }
   }
-  const vo::SurfaceAreas areas = vo::surface_areas(log_odds, wall_and_curtain(100));
+  const vo::SurfaceAreas areas =
+      vo::surface_areas(log_odds, vo::tile_depths(wall_and_curtain(100)));
   EXPECT_NEAR(areas.moving_ratio(), 1.0 / (3 * 16), 1e-6);
 }
 
 TEST(TileSurfaces, AreCoveredWhereTheImageIsBlackAndDepthIsMeasured) {
-  EXPECT_TRUE(vo::covered_tiles(wall_and_curtain(0)).all());
-  EXPECT_TRUE(vo::covered_tiles(wall_and_curtain(4)).none());
+  EXPECT_TRUE(covered(wall_and_curtain(0)).all());
+  EXPECT_TRUE(covered(wall_and_curtain(4)).none());
   vo::FramePyramid dark = wall_and_curtain(0);
   dark.levels.back().depth.setTo(0);
-  EXPECT_TRUE(vo::covered_tiles(dark).none()) << "a lens cap covers both sensors";
+  EXPECT_TRUE(covered(dark).none()) << "a lens cap covers both sensors";
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ TEST(MovingPatch, IsNotFoundWhereNothingMoves) {
   }
 }
 
-/// The same under the paper's preset, which looks for nothing that moves.
+/// Preset `paper` looks for nothing that moves.
 TEST(MovingPatch, IsNotLookedForByThePaper) {
   vo::RgbdOdometry odometry(small_camera(), vo::preset_options(vo::TrackerPreset::paper));
   for (int i = 0; i < 5; ++i) {
