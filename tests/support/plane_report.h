@@ -13,7 +13,7 @@ inline tools::ScenarioReport plane_report(int frames, int covered_from,
   tools::ScenarioReport report;
   report.name = "plane";
   report.why = "a textured plane, closed form";
-  report.command = "edvo run plane.toml --out DIR";
+  report.repeat = {.folder = "/home/user", .command = "edvo run plane.toml --out plane_again"};
   report.camera = vo::PinholeCamera::from_horizontal_fov(160, 120, 60);
   report.gallery = tools::FrameGallery(gallery);
   const vo::FrameObserver observe = report.gallery.observer();

@@ -1,7 +1,9 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -11,6 +13,7 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
+#include "tools/laboratory/baseline.h"
 #include "tools/laboratory/comparison.h"
 #include "tools/laboratory/junit.h"
 #include "tools/laboratory/results_json.h"
@@ -35,6 +38,8 @@ constexpr const char* kTestHelp =
     "PATHS are scenario files, or folders of them without those marked slow.\n\n"
     "With --seeds K every scenario runs with K different random numbers and is judged by its "
     "means.\n"
+    "--bounds says what judges: the scenario's own bounds and the baseline if there is one, the\n"
+    "baseline alone (what is done when --tracker and --baseline are given), or nothing.\n"
     "Against a baseline a change is an alarm when it is significant (Student's or Welch's test "
     "with\n"
     "Holm's correction over all metrics and scenarios; a single seed has no chance in it, every\n"
@@ -50,6 +55,8 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  edvo test scenarios --junit junit.xml --baseline baseline.json\n"
     "  edvo test scenarios --report report.html\n"
+    "  edvo test scenarios --tracker 'my_vo {sequence} {output}' --save-baseline mine.json\n"
+    "  edvo test scenarios --tracker 'my_vo {sequence} {output}' --baseline mine.json\n"
     "  edvo test scenarios/room_orbit.toml --seeds 5 --json results.json\n"
     "  edvo test scenarios --tracker 'my_vo --in {sequence} --camera {camera} --out {output}'\n"
     "  edvo test scenarios --tracker 'edvo track {sequence} --preset paper --out {output}'\n\n"
@@ -67,11 +74,38 @@ struct TestArguments {
   std::string junit;
   std::string json;
   std::string report;
+  std::string bounds;  ///< a BoundsSource's name; empty = by what is compared
   std::string baseline;
   bool update_baseline = false;
+  std::string save_baseline;
   RunSettings run;
   ComparisonOptions comparison;
 };
+
+/// Checks the options of bounds and baseline, and says which judge where the user did not.
+void complete_judges(TestArguments& arguments) {
+  if (arguments.update_baseline) {
+    if (arguments.baseline.empty() || !arguments.save_baseline.empty()) {
+      vo::fail_as(vo::ErrorKind::usage,
+                  "--update-baseline: expected --baseline FILE with it, and no --save-baseline");
+    }
+    arguments.save_baseline = std::exchange(arguments.baseline, "");
+  }
+  const bool is_compared = !arguments.baseline.empty();
+  BoundsSource& bounds = arguments.run.bounds;
+  if (arguments.bounds.empty()) {
+    bounds = arguments.run.trial.tracker && is_compared ? BoundsSource::baseline
+                                                        : BoundsSource::scenario;
+    return;
+  }
+  bounds = vo::parse_enum<BoundsSource>(arguments.bounds);
+  if (bounds == BoundsSource::baseline && !is_compared) {
+    vo::fail_as(vo::ErrorKind::usage, "--bounds baseline: expected --baseline FILE with it");
+  }
+  if (bounds == BoundsSource::none && is_compared) {
+    vo::fail_as(vo::ErrorKind::usage, "--bounds none: expected no --baseline with it");
+  }
+}
 
 void complete(TestArguments& arguments) {
   RunSettings& run = arguments.run;
@@ -82,17 +116,13 @@ void complete(TestArguments& arguments) {
     run.validate();
     arguments.comparison.validate();
   });
-  if (arguments.update_baseline && arguments.baseline.empty()) {
-    vo::fail_as(vo::ErrorKind::usage, "--update-baseline: expected --baseline FILE with it");
-  }
+  complete_judges(arguments);
   run.trial.cache = cache_folder(arguments.cache);
-  for (const std::string& file : {arguments.junit, arguments.json, arguments.report}) {
+  for (const std::string& file :
+       {arguments.junit, arguments.json, arguments.report, arguments.save_baseline}) {
     if (!file.empty()) {
       vo::require_writable(file);
     }
-  }
-  if (arguments.update_baseline) {
-    vo::require_writable(arguments.baseline);
   }
 }
 
@@ -125,25 +155,43 @@ int worst_code(const TestResults& results, const std::vector<Change>& changes) {
   return is_violated ? exit_code::kBoundViolated : exit_code::kOk;
 }
 
-/// Returns the changes from the baseline; none without one or when it is being replaced.
-std::vector<Change> changes_from_baseline(const TestArguments& arguments,
-                                          const TestResults& results) {
-  if (arguments.baseline.empty() || arguments.update_baseline) {
+/// Reads the results that the user named as the baseline, if any.
+std::optional<TestResults> read_baseline(const TestArguments& arguments) {
+  if (arguments.baseline.empty()) {
     return {};
   }
-  const TestResults baseline = read_results(arguments.baseline);
-  for (const std::string& name : missing_scenarios(results, baseline)) {
-    std::cerr << "edvo: " << name << ": the baseline does not have it; --update-baseline adds it\n";
+  return read_results(arguments.baseline);
+}
+
+void print_notes(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) {
+    std::cerr << "edvo: " << note << "\n";
   }
-  return compare_results(baseline, results, arguments.comparison);
+}
+
+std::vector<Change> changes_from(const TestResults& baseline, const TestResults& results,
+                                 const ComparisonOptions& options) {
+  print_notes(baseline_notes(baseline, results));
+  return compare_results(baseline, results, options);
+}
+
+void write_results(const TestArguments& arguments, const TestResults& results,
+                   const std::vector<Change>& changes) {
+  std::cout << format_verdicts(results, changes);
+  write_asked(arguments.json, results_json(results).dump(2) + "\n");
+  write_asked(arguments.junit, format_junit(results, changes));
+  if (!arguments.report.empty()) {
+    write_asked(arguments.report, html_report(test_reports(results, changes)));
+  }
+  if (!arguments.save_baseline.empty()) {
+    print_notes(save_baseline(arguments.save_baseline, results));
+  }
 }
 
 int test(TestArguments& arguments) {
   complete(arguments);
   const auto limit = CommonOptions{.threads = arguments.threads}.limit_threads();
-  if (!arguments.baseline.empty() && !arguments.update_baseline) {
-    read_results(arguments.baseline);
-  }
+  const std::optional<TestResults> baseline = read_baseline(arguments);
   const std::vector<fs::path> files =
       find_scenarios({arguments.paths.begin(), arguments.paths.end()},
                      arguments.slow ? SlowScenarios::include : SlowScenarios::leave_out);
@@ -152,18 +200,9 @@ int test(TestArguments& arguments) {
   }
   ProgressBar bar("testing", arguments.quiet ? Verbosity::quiet : Verbosity::normal);
   const TestResults results = run_tests(files, arguments.run, bar.callback(), throw_if_interrupted);
-  const std::vector<Change> changes = changes_from_baseline(arguments, results);
-  std::cout << format_verdicts(results, changes);
-  write_asked(arguments.json, results_json(results).dump(2) + "\n");
-  write_asked(arguments.junit, format_junit(results, changes));
-  if (!arguments.report.empty()) {
-    write_asked(arguments.report, html_report(test_reports(results, changes)));
-  }
-  if (arguments.update_baseline) {
-    const TestResults old =
-        fs::exists(arguments.baseline) ? read_results(arguments.baseline) : TestResults();
-    write_asked(arguments.baseline, results_json(updated(old, results)).dump(1) + "\n");
-  }
+  const std::vector<Change> changes =
+      baseline ? changes_from(*baseline, results, arguments.comparison) : std::vector<Change>();
+  write_results(arguments, results, changes);
   return worst_code(results, changes);
 }
 
@@ -195,9 +234,13 @@ void add_test_command(CLI::App& program, int& exit_code) {
   command.add_option("--json", arguments->json, "write the results; replaces the file");
   command.add_option("--report", arguments->report,
                      "write an HTML report of all scenarios, tracked for it; replaces the file");
+  command.add_option("--bounds", arguments->bounds, "what judges: scenario, baseline or none")
+      ->check(is_name_of<BoundsSource>());
   command.add_option("--baseline", arguments->baseline, "results to compare with");
+  command.add_option("--save-baseline", arguments->save_baseline,
+                     "put the results into this baseline, beside other scenarios' in it");
   command.add_flag("--update-baseline", arguments->update_baseline,
-                   "write the baseline instead of comparing with it");
+                   "--save-baseline to the file of --baseline, without comparing");
   add_field_options(command, vo::fields_of(arguments->comparison), "Baseline");
   command.callback([arguments, &exit_code] { exit_code = test(*arguments); });
 }

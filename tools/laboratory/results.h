@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -53,9 +54,23 @@ struct ScenarioResult {
   double time() const;  ///< total run time of all trials, s
 };
 
+/// What decides whether the measured metrics are good enough.
+enum class BoundsSource {
+  scenario,  ///< the bounds in the scenarios' `expect`, and a baseline if there is one
+  baseline,  ///< a baseline alone: for trackers that the scenarios' bounds were not made for
+  none       ///< nothing: metrics are only measured
+};
+
+constexpr auto enum_names(BoundsSource) {
+  return std::array{std::pair{BoundsSource::scenario, "scenario"},
+                    std::pair{BoundsSource::baseline, "baseline"},
+                    std::pair{BoundsSource::none, "none"}};
+}
+
 struct TestResults {
-  std::string edvo;     ///< version of edvo
-  std::string tracker;  ///< "edvo" or the command of an external tracker
+  std::string edvo;                              ///< version of edvo
+  std::string tracker;                           ///< "edvo" or the command of an external tracker
+  BoundsSource bounds = BoundsSource::scenario;  ///< not stored in files
   std::vector<ScenarioResult> scenarios;
   std::set<std::string> unknown_metrics;  ///< metrics that the version of these results had not yet
 

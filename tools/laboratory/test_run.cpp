@@ -46,11 +46,13 @@ struct LoadedScenario {
   std::optional<Scenario> scenario;  ///< empty if the file is unusable
 };
 
-LoadedScenario load(const fs::path& file) {
+LoadedScenario load(const fs::path& file, BoundsSource bounds) {
   LoadedScenario loaded{.result = {.name = file.stem().string()}, .scenario = {}};
   try {
     Scenario scenario = load_scenario(file);
     scenario.require_scene();
+    vo::require(bounds != BoundsSource::scenario || !scenario.expect.empty(), file.string(),
+                ": expect: expected at least one bound, or --bounds baseline or none");
     loaded.result.why = scenario.why;
     loaded.scenario = std::move(scenario);
   } catch (const vo::Error& error) {
@@ -103,7 +105,7 @@ TestResults run_tests(const std::vector<fs::path>& files, const RunSettings& set
   std::vector<LoadedScenario> scenarios;
   std::vector<TrialJob> jobs;
   for (const fs::path& file : files) {
-    scenarios.push_back(load(file));
+    scenarios.push_back(load(file, settings.bounds));
     for (int seed = 0; scenarios.back().scenario && seed < settings.seeds; ++seed) {
       jobs.push_back({*scenarios.back().scenario, seed});
     }
@@ -111,6 +113,7 @@ TestResults run_tests(const std::vector<fs::path>& files, const RunSettings& set
   std::vector<TrialResult> trials = run_trials(jobs, settings, progress, waiting);
   TestResults results{.edvo = vo::version(),
                       .tracker = settings.trial.tracker ? settings.trial.tracker->command : "edvo",
+                      .bounds = settings.bounds,
                       .scenarios = {}};
   auto next = trials.begin();
   for (LoadedScenario& loaded : scenarios) {
@@ -120,7 +123,7 @@ TestResults run_tests(const std::vector<fs::path>& files, const RunSettings& set
       result.trials.assign(std::make_move_iterator(next), std::make_move_iterator(end));
       next = end;
       const auto& expect = loaded.scenario->expect;
-      if (result.verdict() != Verdict::error) {
+      if (result.verdict() != Verdict::error && settings.bounds == BoundsSource::scenario) {
         result.checks =
             check_means(result, settings.trial.tracker ? outside_bounds(expect) : expect);
       }

@@ -11,6 +11,7 @@ namespace tools {
 
 struct RunSettings {
   TrialSettings trial;
+  BoundsSource bounds = BoundsSource::scenario;
   int seeds = 1;
   int jobs = 1;  ///< number of trials that run concurrently
 
@@ -35,8 +36,9 @@ struct TrialJob {
 std::vector<TrialResult> run_trials(const std::vector<TrialJob>& jobs, const RunSettings& settings,
                                     const vo::Progress& progress, const WaitObserver& waiting);
 
-/// Runs every scenario with every seed and checks the means against the bounds. A scenario whose
-/// file is unusable gets a trial with a problem.
+/// Runs every scenario with every seed and checks the means against the bounds if the scenario's
+/// judge. A scenario whose file is unusable, or lacks the bounds that are to judge it, gets a trial
+/// with a problem.
 TestResults run_tests(const std::vector<std::filesystem::path>& files, const RunSettings& settings,
                       const vo::Progress& progress, const WaitObserver& waiting);
 

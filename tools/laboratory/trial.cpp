@@ -91,7 +91,8 @@ void measure_outside(const Scenario& scenario, const TrialSettings& settings,
     outcome.metrics.keyframes = kUnknownMetric;
     trial.metrics = outcome.metrics;
     if (is_reported(settings, trial)) {
-      add_report(scenario, outcome, FrameGallery(), trial);
+      trial.report = std::make_shared<ScenarioReport>(
+          outside_report(scenario, outcome, settings.tracker->command));
     }
   } catch (const vo::Error& error) {
     waiting();

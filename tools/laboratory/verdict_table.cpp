@@ -99,8 +99,9 @@ std::string format_verdicts(const TestResults& results, const std::vector<Change
     text += change.is_alarm() ? describe(change) + "\n" : "";
   }
   const bool passed = results.passed() && alarms == 0;
+  const char* good = results.bounds == BoundsSource::scenario ? "within their bounds" : "measured";
   return text + vo::concat(passed ? "PASS" : "FAIL", "  ", results.scenarios.size(), " scenarios",
-                           count_text(results, Verdict::passed, "within their bounds"),
+                           count_text(results, Verdict::passed, good),
                            count_text(results, Verdict::failed, "FAILED"),
                            count_text(results, Verdict::error, "not measured"),
                            alarms > 0 ? vo::concat(", ", alarms, " changes of the baseline") : "",

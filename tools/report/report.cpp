@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/report/repeat_command.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/core/version.h"
@@ -117,8 +118,9 @@ std::string report_markdown(const Scenario& scenario, const Outcome& outcome) {
   text +=
       "Pictures of single frames are in `panels/`, the estimate in `trajectory.txt`, every "
       "frame's status in `frames.csv`, the sequence in `sequence/`.\n\n";
-  return text + vo::concat("Repeat with `edvo run ", scenario.file.filename().string(),
-                           " --out DIR` (edvo ", vo::version(), ").\n");
+  const RepeatCommand repeat = repeat_run(scenario);
+  return text + vo::concat("Repeat in `", repeat.folder, "` with `", repeat.command, "` (edvo ",
+                           vo::version(), ").\n");
 }
 
 std::string report_table(const Scenario& scenario, const Outcome& outcome) {

@@ -101,10 +101,14 @@ std::vector<double> timestamps_of(const ScenarioReport& report) {
   return timestamps;
 }
 
+Json status_json(const std::vector<vo::TrackingResult>& frames) {
+  return column(frames,
+                [](const vo::TrackingResult& frame) { return vo::to_string(frame.status); });
+}
+
 Json tracking_json(const std::vector<vo::TrackingResult>& frames) {
   using Frame = vo::TrackingResult;
-  return {{"status", column(frames, [](const Frame& f) { return vo::to_string(f.status); })},
-          {"reason", column(frames, [](const Frame& f) { return vo::to_string(f.reason); })},
+  return {{"reason", column(frames, [](const Frame& f) { return vo::to_string(f.reason); })},
           {"keyframe", column(frames, [](const Frame& f) { return f.is_keyframe; })},
           {"termination",
            column(frames, [](const Frame& f) { return vo::to_string(f.alignment.termination); })},
@@ -147,6 +151,9 @@ Json frames_json(const ScenarioReport& report, const std::vector<double>& timest
                {"step_translation_m", numbers(errors.step_translation_m)},
                {"step_rotation_deg", numbers(errors.step_rotation_deg)}};
   if (!report.frames.empty()) {
+    json["status"] = status_json(report.frames);
+  }
+  if (!report.frames.empty() && report.tracker.empty()) {
     json["tracking"] = tracking_json(report.frames);
   }
   return json;
@@ -207,7 +214,8 @@ Json scenario_json(const ScenarioReport& report) {
   const std::vector<double> timestamps = timestamps_of(report);
   Json json = {{"name", report.name},
                {"why", report.why},
-               {"command", report.command},
+               {"folder", report.repeat.folder},
+               {"command", report.repeat.command},
                {"passed", report.passed()},
                {"alignment", vo::to_string(report.alignment)},
                {"metrics", metrics_json(report.metrics)},
@@ -216,6 +224,9 @@ Json scenario_json(const ScenarioReport& report) {
                {"frames", frames_json(report, timestamps)},
                {"stride", report.gallery.stride()},
                {"pictures", pictures_json(report.gallery.pictures(), timestamps)}};
+  if (!report.tracker.empty()) {
+    json["tracker"] = report.tracker;
+  }
   if (!report.problem.empty()) {
     json["problem"] = report.problem;
   }

@@ -9,7 +9,7 @@
 namespace tools {
 
 /// Version of the data format; a changed meaning or a removed key needs a new version.
-constexpr int kReportDataVersion = 1;
+constexpr int kReportDataVersion = 2;
 
 /// Returns the data of the HTML report. web/src/data.ts declares its format and the meaning of each
 /// key; a test type-checks this output against it.

@@ -23,6 +23,7 @@ std::vector<ReportedMetric> reported_metrics(const Outcome& outcome) {
   return metrics;
 }
 
+/// Returns the scenario's options with the values that they have without it.
 std::vector<ReportedOption> reported_options(const Scenario& scenario) {
   Scenario actual = scenario;
   Scenario preset;
@@ -47,7 +48,7 @@ ScenarioReport scenario_report(const Scenario& scenario, const Outcome& outcome)
   ScenarioReport report;
   report.name = scenario.name;
   report.why = scenario.why;
-  report.command = "edvo run " + scenario.file.filename().string() + " --out DIR";
+  report.repeat = repeat_run(scenario);
   report.metrics = reported_metrics(outcome);
   report.notes = outcome.notes;
   report.options = reported_options(scenario);
@@ -56,6 +57,16 @@ ScenarioReport scenario_report(const Scenario& scenario, const Outcome& outcome)
   report.truth = outcome.truth;
   report.estimate = outcome.tracking.trajectory;
   report.frames = outcome.tracking.frames;
+  return report;
+}
+
+ScenarioReport outside_report(const Scenario& scenario, const Outcome& outcome,
+                              const std::string& tracker) {
+  ScenarioReport report = scenario_report(scenario, outcome);
+  report.tracker = tracker;
+  report.repeat = repeat_test(scenario, tracker);
+  std::erase_if(report.options,
+                [](const ReportedOption& option) { return option.key.starts_with("odometry."); });
   return report;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/pictures/frame_gallery.h"
+#include "tools/report/repeat_command.h"
 #include "tools/scenario/run_scenario.h"
 #include "tools/scenario/scenario.h"
 #include "vo/evaluation/evaluate.h"
@@ -30,12 +31,14 @@ struct ReportedOption {
   std::string help;
 };
 
-/// Data that the HTML report shows of one scenario. What is unknown stays empty and is left out: an
-/// external tracker gives no `frames`, a real sequence perhaps no truth.
+/// Data that the HTML report shows of one scenario. What is unknown stays empty and is left out,
+/// such as the truth of a real sequence. Of an outside tracker's frames, status and pose alone are
+/// known.
 struct ScenarioReport {
   std::string name;
   std::string why;      ///< which defects would violate the bounds
-  std::string command;  ///< command that repeats the run
+  std::string tracker;  ///< command of an outside tracker; empty for edvo's own
+  RepeatCommand repeat;
   std::string problem;  ///< why there is no result, or another failure; empty on success
   std::vector<ReportedMetric> metrics;
   std::vector<std::string> notes;
@@ -51,7 +54,12 @@ struct ScenarioReport {
   bool passed() const;
 };
 
-/// Returns the report of a run, without times and gallery.
+/// Returns the report of a run of edvo's tracker, without times and gallery.
 ScenarioReport scenario_report(const Scenario& scenario, const Outcome& outcome);
+
+/// Returns the report of an outside tracker, given as to `edvo test --tracker`: without the options
+/// of edvo's odometry.
+ScenarioReport outside_report(const Scenario& scenario, const Outcome& outcome,
+                              const std::string& tracker);
 
 }  // namespace tools

@@ -32,7 +32,7 @@ std::string section(const ScenarioReport& report) {
   for (const ReportedMetric& metric : report.metrics) {
     text += metric_row(metric);
   }
-  text += "</table>\n<p><code>" + escaped_markup(report.command) + "</code></p>\n";
+  text += "</table>\n<p><code>" + escaped_markup(report.repeat.command) + "</code></p>\n";
   if (!report.estimate.empty()) {
     text += draw_trajectory(report.truth, report.estimate, vo::TrajectoryAlignment::none);
   }

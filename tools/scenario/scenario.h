@@ -169,7 +169,8 @@ Metrics make_metrics(const std::function<double(const std::string& name)>& value
 /// Returns the metrics with those that judge poses' covariances unknown (NaN).
 Metrics without_nees(const Metrics& metrics);
 
-/// A scenario file: what is rendered, how it is tracked, and which bounds the metrics must meet.
+/// A scenario file: what is rendered, how it is tracked, and which bounds, if any, the metrics must
+/// meet.
 struct Scenario {
   std::filesystem::path file;
   std::string name;   ///< the file's stem
@@ -182,7 +183,7 @@ struct Scenario {
   synth::SensorOptions sensor;
   OdometryOptions odometry;
   ScoreOptions score;
-  std::map<std::string, Bound> expect;  ///< bounds by metric
+  std::map<std::string, Bound> expect;  ///< bounds by metric; empty if others judge
 
   std::filesystem::path scene_file() const;  ///< relative to ../assets of the file's folder
   void require_scene() const;                ///< throws vo::Error unless the scene's file exists

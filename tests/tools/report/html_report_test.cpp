@@ -43,7 +43,7 @@ TEST(ReportData, EveryQuantityHasOneElementPerFrameAndLostFramesHaveNoPose) {
   for (const auto& [name, values] : frames["tracking"].items()) {
     EXPECT_EQ(values.size(), 8U) << name;
   }
-  EXPECT_EQ(frames["tracking"]["status"][7], "lost");
+  EXPECT_EQ(frames["status"][7], "lost");
   EXPECT_TRUE(frames["estimate"][7].is_null());
   EXPECT_EQ(frames["truth"][7].size(), 7U);
 }
@@ -59,6 +59,16 @@ TEST(ReportData, AnotherTrackersPosesAreEnough) {
   EXPECT_TRUE(scenario["frames"]["estimate"][2].is_null());
   EXPECT_FALSE(scenario["frames"].contains("tracking"));
   EXPECT_FALSE(scenario.contains("cloud"));
+}
+
+TEST(ReportData, OfAnotherTrackersFramesTheStatusAloneIsShown) {
+  tools::ScenarioReport report = support::plane_report(6, 6);
+  report.tracker = "my_vo {sequence} {output}";
+  const auto data = tools::report_data({report});
+  const auto& scenario = data["scenarios"][0];
+  EXPECT_EQ(scenario["tracker"], report.tracker);
+  EXPECT_EQ(scenario["frames"]["status"][5], "tracked");
+  EXPECT_FALSE(scenario["frames"].contains("tracking"));
 }
 
 TEST(ReportData, AScenarioWithoutResultHasFailedAndSaysWhy) {

@@ -1,5 +1,8 @@
 #include "tools/report/report.h"
 
+#include <cmath>
+#include <filesystem>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -49,10 +52,12 @@ TEST(Report, JsonHasMetricsBoundsAndOptions) {
   EXPECT_EQ(document["options"]["odometry.tracker.pyramid.levels"], 3);
 }
 
-TEST(Report, MarkdownNamesTheFileNotItsPlace) {
-  const std::string text = tools::report_markdown(small_scenario(), small_outcome());
-  EXPECT_THAT(text, HasSubstr("edvo run small.toml"));
-  EXPECT_EQ(text.find("somewhere"), std::string::npos);
+TEST(Report, MarkdownHasTheCommandThatRepeatsTheRunAndItsFolder) {
+  tools::Scenario scenario = small_scenario();
+  scenario.file = "my scenarios/small.toml";
+  EXPECT_THAT(tools::report_markdown(scenario, small_outcome()),
+              HasSubstr("Repeat in `" + std::filesystem::current_path().string() +
+                        "` with `edvo run 'my scenarios/small.toml' --out small_again`"));
 }
 
 }  // namespace

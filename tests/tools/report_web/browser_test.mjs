@@ -143,7 +143,7 @@ test('the scene is drawn in 3D and turned by keys', async () => {
 test('lost frames are named and can be jumped to', async () => {
   await open({ hash: link(names[1]) });
   await page.getByRole('button', { name: 'Next frame at which tracking is lost' }).click();
-  assert.equal(await frame(), data.scenarios[1].frames.tracking.status.indexOf('lost'));
+  assert.equal(await frame(), data.scenarios[1].frames.status.indexOf('lost'));
   assert.match(await page.locator('.readout .status').textContent(), /lost: /);
 });
 

@@ -49,7 +49,7 @@ tools::ScenarioReport monocular() {
 tools::ScenarioReport other_tracker() {
   tools::ScenarioReport report = support::plane_report(20, 20);
   report.name = "another tracker";
-  report.frames.clear();
+  report.tracker = "my_vo {sequence} {output}";
   report.camera.reset();
   report.gallery = tools::FrameGallery();
   return report;
@@ -59,7 +59,7 @@ tools::ScenarioReport crashed() {
   tools::ScenarioReport report;
   report.name = "crashed";
   report.why = "a tracker that crashes has failed";
-  report.command = "edvo run crashed.toml --out DIR";
+  report.repeat = {.folder = "/home/user", .command = "edvo run crashed.toml --out crashed_again"};
   report.problem = "the tracker ended with signal 11";
   return report;
 }

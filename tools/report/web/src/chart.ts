@@ -8,8 +8,8 @@ const kHeight = 190; // px
 
 /** Frames as shaded bands where they are lost or uncertain and ticks where they became keyframes. */
 function drawEvents(plot: uPlot, scenario: Scenario): void {
-  const tracking = scenario.frames.tracking;
-  if (!tracking) return;
+  const statuses = scenario.frames.status;
+  if (!statuses) return;
   const { ctx, bbox } = plot;
   const stamps = plot.data[0];
   const x = (i: number) => plot.valToPos(stamps[Math.min(i, stamps.length - 1)]!, 'x', true);
@@ -17,7 +17,7 @@ function drawEvents(plot: uPlot, scenario: Scenario): void {
   ctx.beginPath();
   ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
   ctx.clip();
-  tracking.status.forEach((status, i) => {
+  statuses.forEach((status, i) => {
     if (isDoubted(status)) {
       ctx.fillStyle = themeColour(`${status}-band`);
       ctx.fillRect(x(i), bbox.top, Math.max(2, x(i + 1) - x(i)), bbox.height);

@@ -1,7 +1,7 @@
-/** The form of the report's data, version 1; written by tools/report/report_data.cpp. */
+/** The form of the report's data, version 2; written by tools/report/report_data.cpp. */
 export interface ReportData {
   schema: 'edvo-report';
-  version: 1;
+  version: 2;
   generator: string;
   scenarios: Scenario[];
 }
@@ -9,7 +9,9 @@ export interface ReportData {
 export interface Scenario {
   name: string;
   why: string; // what would break the bounds
+  folder: string; // where the command was given
   command: string; // repeats the run
+  tracker?: string; // command of a tracker that is not ours
   passed: boolean;
   problem?: string; // why there is no result, or what is wrong beside the bounds
   alignment: 'none' | 'se3' | 'sim3'; // fitted before the absolute error is taken
@@ -61,6 +63,7 @@ export interface Frames {
   rotation_deg: (number | null)[]; // of the aligned estimate
   step_translation_m: (number | null)[]; // of the motion since the frame before
   step_rotation_deg: (number | null)[];
+  status?: Status[];
   tracking?: Tracking; // absent for a tracker that is not ours
 }
 
@@ -70,7 +73,6 @@ export const isDoubted = (status: Status): boolean => status === 'lost' || statu
 export type Status = 'initialized' | 'tracked' | 'uncertain' | 'lost';
 
 export interface Tracking {
-  status: Status[];
   reason: string[]; // why it is lost or uncertain, or 'none'
   keyframe: boolean[];
   termination: string[]; // why the alignment ended

@@ -15,8 +15,8 @@ function scaled(values: (number | null)[], factor: number): (number | null)[] {
 /** All quantities of which there is at least one value. */
 export function quantities(scenario: Scenario): Quantity[] {
   const { frames, times } = scenario;
-  const tracking = frames.tracking;
-  const aligned = tracking?.status.map((status) => status !== 'initialized') ?? [];
+  const { status, tracking } = frames;
+  const aligned = status?.map((s) => s !== 'initialized') ?? [];
   const whereAligned = (values: number[] | undefined) =>
     (values ?? []).map((value, i) => (aligned[i] ? value : null));
   const all: Quantity[] = [

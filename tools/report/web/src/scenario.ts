@@ -121,6 +121,7 @@ export function scenarioSection(scenario: Scenario): ScenarioSection {
     { class: 'scenario-head' },
     h('h2', { tabindex: -1 }, scenario.name, ' ', badge(scenario.passed)),
     h('p', { class: 'why' }, scenario.why),
+    scenario.tracker && h('p', { class: 'tracker' }, 'Tracker: ', h('code', {}, scenario.tracker)),
     scenario.problem && h('p', { class: 'problem', role: 'alert' }, scenario.problem),
   );
   const measured = h(
@@ -131,7 +132,7 @@ export function scenarioSection(scenario: Scenario): ScenarioSection {
     h('p', { class: 'hint' }, `Absolute errors are taken ${kAlignment[scenario.alignment]}.`),
     ...scenario.notes.map((note) => h('p', { class: 'note' }, note)),
     timesNote(scenario),
-    commandLine(scenario.command),
+    commandLine(scenario),
   );
   if (player.timestamps.length === 0) {
     const element = h('section', { class: 'scenario' }, heading, measured, optionTable(scenario));

@@ -108,15 +108,15 @@ export function metricTable(scenario: Scenario): HTMLElement {
 
 /** All that is known of the frame that is shown. */
 export function frameFacts(scenario: Scenario, player: Player, all: Quantity[]): HTMLElement {
-  const tracking = scenario.frames.tracking;
+  const { status, tracking } = scenario.frames;
   const list = h('dl', { class: 'facts' });
   player.listen(() => {
     const frame = player.frame;
     const facts: [string, string][] = [
       ['Time stamp', `${player.timestamps[frame]!.toFixed(4)} s`],
+      ...(status ? ([['Status', words(status[frame]!)]] as [string, string][]) : []),
       ...(tracking
         ? ([
-            ['Status', words(tracking.status[frame]!)],
             ['Lost because', words(tracking.reason[frame]!)],
             ['Keyframe', tracking.keyframe[frame] ? 'yes' : 'no'],
             ['Alignment ended', words(tracking.termination[frame]!)],
@@ -171,8 +171,8 @@ export function optionTable(scenario: Scenario): HTMLElement | null {
   );
 }
 
-/** The command that repeats the run, ready to be copied. */
-export function commandLine(command: string): HTMLElement {
+/** The command that repeats the run, ready to be copied, and the folder it belongs in. */
+export function commandLine({ command, folder }: Scenario): HTMLElement {
   const copy = h(
     'button',
     {
@@ -185,5 +185,5 @@ export function commandLine(command: string): HTMLElement {
   );
   const code = h('code', {}, command);
   const select = () => getSelection()?.selectAllChildren(code);
-  return h('p', { class: 'command' }, 'Repeat: ', code, ' ', copy);
+  return h('p', { class: 'command' }, 'Repeat in ', h('code', {}, folder), ': ', code, ' ', copy);
 }

@@ -6,11 +6,11 @@ import { markedKeyframes, valueText, type Quantity } from './quantities';
 
 /** Keyframes as ticks, lost and uncertain frames as bars, one unit wide per frame. */
 function statusStrip(scenario: Scenario): SVGSVGElement | null {
-  const tracking = scenario.frames.tracking;
-  if (!tracking) return null;
-  const frames = tracking.status.length;
+  const statuses = scenario.frames.status;
+  if (!statuses) return null;
+  const frames = statuses.length;
   const marked = markedKeyframes(scenario);
-  const marks = tracking.status.flatMap((status, i) => {
+  const marks = statuses.flatMap((status, i) => {
     if (isDoubted(status)) return [svg('rect', { class: status, x: i, y: 0, width: 1, height: 10 })];
     const width = Math.min(1, frames / 400);
     return marked[i]
@@ -25,13 +25,14 @@ function statusStrip(scenario: Scenario): SVGSVGElement | null {
 }
 
 function statusText(scenario: Scenario, frame: number): string {
-  const tracking = scenario.frames.tracking;
-  if (!tracking) return scenario.frames.estimate[frame] ? 'tracked' : 'no pose';
-  const status = tracking.status[frame]!;
+  const { status: statuses, tracking, estimate } = scenario.frames;
+  if (!statuses) return estimate[frame] ? 'tracked' : 'no pose';
+  const status = statuses[frame]!;
   const mark = status === 'lost' ? '\u2715' : '?';
+  const reason = tracking ? `: ${words(tracking.reason[frame]!)}` : '';
   return [
-    isDoubted(status) ? `${mark} ${status}: ${words(tracking.reason[frame]!)}` : status,
-    tracking.keyframe[frame] ? '\u25C6 keyframe' : '',
+    isDoubted(status) ? `${mark} ${status}${reason}` : status,
+    tracking?.keyframe[frame] ? '\u25C6 keyframe' : '',
   ]
     .filter(Boolean)
     .join(', ');
@@ -56,10 +57,10 @@ function button(label: string, text: string, click: () => void): HTMLButtonEleme
 
 /** What is shown, and where to go from there. Stays at the bottom of the window. */
 export function timeline(scenario: Scenario, player: Player, main: Quantity | undefined): HTMLElement {
-  const tracking = scenario.frames.tracking;
+  const statuses = scenario.frames.status;
   const keyframes = markedKeyframes(scenario);
   const begins = (sought: Status) =>
-    tracking?.status.map((s, i) => s === sought && tracking.status[i - 1] !== sought) ?? [];
+    statuses?.map((s, i) => s === sought && statuses[i - 1] !== sought) ?? [];
   const lostBegins = begins('lost');
   const uncertainBegins = begins('uncertain');
   const go = (begins: boolean[], direction: 1 | -1) => () => {
@@ -85,7 +86,7 @@ export function timeline(scenario: Scenario, player: Player, main: Quantity | un
     range.setAttribute('aria-valuetext', `frame ${frame}, ${time.toFixed(2)} seconds, ${statusText(scenario, frame)}`);
     position.textContent = `${frame} / ${player.last} \u00B7 ${time.toFixed(2)} s`;
     status.textContent = statusText(scenario, frame);
-    status.classList.toggle('is-lost', tracking !== undefined && isDoubted(tracking.status[frame]!));
+    status.classList.toggle('is-lost', statuses !== undefined && isDoubted(statuses[frame]!));
     error.textContent = main ? `error ${valueText(main, frame)}` : '';
     play.textContent = player.playing ? '\u275A\u275A' : '\u25B6';
     play.setAttribute('aria-label', player.playing ? 'Pause' : 'Play');
