@@ -146,7 +146,7 @@ int worst_code(const TestResults& results, const std::vector<Change>& changes) {
         return exit_code::kTemporary;
       }
       is_unusable = is_unusable || trial.kind == ProblemKind::unusable;
-      is_violated = is_violated || trial.kind == ProblemKind::tracker;
+      is_violated = is_violated || trial.kind != ProblemKind::unusable;
     }
   }
   if (is_unusable) {

@@ -1,9 +1,12 @@
 #include "tools/laboratory/junit.h"
 
+#include <optional>
+
 #include "tools/plot/escaped_markup.h"
 #include "tools/plot/table.h"
 #include "tools/processes/readable_text.h"
 #include "vo/core/error.h"
+#include "vo/core/fields.h"
 
 namespace tools {
 namespace {
@@ -24,28 +27,63 @@ std::vector<std::string> alarms_of(const std::string& scenario,
   return sentences;
 }
 
-std::string element(const char* name, const char* type, const std::string& message) {
-  return vo::concat("      <", name, " type=\"", type, "\" message=\"", escaped(message), "\"/>\n");
-}
-
-/// Returns the child of a test case: at most one failure or error, as some readers expect.
-std::string outcome_of(const ScenarioResult& scenario, const std::vector<std::string>& alarms) {
-  std::vector<std::string> sentences = complaints(scenario);
-  const bool is_error = scenario.verdict() == Verdict::error;
-  const char* type = is_error ? "not_measured" : sentences.empty() ? "baseline" : "bound";
-  sentences.insert(sentences.end(), alarms.begin(), alarms.end());
-  std::string message;
+std::string joined(const std::vector<std::string>& sentences) {
+  std::string text;
   for (const std::string& sentence : sentences) {
-    message += (message.empty() ? "" : "; ") + sentence;
+    text += (text.empty() ? "" : "; ") + sentence;
   }
-  return sentences.empty() ? "" : element(is_error ? "error" : "failure", type, message);
+  return text;
 }
 
-std::string test_case(const ScenarioResult& scenario, const std::vector<Change>& changes) {
-  const std::string outcome = outcome_of(scenario, alarms_of(scenario.name, changes));
+/// Returns the kind of problem that a reader must know of first: the scenario's own, then the
+/// tracker's in the order of the enumeration; none if every trial was measured.
+std::optional<ProblemKind> problem_of(const ScenarioResult& scenario) {
+  std::optional<ProblemKind> first;
+  for (const TrialResult& trial : scenario.trials) {
+    if (!trial.problem.empty() && (!first || trial.kind < *first)) {
+      first = trial.kind;
+    }
+  }
+  return first;
+}
+
+/// What a test case says of its scenario.
+struct CaseOutcome {
+  enum class Kind { passed, failure, error } kind = Kind::passed;
+  std::string type;
+  std::string message;
+};
+
+/// Returns at most one failure or error, as some readers expect.
+CaseOutcome outcome_of(const ScenarioResult& scenario, const std::vector<Change>& changes) {
+  using Kind = CaseOutcome::Kind;
+  std::vector<std::string> sentences = complaints(scenario);
+  const std::vector<std::string> alarms = alarms_of(scenario.name, changes);
+  const bool is_bound = !sentences.empty();
+  sentences.insert(sentences.end(), alarms.begin(), alarms.end());
+  if (const std::optional<ProblemKind> problem = problem_of(scenario)) {
+    const bool is_judged = *problem == ProblemKind::implausible;
+    return {.kind = is_judged ? Kind::failure : Kind::error,
+            .type = std::string(vo::to_string(*problem)),
+            .message = joined(sentences)};
+  }
+  return {.kind = sentences.empty() ? Kind::passed : Kind::failure,
+          .type = is_bound ? "bound" : "baseline",
+          .message = joined(sentences)};
+}
+
+std::string property(const char* name, const std::string& value) {
+  return vo::concat("      <property name=\"", name, "\" value=\"", escaped(value), "\"/>\n");
+}
+
+std::string test_case(const ScenarioResult& scenario, const CaseOutcome& outcome) {
+  const char* name = outcome.kind == CaseOutcome::Kind::error ? "error" : "failure";
   return vo::concat("    <testcase classname=\"edvo.scenarios\" name=\"", escaped(scenario.name),
                     "\" time=\"", format_decimals(scenario.time(), 3), "\"",
-                    outcome.empty() ? "/>\n" : ">\n" + outcome + "    </testcase>\n");
+                    outcome.kind == CaseOutcome::Kind::passed
+                        ? "/>\n"
+                        : vo::concat(">\n      <", name, " type=\"", outcome.type, "\" message=\"",
+                                     escaped(outcome.message), "\"/>\n    </testcase>\n"));
 }
 
 }  // namespace
@@ -56,20 +94,21 @@ std::string format_junit(const TestResults& results, const std::vector<Change>& 
   double time = 0;
   std::string cases;
   for (const ScenarioResult& scenario : results.scenarios) {
-    const bool is_error = scenario.verdict() == Verdict::error;
-    const bool fails =
-        scenario.verdict() == Verdict::failed || !alarms_of(scenario.name, changes).empty();
-    errors += is_error ? 1 : 0;
-    failures += !is_error && fails ? 1 : 0;
+    const CaseOutcome outcome = outcome_of(scenario, changes);
+    errors += outcome.kind == CaseOutcome::Kind::error ? 1 : 0;
+    failures += outcome.kind == CaseOutcome::Kind::failure ? 1 : 0;
     time += scenario.time();
-    cases += test_case(scenario, changes);
+    cases += test_case(scenario, outcome);
   }
   const std::string counts =
       vo::concat(" tests=\"", results.scenarios.size(), "\" failures=\"", failures, "\" errors=\"",
                  errors, "\" time=\"", format_decimals(time, 3), "\"");
+  const std::string properties = vo::concat(
+      "    <properties>\n", property("edvo", results.edvo), property("tracker", results.tracker),
+      property("bounds", std::string(vo::to_string(results.bounds))), "    </properties>\n");
   return vo::concat("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"edvo test\"",
                     counts, ">\n  <testsuite name=\"", escaped(results.tracker), "\"", counts,
-                    ">\n", cases, "  </testsuite>\n</testsuites>\n");
+                    ">\n", properties, cases, "  </testsuite>\n</testsuites>\n");
 }
 
 }  // namespace tools

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -40,16 +41,30 @@ std::string last_words(const fs::path& printed) {
   return line.empty() ? "" : "; it last said: " + line.substr(0, kMaxLength);
 }
 
-void require_good_end(const ChildEnd& end, const OutsideTracker& tracker, const fs::path& printed) {
-  vo::require(!end.timed_out, "the tracker was ended after ", tracker.time_limit,
-              " s, its time limit", last_words(printed));
-  vo::require(end.signal == 0, "the tracker crashed (signal ", end.signal, ")",
-              last_words(printed));
+OutsideRun failed_run(ProblemKind kind, const std::string& sentence) {
+  return {.tracking = {}, .problem = sentence, .kind = kind};
+}
+
+/// Returns what is wrong with how the program ended; nothing where that is as it should be.
+std::optional<OutsideRun> bad_end(const ChildEnd& end, const OutsideTracker& tracker,
+                                  const fs::path& printed) {
   constexpr int kShellSignal = 128;  // a shell's exit code for signal n is 128 + n
-  vo::require(end.exit_code <= kShellSignal, "the tracker crashed (signal ",
-              end.exit_code - kShellSignal, ")", last_words(printed));
-  vo::require(end.exit_code == 0 || end.exit_code == kLost, "the tracker ended with exit code ",
-              end.exit_code, ", expected 0", last_words(printed));
+  const int signal = end.exit_code > kShellSignal ? end.exit_code - kShellSignal : end.signal;
+  const std::string said = last_words(printed);
+  if (end.timed_out) {
+    return failed_run(
+        ProblemKind::timeout,
+        vo::concat("the tracker was ended after ", tracker.time_limit, " s, its time limit", said));
+  }
+  if (signal != 0) {
+    return failed_run(ProblemKind::crash,
+                      vo::concat("the tracker crashed (signal ", signal, ")", said));
+  }
+  if (end.exit_code != 0 && end.exit_code != kLost) {
+    return failed_run(ProblemKind::tracker, vo::concat("the tracker ended with exit code ",
+                                                       end.exit_code, ", expected 0", said));
+  }
+  return {};
 }
 
 /// Returns whether there is no output file, or one of comments alone: all frames were lost.
@@ -114,31 +129,9 @@ void move_to_truth(vo::Trajectory& estimate, const vo::Trajectory& truth) {
   }
 }
 
-}  // namespace
-
-void OutsideTracker::validate() const {
-  for (const char* name : {"{sequence}", "{output}"}) {
-    vo::require(command.find(name) != std::string::npos, "--tracker ", command, ": expected ", name,
-                " in it");
-  }
-  vo::require(time_limit > 0, "--time-limit: expected above 0, got ", time_limit);
-}
-
-vo::SequenceResult track_outside(const OutsideTracker& tracker, const fs::path& folder,
-                                 const vo::SequenceReader& sequence, const WaitObserver& waiting) {
-  const ScratchFolder scratch;
-  const fs::path output = scratch.path() / "trajectory.txt";
-  const fs::path printed = scratch.path() / "printed.txt";
-  std::string command = replaced(tracker.command, "{sequence}", folder);
-  command = replaced(command, "{camera}", folder / "camera.toml");
-  command = replaced(command, "{output}", output);
-  const ChildEnd end = run_child(command, printed, tracker.time_limit, waiting);
-  require_good_end(end, tracker, printed);
-  if (end.exit_code == kLost && has_no_pose(output)) {
-    return all_lost(sequence);
-  }
-
-  const vo::Trajectory estimate = read_output(output, printed);
+/// Returns the estimate's poses at the times of the frames, moved to the truth's first pose.
+vo::SequenceResult poses_of_frames(const vo::Trajectory& estimate,
+                                   const vo::SequenceReader& sequence) {
   vo::require(!estimate.empty(), "the tracker's trajectory has no pose");
   vo::SequenceResult result;
   for (std::size_t i = 0; i < sequence.size(); ++i) {
@@ -159,6 +152,38 @@ vo::SequenceResult track_outside(const OutsideTracker& tracker, const fs::path& 
     }
   }
   return result;
+}
+
+}  // namespace
+
+void OutsideTracker::validate() const {
+  for (const char* name : {"{sequence}", "{output}"}) {
+    vo::require(command.find(name) != std::string::npos, "--tracker ", command, ": expected ", name,
+                " in it");
+  }
+  vo::require(time_limit > 0, "--time-limit: expected above 0, got ", time_limit);
+}
+
+OutsideRun track_outside(const OutsideTracker& tracker, const fs::path& folder,
+                         const vo::SequenceReader& sequence, const WaitObserver& waiting) {
+  const ScratchFolder scratch;
+  const fs::path output = scratch.path() / "trajectory.txt";
+  const fs::path printed = scratch.path() / "printed.txt";
+  std::string command = replaced(tracker.command, "{sequence}", folder);
+  command = replaced(command, "{camera}", folder / "camera.toml");
+  command = replaced(command, "{output}", output);
+  const ChildEnd end = run_child(command, printed, tracker.time_limit, waiting);
+  if (const std::optional<OutsideRun> bad = bad_end(end, tracker, printed)) {
+    return *bad;
+  }
+  if (end.exit_code == kLost && has_no_pose(output)) {
+    return {.tracking = all_lost(sequence), .problem = ""};
+  }
+  try {
+    return {.tracking = poses_of_frames(read_output(output, printed), sequence), .problem = ""};
+  } catch (const vo::Error& error) {
+    return failed_run(ProblemKind::tracker, error.what());
+  }
 }
 
 std::map<std::string, Bound> outside_bounds(const std::map<std::string, Bound>& expect) {

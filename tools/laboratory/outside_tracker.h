@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "tools/laboratory/results.h"
 #include "tools/processes/file_lock.h"
 #include "tools/scenario/scenario.h"
 #include "vo/dataset/sequence.h"
@@ -22,11 +23,18 @@ struct OutsideTracker {
   void validate() const;  ///< throws vo::Error on an invalid option
 };
 
+/// A tracker's result on a sequence, or why there is none.
+struct OutsideRun {
+  vo::SequenceResult tracking;  ///< frames carry only their status and pose
+  std::string problem;          ///< one sentence; empty on success
+  ProblemKind kind = ProblemKind::tracker;
+};
+
 /// Runs the tracker on the sequence in `folder` and moves its poses so that the first one equals
-/// the ground truth's. Frames carry only their status and pose. Throws vo::Error, in a sentence,
-/// when the program crashes, takes too long, or writes no valid trajectory of the sequence.
-vo::SequenceResult track_outside(const OutsideTracker& tracker, const std::filesystem::path& folder,
-                                 const vo::SequenceReader& sequence, const WaitObserver& waiting);
+/// the ground truth's. It is a problem when the program crashes, takes too long, or writes no valid
+/// trajectory of the sequence. Only exceptions thrown by `waiting` propagate.
+OutsideRun track_outside(const OutsideTracker& tracker, const std::filesystem::path& folder,
+                         const vo::SequenceReader& sequence, const WaitObserver& waiting);
 
 /// Returns the bounds without those on metrics that only edvo's own tracker reports: keyframes,
 /// covariances, maps.

@@ -16,11 +16,24 @@ namespace tools {
 
 struct ScenarioReport;
 
+/// The reason why a trial has no metrics.
 enum class ProblemKind {
-  unusable,   ///< the scenario, the scene or the output path is unusable
-  temporary,  ///< a retry may succeed, such as after a full disk
-  tracker     ///< the external tracker failed
+  unusable,    ///< the scenario, the scene or the output path is unusable
+  temporary,   ///< a retry may succeed, such as after a full disk
+  tracker,     ///< the external tracker failed: its exit code, its trajectory, a limit exceeded
+  crash,       ///< a signal ended the tracker, external or edvo's own
+  timeout,     ///< the external tracker was ended at its time limit
+  implausible  ///< the external tracker's trajectory is too good to be true
 };
+
+constexpr auto enum_names(ProblemKind) {
+  return std::array{std::pair{ProblemKind::unusable, "unusable"},
+                    std::pair{ProblemKind::temporary, "temporary"},
+                    std::pair{ProblemKind::tracker, "tracker"},
+                    std::pair{ProblemKind::crash, "crash"},
+                    std::pair{ProblemKind::timeout, "timeout"},
+                    std::pair{ProblemKind::implausible, "implausible"}};
+}
 
 /// The result of one scenario with one seed.
 struct TrialResult {
@@ -30,7 +43,7 @@ struct TrialResult {
   Metrics metrics;      ///< NaN marks a metric that was not measured
   std::string problem;  ///< one sentence on why nothing was measured; empty on success
   std::string note;     ///< remark for the user beside the result, usually empty
-  ProblemKind kind = ProblemKind::unusable;  ///< kind of the problem; not stored in files
+  ProblemKind kind = ProblemKind::unusable;  ///< kind of the problem, if there is one
   bool was_kept = false;                     ///< taken from the cache of an earlier run; not stored
   double time = 0;                           ///< run time, s; diagnostic, not stored
   std::shared_ptr<const ScenarioReport> report;  ///< null unless requested; not stored

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "vo/core/error.h"
+#include "vo/core/fields.h"
 #include "vo/core/version.h"
 #include "vo/files/output.h"
 
@@ -99,6 +100,7 @@ Json trial_json(const TrialResult& trial) {
   }
   if (!trial.problem.empty()) {
     json["problem"] = trial.problem;
+    json["problem_kind"] = vo::to_string(trial.kind);
   }
   return json;
 }
@@ -110,6 +112,8 @@ TrialResult trial_from_json(const Json& json) {
   const Json& metrics = json.at("metrics");
   trial.metrics = make_metrics([&](const std::string& name) { return number_at(metrics, name); });
   trial.problem = json.value("problem", std::string());
+  const std::string kind = json.value("problem_kind", std::string());
+  trial.kind = kind.empty() ? ProblemKind::unusable : vo::parse_enum<ProblemKind>(kind);
   return trial;
 }
 

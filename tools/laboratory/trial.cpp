@@ -84,19 +84,19 @@ void add_report(const Scenario& scenario, const Outcome& outcome, FrameGallery g
 void measure_outside(const Scenario& scenario, const TrialSettings& settings,
                      const fs::path& folder, const WaitObserver& waiting, TrialResult& trial) {
   const vo::SequenceReader sequence(folder);
-  Outcome outcome{.tracking = {}, .truth = sequence.ground_truth(), .metrics = {}};
-  try {
-    outcome.tracking = track_outside(*settings.tracker, folder, sequence, waiting);
-    outcome.metrics = without_nees(measure(outcome.truth, outcome.tracking, scenario.score));
-    outcome.metrics.keyframes = kUnknownMetric;
-    trial.metrics = outcome.metrics;
-    if (is_reported(settings, trial)) {
-      trial.report = std::make_shared<ScenarioReport>(
-          outside_report(scenario, outcome, settings.tracker->command));
-    }
-  } catch (const vo::Error& error) {
-    waiting();
-    set_problem(trial, ProblemKind::tracker, error.what());
+  OutsideRun run = track_outside(*settings.tracker, folder, sequence, waiting);
+  if (!run.problem.empty()) {
+    set_problem(trial, run.kind, run.problem);
+    return;
+  }
+  Outcome outcome{
+      .tracking = std::move(run.tracking), .truth = sequence.ground_truth(), .metrics = {}};
+  outcome.metrics = without_nees(measure(outcome.truth, outcome.tracking, scenario.score));
+  outcome.metrics.keyframes = kUnknownMetric;
+  trial.metrics = outcome.metrics;
+  if (is_reported(settings, trial)) {
+    trial.report = std::make_shared<ScenarioReport>(
+        outside_report(scenario, outcome, settings.tracker->command));
   }
 }
 

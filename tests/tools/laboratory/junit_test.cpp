@@ -26,6 +26,8 @@ const std::map<std::string, Rule>& schema() {
         {"name"},
         {"tests", "failures", "errors", "time", "disabled", "skipped", "timestamp", "hostname",
          "id", "package"}}},
+      {"properties", {{"testsuite"}, {}, {}}},
+      {"property", {{"properties"}, {"name", "value"}, {}}},
       {"testcase",
        {{"testsuite"}, {"name"}, {"assertions", "time", "classname", "status", "class", "file"}}},
       {"failure", {{"testcase"}, {}, {"type", "message"}}},
@@ -114,6 +116,11 @@ TEST(Junit, HasACasePerScenarioAndSaysWhatFailed) {
   EXPECT_EQ(tools::format_junit(results, {change}), R"(<?xml version="1.0" encoding="UTF-8"?>
 <testsuites name="edvo test" tests="3" failures="2" errors="1" time="3.250">
   <testsuite name="edvo" tests="3" failures="2" errors="1" time="3.250">
+    <properties>
+      <property name="edvo" value="1"/>
+      <property name="tracker" value="edvo"/>
+      <property name="bounds" value="scenario"/>
+    </properties>
     <testcase classname="edvo.scenarios" name="still" time="1.250">
       <failure type="baseline" message="still: ate_rmse_m was 1, is 2 (+100.0 %, p 0): worse"/>
     </testcase>
@@ -121,11 +128,31 @@ TEST(Junit, HasACasePerScenarioAndSaysWhatFailed) {
       <failure type="bound" message="ate_rmse_m is 0.5, expected &lt;= 0.25"/>
     </testcase>
     <testcase classname="edvo.scenarios" name="odd" time="0.000">
-      <error type="not_measured" message="a.toml:3: unknown key &quot;&lt;x&gt;&quot; &amp; more"/>
+      <error type="unusable" message="a.toml:3: unknown key &quot;&lt;x&gt;&quot; &amp; more"/>
     </testcase>
   </testsuite>
 </testsuites>
 )");
+}
+
+TEST(Junit, TellsWhatEndedATrackerApart) {
+  using Kind = tools::ProblemKind;
+  const auto outcome = [](std::vector<Kind> kinds) {
+    tools::ScenarioResult scenario{.name = "orbit"};
+    for (const Kind kind : kinds) {
+      scenario.trials.push_back({.problem = "it ended", .kind = kind});
+    }
+    const std::string xml = tools::format_junit({.scenarios = {scenario}}, {});
+    const std::size_t start = xml.find("<", xml.find("<testcase") + 1);
+    return xml.substr(start, xml.find(" message", start) - start);
+  };
+  EXPECT_EQ(outcome({Kind::crash}), "<error type=\"crash\"");
+  EXPECT_EQ(outcome({Kind::timeout}), "<error type=\"timeout\"");
+  EXPECT_EQ(outcome({Kind::tracker}), "<error type=\"tracker\"");
+  EXPECT_EQ(outcome({Kind::temporary}), "<error type=\"temporary\"");
+  EXPECT_EQ(outcome({Kind::implausible}), "<failure type=\"implausible\"");
+  EXPECT_EQ(outcome({Kind::implausible, Kind::crash}), "<error type=\"crash\"")
+      << "one element, whatever the other seeds say";
 }
 
 TEST(Junit, FollowsTheCommonSchemaWhateverTheTextsHold) {

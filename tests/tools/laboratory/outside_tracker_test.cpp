@@ -25,13 +25,15 @@ class OutsideTracker : public testing::Test {
 
   std::filesystem::path path() const { return folder_.path() / "a sequence"; }
 
-  vo::SequenceResult track(const std::string& command, double time_limit = 10) const {
+  tools::OutsideRun run(const std::string& command, double time_limit = 10) const {
     return tools::track_outside({.command = command, .time_limit = time_limit}, path(),
                                 vo::SequenceReader(path()), [] {});
   }
 
+  vo::SequenceResult track(const std::string& command) const { return run(command).tracking; }
+
   std::string error(const std::string& command, double time_limit = 10) const {
-    return error_text([&] { track(command, time_limit); });
+    return run(command, time_limit).problem;
   }
 
   TempFolder folder_;
@@ -91,6 +93,12 @@ TEST_F(OutsideTracker, ThatFailsIsASentence) {
               HasSubstr("ends within a line"));
   EXPECT_THAT(error("true {sequence}; echo 100 0 0 0 0 0 0 1 > {output}"),
               HasSubstr("no pose at the time of a frame"));
+}
+
+TEST_F(OutsideTracker, ThatFailsIsOfAKind) {
+  EXPECT_EQ(run("kill -SEGV $$ # {sequence} {output}").kind, tools::ProblemKind::crash);
+  EXPECT_EQ(run("sleep 60 # {sequence} {output}", 0.1).kind, tools::ProblemKind::timeout);
+  EXPECT_EQ(run("exit 3 # {sequence} {output}").kind, tools::ProblemKind::tracker);
 }
 
 TEST_F(OutsideTracker, ThatHangsIsEndedWithAllItStarted) {

@@ -17,6 +17,7 @@ tools::TestResults two_scenarios() {
   bounded.checks.push_back({"tracked_fraction", 0.75, {.min = 1}, false});
   tools::ScenarioResult failed{.name = "failed"};
   failed.trials.push_back({.seed = 5, .sequence = "other", .problem = "no such file"});
+  failed.trials.push_back({.seed = 6, .problem = "it crashed", .kind = tools::ProblemKind::crash});
   results.scenarios = {bounded, failed};
   return results;
 }
@@ -26,7 +27,9 @@ TEST(ResultsJson, WhatIsReadIsWrittenAlike) {
   const auto file = folder.path() / "results.json";
   const std::string written = tools::results_json(two_scenarios()).dump();
   vo::write_file(file, written);
-  EXPECT_EQ(tools::results_json(tools::read_results(file)).dump(), written);
+  const tools::TestResults read = tools::read_results(file);
+  EXPECT_EQ(tools::results_json(read).dump(), written);
+  EXPECT_EQ(read.scenarios[1].trials[1].kind, tools::ProblemKind::crash);
 }
 
 TEST(ResultsJson, KnowsWhichMetricsAFileDoesNotName) {
