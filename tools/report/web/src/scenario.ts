@@ -98,7 +98,9 @@ function chartSection(scenario: Scenario, player: Player, all: Quantity[]): { el
     h(
       'p',
       { class: 'hint' },
-      'Click to see a frame, drag to zoom, double-click to zoom out. Orange ticks are keyframes (none where most frames are), shaded frames are lost or uncertain.',
+      'Click to see a frame, drag to zoom, double-click to zoom out. ',
+      scenario.frames.tracking && 'Orange ticks are keyframes (none where most frames are). ',
+      'Shaded frames are lost or uncertain.',
     ),
     ...charts.map((chart) => chart.element),
   );

@@ -26,6 +26,12 @@ function metricCell(metric: Metric | undefined): HTMLTableCellElement {
 
 const kColumns = ['ate_rmse_m', 'rpe_translation_rmse_m', 'rpe_rotation_rmse_deg', 'drift_percent', 'tracked_fraction'];
 
+/** How many of the bounds hold, or why there is no such number. */
+function boundsText(scenario: Scenario, bounds: number, held: number): string {
+  if (bounds > 0) return `${held} of ${bounds}`;
+  return scenario.metrics.some((m) => m.value !== null) ? 'none set' : 'no result';
+}
+
 /** One line per scenario; choosing one shows it below. */
 export function verdictTable(
   data: ReportData,
@@ -40,7 +46,7 @@ export function verdictTable(
       { click: () => choose(i) },
       h('th', { scope: 'row' }, h('button', { class: 'link' }, scenario.name)),
       h('td', {}, badge(scenario.passed)),
-      h('td', { class: 'number' }, bounded.length ? `${held} of ${bounded.length}` : 'no result'),
+      h('td', { class: 'number' }, boundsText(scenario, bounded.length, held)),
       ...columns.map((name) => metricCell(scenario.metrics.find((m) => m.name === name))),
     );
   });
