@@ -46,7 +46,7 @@ IntensityMoments moments_of(const PointView& view, std::size_t stride) {
   IntensityMoments moments;
   for (std::size_t block = 0; block < sampler.blocks(); block += stride) {
     const float* reference = view.points.intensity.data() + PointSampler::first_of(block);
-    for (const float seen : sampler.sample(block)) {
+    for (const float seen : sampler.sample(block).intensity) {
       if (!std::isnan(seen)) {
         moments.add(*reference, seen);
       }
@@ -67,7 +67,7 @@ double residual_spread(const PointView& view, const Brightness& brightness) {
   PointSampler sampler(view, available_instruction_set());
   for (std::size_t block = 0; block < sampler.blocks(); block += stride) {
     const float* reference = view.points.intensity.data() + PointSampler::first_of(block);
-    for (const float seen : sampler.sample(block)) {
+    for (const float seen : sampler.sample(block).intensity) {
       if (!std::isnan(seen)) {
         magnitudes[count++] = std::abs(seen - (gain * *reference + offset));
       }
@@ -99,7 +99,7 @@ std::vector<float> sampled_intensities(const PointView& view) {
   intensities.reserve(view.points.size());
   PointSampler sampler(view, available_instruction_set());
   for (std::size_t block = 0; block < sampler.blocks(); ++block) {
-    const std::span<const float> seen = sampler.sample(block);
+    const std::span<const float> seen = sampler.sample(block).intensity;
     intensities.insert(intensities.end(), seen.begin(), seen.end());
   }
   return intensities;

@@ -243,11 +243,12 @@ EDVO_INLINE void sample_block(const GrayImage& image, Block& block) {
 }
 
 /// Marks points as unseen whose depth differs from the one measured there by more than `max_ratio`.
+/// Seen points lie at 1 px or beyond, where adding one half and cutting off rounds to the nearest.
 EDVO_INLINE void test_depth(const DepthImage& depth, float max_ratio, std::size_t count,
                             Block& block) {
   for (std::size_t i = 0; i < count; ++i) {
     const float measured =
-        depth(static_cast<int>(std::lround(block.v[i])), static_cast<int>(std::lround(block.u[i])));
+        depth(static_cast<int>(block.v[i] + 0.5F), static_cast<int>(block.u[i] + 0.5F));
     const bool hidden = has_depth(measured) &&
                         (block.z[i] > measured * max_ratio || block.z[i] * max_ratio < measured);
     block.seen[i] = hidden ? 0 : block.seen[i];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vo/residuals/point_sampler.h"
 #include "vo/residuals/warp.h"
 
 namespace vo {
@@ -84,9 +85,12 @@ void add_seen_through(const PyramidLevel& own, const PyramidLevel& other, const 
   for (int v = 0; v < own.depth.rows; ++v) {
     for (int u = 0; u < own.depth.cols; ++u) {
       const float z = own.depth(v, u);
+      if (!has_depth(z)) {
+        continue;
+      }
       const cv::Vec2f& ray = own.rays(v, u);
       const WarpedPoint<float> point = warp_point<float>(warp, {z * ray[0], z * ray[1], z});
-      if (!has_depth(z) || !is_in_view(point, other.camera)) {
+      if (!is_in_view(point, other.camera)) {
         continue;
       }
       const cv::Point pixel(cvRound(point.u), cvRound(point.v));
@@ -111,12 +115,6 @@ TileEvidence smoothed(const TileEvidence& evidence) {
   return result;
 }
 
-/// Returns the options with which hidden points have no weight.
-AlignOptions without_hidden(AlignOptions options) {
-  options.max_depth_ratio = kVisibleDepthRatio;
-  return options;
-}
-
 }  // namespace
 
 TileMask moving_tiles(const TileEvidence& log_odds) {
@@ -130,8 +128,7 @@ TileMask moving_tiles(const TileEvidence& log_odds) {
 
 StaticEvidence::StaticEvidence(std::span<const AlignReference> references,
                                const AlignCurrent& current, const AlignResult& aligned,
-                               const AlignOptions& options, ComparedReferences compared,
-                               PointTerms& memory) {
+                               const AlignOptions& options, ComparedReferences compared) {
   const std::size_t last = references.size() - 1;
   const auto is_compared = [=](std::size_t r) {
     return compared == ComparedReferences::all || r == 0 || r == last;
@@ -142,11 +139,10 @@ StaticEvidence::StaticEvidence(std::span<const AlignReference> references,
     count += is_compared(r) ? 1 : 0;
   }
   weight_ = 1 / static_cast<float>(count);
-  const AlignOptions visible = without_hidden(options);
-  const JointProblem problem(references, current, /*level=*/0, visible);
+  const JointProblem problem(references, current, /*level=*/0, options);
   for (std::size_t pair = 0; pair < problem.models().size(); ++pair) {
     if (is_compared(pair % references.size())) {
-      add_intensities(problem, pair, aligned, memory);
+      add_intensities(problem.pair_view(pair, aligned.T_cur_ref), pair, aligned.models[pair]);
     }
   }
   for (std::size_t r = 0; r < references.size(); ++r) {
@@ -161,25 +157,31 @@ StaticEvidence::StaticEvidence(std::span<const AlignReference> references,
   current_ = smoothed(current_);
 }
 
-void StaticEvidence::add_intensities(const JointProblem& problem, std::size_t pair,
-                                     const AlignResult& aligned, PointTerms& terms) {
+void StaticEvidence::add_intensities(const PointView& view, std::size_t pair,
+                                     const ResidualModel& model) {
   constexpr float kIndependence = 0.5F;  // neighbouring points err alike
-  const PointView view = problem.pair_view(pair, aligned.T_cur_ref);
-  compute_point_terms(view, problem.options(), aligned.models[pair], terms);
-  const IntensityEvidence evidence(noise_of(aligned.models[pair]), contrast_of(view.points));
+  const IntensityEvidence evidence(noise_of(model), contrast_of(view.points));
+  const auto gain = static_cast<float>(model.brightness.gain);
+  const auto offset = static_cast<float>(model.brightness.offset);
   const float weight = kIndependence * weight_;
   const bool is_forward = pair < references_.size();
   const ViewTiles grid(view.image.camera);
-  for (std::size_t i = 0; i < terms.weight.size(); ++i) {
-    if (!(terms.weight[i] > 0)) {
-      continue;
+  PointSampler sampler(view, available_instruction_set(), static_cast<float>(kVisibleDepthRatio));
+  for (std::size_t block = 0; block < sampler.blocks(); ++block) {
+    const PointSamples seen = sampler.sample(block);
+    const std::size_t first = PointSampler::first_of(block);
+    for (std::size_t i = 0; i < seen.intensity.size(); ++i) {
+      if (std::isnan(seen.intensity[i])) {
+        continue;
+      }
+      const float value =
+          evidence.of(seen.intensity[i] - (gain * view.points.intensity[first + i] + offset));
+      const std::size_t own = grid.of(view.points.pixel[first + i]);
+      if (is_forward) {
+        references_[pair][own] += value;
+      }
+      current_[is_forward ? grid.of(seen.u[i], seen.v[i]) : own] += weight * value;
     }
-    const float value = evidence.of(terms.residual[i]);
-    const std::size_t own = grid.of(view.points.pixel[i]);
-    if (is_forward) {
-      references_[pair][own] += value;
-    }
-    current_[is_forward ? grid.of(terms.u[i], terms.v[i]) : own] += weight * value;
   }
 }
 

@@ -32,11 +32,10 @@ enum class ComparedReferences {
 /// through the place: a violation of free space, which no static scene has.
 class StaticEvidence {
  public:
-  /// `aligned` is what the alignment of the frame found, `memory` is worked in. The references must
-  /// have images.
+  /// `aligned` is what the alignment of the frame found. The references must have images.
   StaticEvidence(std::span<const AlignReference> references, const AlignCurrent& current,
                  const AlignResult& aligned, const AlignOptions& options,
-                 ComparedReferences compared, PointTerms& memory);
+                 ComparedReferences compared);
 
   /// Returns the evidence for the tiles of the current view.
   const TileEvidence& of_current() const { return current_; }
@@ -45,8 +44,7 @@ class StaticEvidence {
   const TileEvidence& of_reference(std::size_t reference) const { return references_[reference]; }
 
  private:
-  void add_intensities(const JointProblem& problem, std::size_t pair, const AlignResult& aligned,
-                       PointTerms& terms);
+  void add_intensities(const PointView& view, std::size_t pair, const ResidualModel& model);
   void add_depths(const FramePyramid& current, const FramePyramid& reference, std::size_t r,
                   const SE3& T_cur_ref);
 

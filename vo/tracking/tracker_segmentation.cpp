@@ -56,7 +56,7 @@ Tracker::Explanation Tracker::explained(const FramePyramid& current, const Attem
                                           : ComparedReferences::all;
   const StaticEvidence evidence(attempt.references.views,
                                 {current, own_points_.get(), attempt.previous}, aligned,
-                                align_options(), compared, align_memory_.terms);
+                                align_options(), compared);
   const TileEvidence log_odds = log_odds_after(expected_, evidence.of_current());
   return {evidence, log_odds, moving_tiles(log_odds), surface_areas(log_odds, tile_depths_)};
 }
