@@ -10,6 +10,7 @@
 #include "vo/dataset/camera_file.h"
 #include "vo/dataset/depth_units.h"
 #include "vo/dataset/trajectory_file.h"
+#include "vo/files/input.h"
 #include "vo/files/toml_file.h"
 
 namespace synth {

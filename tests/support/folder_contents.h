@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "vo/files/output.h"
+#include "vo/files/input.h"
 
 namespace support {
 

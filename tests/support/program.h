@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 
 #include "tests/support/temp_folder.h"
-#include "vo/files/output.h"
+#include "vo/files/input.h"
 
 namespace support {
 

@@ -8,7 +8,7 @@
 namespace tools {
 
 synth::EdgeLabels true_edges(const vo::SequenceReader& sequence, std::size_t frame) {
-  const std::filesystem::path& image = sequence.image_file(frame);
+  const std::filesystem::path image = sequence.image_file(frame);
   if (image.empty()) {
     return {};
   }

@@ -11,7 +11,7 @@
 #include "tools/processes/scratch_folder.h"
 #include "vo/core/error.h"
 #include "vo/dataset/trajectory_file.h"
-#include "vo/files/output.h"
+#include "vo/files/input.h"
 
 namespace tools {
 namespace {

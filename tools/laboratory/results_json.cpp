@@ -8,7 +8,7 @@
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/core/version.h"
-#include "vo/files/output.h"
+#include "vo/files/input.h"
 
 namespace tools {
 namespace {

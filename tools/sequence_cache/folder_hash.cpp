@@ -8,7 +8,7 @@
 
 #include "vo/core/error.h"
 #include "vo/core/hash.h"
-#include "vo/files/output.h"
+#include "vo/files/input.h"
 
 namespace tools {
 namespace {

@@ -14,6 +14,7 @@
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/core/hash.h"
+#include "vo/files/input.h"
 #include "vo/files/output.h"
 #include "vo/files/result_files.h"
 #include "vo/files/toml_file.h"

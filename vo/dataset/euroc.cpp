@@ -11,6 +11,7 @@
 #include "vo/dataset/depth_units.h"
 #include "vo/dataset/imu_file.h"
 #include "vo/dataset/trajectory_file.h"
+#include "vo/files/input.h"
 #include "vo/files/png.h"
 #include "vo/files/text_lines.h"
 
@@ -92,19 +93,25 @@ struct StampedFile {
   fs::path path;
 };
 
+/// Returns the line's first field, a whole number of nanoseconds.
+std::int64_t stamp_of(const TextLine& line) {
+  try {
+    return parse_integer(line.fields[0]);
+  } catch (const Error& error) {
+    fail(line.place(), ": ", error.what());
+  }
+}
+
 std::vector<StampedFile> read_list(const fs::path& folder) {
   std::vector<StampedFile> files;
-  for (const TextLine& line : read_text_lines(folder / "data.csv")) {
-    require(line.fields.size() == 2, line.place, ": expected `timestamp,filename`, got ",
+  TextFile(folder / "data.csv").for_each_line([&](const TextLine& line) {
+    require(line.fields.size() == 2, line.place(), ": expected `timestamp,filename`, got ",
             line.fields.size(), " values");
-    try {
-      files.push_back({parse_integer(line.fields[0]), folder / "data" / line.fields[1]});
-    } catch (const Error& error) {
-      fail(line.place, ": ", error.what());
-    }
+    files.push_back(
+        {stamp_of(line), path_in(folder / "data", std::string(line.fields[1]), line.place())});
     require(files.size() < 2 || files.back().nanoseconds > files[files.size() - 2].nanoseconds,
-            line.place, ": expected a stamp after the one before it");
-  }
+            line.place(), ": expected a stamp after the one before it");
+  });
   require(!files.empty(), (folder / "data.csv").string(), ": lists no images");
   return files;
 }

@@ -10,6 +10,7 @@
 #include "vo/dataset/camera_file.h"
 #include "vo/dataset/depth_units.h"
 #include "vo/dataset/trajectory_file.h"
+#include "vo/files/input.h"
 #include "vo/files/png.h"
 #include "vo/files/text_lines.h"
 
@@ -181,16 +182,17 @@ SequenceSource open_icl_tum(const fs::path& folder, const std::optional<RgbdCame
   SequenceSource source;
   source.camera = icl_nuim_camera(folder, camera);
   std::vector<std::pair<fs::path, fs::path>> files;  // image, depth
-  for (const TextLine& line : read_text_lines(folder / "associations.txt")) {
-    require(line.fields.size() == 4, line.place,
+  TextFile(folder / "associations.txt").for_each_line([&](const TextLine& line) {
+    require(line.fields.size() == 4, line.place(),
             ": expected `number depth/number.png number rgb/number.png`, got ", line.fields.size(),
             " values");
     const double timestamp = time_of(parse_number(line, 0));
-    require(source.timestamps.empty() || timestamp > source.timestamps.back(), line.place,
+    require(source.timestamps.empty() || timestamp > source.timestamps.back(), line.place(),
             ": expected a frame after the one before it, got ", line.fields[0]);
     source.timestamps.push_back(timestamp);
-    files.emplace_back(folder / line.fields[3], folder / line.fields[1]);
-  }
+    files.emplace_back(path_in(folder, std::string(line.fields[3]), line.place()),
+                       path_in(folder, std::string(line.fields[1]), line.place()));
+  });
   require(!files.empty(), (folder / "associations.txt").string(), ": lists no frames");
   source.read = [files, camera = source.camera, timestamps = source.timestamps](std::size_t index) {
     const auto& [image, depth] = files.at(index);

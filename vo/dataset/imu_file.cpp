@@ -25,7 +25,7 @@ void add_values(std::string& line, const Eigen::Vector3d& values) {
 
 /// Returns the numbers of a line, its stamp converted from ns to s.
 std::vector<double> parse_line(const TextLine& line, std::size_t count) {
-  require(line.fields.size() == count, line.place, ": expected ", count, " values, got ",
+  require(line.fields.size() == count, line.place(), ": expected ", count, " values, got ",
           line.fields.size());
   std::vector<double> values;
   for (std::size_t i = 0; i < count; ++i) {
@@ -60,10 +60,10 @@ std::string format_imu(const std::vector<ImuSample>& samples) {
 
 std::vector<ImuSample> read_imu(const std::filesystem::path& path) {
   std::vector<ImuSample> samples;
-  for (const TextLine& line : read_text_lines(path)) {
+  TextFile(path).for_each_line([&](const TextLine& line) {
     const std::vector<double> values = parse_line(line, kImuValues);
     samples.push_back({values[0], vector_at(values, 1), vector_at(values, 4)});
-  }
+  });
   return samples;
 }
 
@@ -97,13 +97,13 @@ std::string format_states(const std::vector<BodyState>& states) {
 
 std::vector<BodyState> read_states(const std::filesystem::path& path) {
   std::vector<BodyState> states;
-  for (const TextLine& line : read_text_lines(path)) {
+  TextFile(path).for_each_line([&](const TextLine& line) {
     const std::vector<double> v = parse_line(line, kStateValues);
     const Eigen::Quaterniond rotation(v[4], v[5], v[6], v[7]);
-    require(rotation.norm() > 0, line.place, ": expected a quaternion, got zeros");
+    require(rotation.norm() > 0, line.place(), ": expected a quaternion, got zeros");
     states.push_back({v[0], SE3(rotation, vector_at(v, 1)), vector_at(v, 8), vector_at(v, 11),
                       vector_at(v, 14)});
-  }
+  });
   return states;
 }
 

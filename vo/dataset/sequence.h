@@ -46,22 +46,22 @@ class SequenceReader {
   std::vector<double> timestamps() const;
 
   /// Returns the file of a frame's colour image; empty for a format other than TUM's.
-  const std::filesystem::path& image_file(std::size_t index) const { return entries_[index].image; }
+  std::filesystem::path image_file(std::size_t index) const;
 
   /// Reads a frame; throws Error naming an image that cannot be read or has not the camera's size.
   RgbdFrame read(std::size_t index) const;
 
  private:
-  void read_lists(const std::filesystem::path& folder, double max_time_difference,
-                  SequenceContent content);
-  void adopt(SequenceSource source, const std::filesystem::path& folder);
+  void read_lists(double max_time_difference, SequenceContent content);
+  void adopt(SequenceSource source);
 
   struct Entry {
     double timestamp;
-    std::filesystem::path image;
-    std::filesystem::path depth;  ///< empty where only colour is read
+    std::string image;  ///< file in the folder, as the list names it
+    std::string depth;  ///< file in the folder, empty where only colour is read
   };
 
+  std::filesystem::path folder_;
   RgbdCamera camera_;
   Trajectory ground_truth_;
   std::vector<Entry> entries_;

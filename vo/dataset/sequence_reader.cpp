@@ -7,6 +7,7 @@
 #include "vo/dataset/sequence.h"
 #include "vo/dataset/sequence_source.h"
 #include "vo/dataset/trajectory_file.h"
+#include "vo/files/input.h"
 #include "vo/files/png.h"
 #include "vo/files/text_lines.h"
 #include "vo/geometry/associate.h"
@@ -18,21 +19,25 @@ namespace fs = std::filesystem;
 
 struct ImageList {
   std::vector<double> timestamps;
-  std::vector<fs::path> paths;
+  std::vector<std::string> names;  ///< files in the sequence's folder
 };
 
 ImageList read_image_list(const fs::path& folder, const char* name) {
   const fs::path path = folder / name;
   ImageList list;
-  for (const TextLine& line : read_text_lines(path)) {
-    require(line.fields.size() == 2, line.place, ": expected `timestamp path`, got ",
+  const TextFile file(path);
+  list.timestamps.reserve(file.line_count());
+  list.names.reserve(file.line_count());
+  file.for_each_line([&](const TextLine& line) {
+    require(line.fields.size() == 2, line.place(), ": expected `timestamp path`, got ",
             line.fields.size(), " values");
     const double timestamp = parse_number(line, 0);
-    require(list.timestamps.empty() || timestamp > list.timestamps.back(), line.place,
+    require(list.timestamps.empty() || timestamp > list.timestamps.back(), line.place(),
             ": expected a stamp after the one before it, got ", line.fields[0]);
     list.timestamps.push_back(timestamp);
-    list.paths.push_back(folder / line.fields[1]);
-  }
+    list.names.emplace_back(line.fields[1]);
+    path_in(folder, list.names.back(), line.place());
+  });
   require(!list.timestamps.empty(), path.string(), ": lists no images");
   return list;
 }
@@ -50,48 +55,50 @@ RgbdCamera camera_of(const fs::path& folder, const std::optional<RgbdCamera>& gi
 }  // namespace
 
 SequenceReader::SequenceReader(const fs::path& folder, std::optional<RgbdCamera> camera,
-                               double max_time_difference, SequenceContent content) {
+                               double max_time_difference, SequenceContent content)
+    : folder_(folder) {
   require(fs::is_directory(folder), folder.string(),
           ": there is no such folder, expected a sequence (rgb.txt, depth.txt and their images)");
   const SequenceFormat format = known_format(folder).value_or(SequenceFormat::tum);
   if (format != SequenceFormat::tum) {
-    adopt(open_sequence(folder, format, camera), folder);
+    adopt(open_sequence(folder, format, camera));
     require(content == SequenceContent::colour || !read(0).depth.empty(), folder.string(),
             ": its frames have no depth, expected some or --mode mono");
     return;
   }
   camera_ = camera_of(folder, camera);
-  read_lists(folder, max_time_difference, content);
+  read_lists(max_time_difference, content);
   if (fs::exists(folder / "groundtruth.txt")) {
     ground_truth_ = read_trajectory(folder / "groundtruth.txt");
   }
 }
 
-void SequenceReader::read_lists(const fs::path& folder, double max_time_difference,
-                                SequenceContent content) {
-  const ImageList images = read_image_list(folder, "rgb.txt");
+void SequenceReader::read_lists(double max_time_difference, SequenceContent content) {
+  ImageList images = read_image_list(folder_, "rgb.txt");
+  entries_.reserve(images.names.size());
   if (content == SequenceContent::colour) {
-    for (std::size_t i = 0; i < images.paths.size(); ++i) {
-      entries_.push_back({images.timestamps[i], images.paths[i], {}});
+    for (std::size_t i = 0; i < images.names.size(); ++i) {
+      entries_.push_back({images.timestamps[i], std::move(images.names[i]), {}});
     }
   } else {
-    const ImageList depths = read_image_list(folder, "depth.txt");
+    ImageList depths = read_image_list(folder_, "depth.txt");
     for (const auto& [i, j] :
          associate(images.timestamps, depths.timestamps, max_time_difference)) {
-      entries_.push_back({images.timestamps[i], images.paths[i], depths.paths[j]});
+      entries_.push_back(
+          {images.timestamps[i], std::move(images.names[i]), std::move(depths.names[j])});
     }
-    require(!entries_.empty(), folder.string(), ": no colour and depth image lie within ",
+    require(!entries_.empty(), folder_.string(), ": no colour and depth image lie within ",
             max_time_difference, " s of each other");
   }
 }
 
-void SequenceReader::adopt(SequenceSource source, const fs::path& folder) {
+void SequenceReader::adopt(SequenceSource source) {
   camera_ = source.camera;
   ground_truth_ = std::move(source.truth);
   for (const double timestamp : source.timestamps) {
     entries_.push_back({timestamp, {}, {}});
   }
-  require(!entries_.empty(), folder.string(), ": holds no frames, expected one or more");
+  require(!entries_.empty(), folder_.string(), ": holds no frames, expected one or more");
   read_ = std::move(source.read);
 }
 
@@ -103,6 +110,11 @@ std::vector<double> SequenceReader::timestamps() const {
   return timestamps;
 }
 
+fs::path SequenceReader::image_file(std::size_t index) const {
+  const Entry& entry = entries_.at(index);
+  return entry.image.empty() ? fs::path() : folder_ / entry.image;
+}
+
 RgbdFrame SequenceReader::read(std::size_t index) const {
   const Entry& entry = entries_.at(index);
   if (read_) {
@@ -110,12 +122,12 @@ RgbdFrame SequenceReader::read(std::size_t index) const {
   }
   RgbdFrame frame;
   frame.timestamp = entry.timestamp;
-  frame.image = read_png(entry.image);
-  require_size(frame.image, camera_.pinhole, entry.image);
-  require(frame.image.depth() == CV_8U, entry.image.string(),
-          ": expected 8 bits per channel, got 16");
+  const fs::path image = folder_ / entry.image;
+  frame.image = read_png(image);
+  require_size(frame.image, camera_.pinhole, image);
+  require(frame.image.depth() == CV_8U, image.string(), ": expected 8 bits per channel, got 16");
   if (!entry.depth.empty()) {
-    frame.depth = read_depth_png(entry.depth, camera_);
+    frame.depth = read_depth_png(folder_ / entry.depth, camera_);
   }
   return frame;
 }

@@ -30,24 +30,24 @@ Values first_values(const TextLine& line) {
 /// Throws Error if one of them is out of range.
 StampedPose checked_pose(const TextLine& line, const Values& v, double unit_s) {
   const double timestamp = v[0] * unit_s;
-  require(std::abs(timestamp) < kMaxSeconds, line.place, ": expected seconds below 1e12, got ",
+  require(std::abs(timestamp) < kMaxSeconds, line.place(), ": expected seconds below 1e12, got ",
           timestamp);
-  require(std::max({std::abs(v[1]), std::abs(v[2]), std::abs(v[3])}) < kMaxMetres, line.place,
+  require(std::max({std::abs(v[1]), std::abs(v[2]), std::abs(v[3])}) < kMaxMetres, line.place(),
           ": expected a position within 1e9 m of the origin");
   const Eigen::Quaterniond rotation(v[7], v[4], v[5], v[6]);
-  require(std::abs(rotation.norm() - 1) < kUnitTolerance, line.place,
+  require(std::abs(rotation.norm() - 1) < kUnitTolerance, line.place(),
           ": expected a quaternion of length 1, got length ", rotation.norm());
   return {timestamp, SE3(rotation, {v[1], v[2], v[3]})};
 }
 
 StampedPose parse_pose(const TextLine& line) {
-  require(line.fields.size() == kValues, line.place,
+  require(line.fields.size() == kValues, line.place(),
           ": expected 8 values (timestamp tx ty tz qx qy qz qw), got ", line.fields.size());
   return checked_pose(line, first_values(line), 1);
 }
 
 StampedPose parse_euroc_pose(const TextLine& line) {
-  require(line.fields.size() >= kValues, line.place,
+  require(line.fields.size() >= kValues, line.place(),
           ": expected at least 8 values (timestamp px py pz qw qx qy qz), got ",
           line.fields.size());
   const auto [ns, x, y, z, qw, qx, qy, qz] = first_values(line);
@@ -56,13 +56,15 @@ StampedPose parse_euroc_pose(const TextLine& line) {
 
 template <typename ParsePose>
 Trajectory read_poses(const std::filesystem::path& path, ParsePose parse) {
+  const TextFile file(path);
   Trajectory trajectory;
-  for (const TextLine& line : read_text_lines(path)) {
+  trajectory.reserve(file.line_count());
+  file.for_each_line([&](const TextLine& line) {
     const StampedPose pose = parse(line);
-    require(trajectory.empty() || pose.timestamp > trajectory.back().timestamp, line.place,
+    require(trajectory.empty() || pose.timestamp > trajectory.back().timestamp, line.place(),
             ": expected a stamp after the one before it, got ", line.fields[0]);
     trajectory.push_back(pose);
-  }
+  });
   require(!trajectory.empty(), path.string(), ": holds no poses");
   return trajectory;
 }

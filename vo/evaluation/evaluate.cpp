@@ -126,14 +126,18 @@ TrajectoryErrors evaluate(const Trajectory& truth, const Trajectory& estimate,
                           const EvaluationOptions& options) {
   options.validate();
   const Matches matches = match(truth, estimate, options);
-  const Positions positions = matched_positions(truth, estimate, matches);
-  const Similarity alignment = fit(positions, options.alignment);
-  const Trajectory scaled_estimate = scaled(estimate, alignment.scale);
   TrajectoryErrors errors;
-  errors.ate = absolute_error(positions, alignment);
-  errors.rpe = relative_errors_tum(truth, scaled_estimate, options);
-  errors.rpe_evo = relative_errors_evo(truth, scaled_estimate, options);
-  errors.scale = alignment.scale;
+  {
+    const Positions positions = matched_positions(truth, estimate, matches);
+    const Similarity alignment = fit(positions, options.alignment);
+    errors.ate = absolute_error(positions, alignment);
+    errors.scale = alignment.scale;
+  }
+  const bool is_scaled = errors.scale != 1;
+  const Trajectory scaled_estimate = is_scaled ? scaled(estimate, errors.scale) : Trajectory();
+  const Trajectory& compared = is_scaled ? scaled_estimate : estimate;
+  errors.rpe = relative_errors_tum(truth, compared, options);
+  errors.rpe_evo = relative_errors_evo(truth, compared, options);
   errors.matched = matches.size();
   errors.matched_fraction =
       static_cast<double>(matches.size()) / static_cast<double>(estimate.size());

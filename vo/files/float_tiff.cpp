@@ -5,7 +5,8 @@
 #include <cstring>
 
 #include "vo/core/error.h"
-#include "vo/files/output.h"
+#include "vo/files/input.h"
+#include "vo/files/new_image.h"
 
 namespace vo {
 namespace {
@@ -101,7 +102,7 @@ std::string encode_float_tiff(const cv::Mat& image) {
 /// The size and the number of channels come from the directory; all else must be equal to what
 /// `encode_float_tiff` writes.
 cv::Mat read_float_tiff(const std::filesystem::path& path) {
-  constexpr std::uint32_t kMaxSize = 16384;  // px
+  constexpr std::uint32_t kMostUseful = 1 << 30;  // px, so that sizes can be computed with
   constexpr std::size_t kDirectoryBytes = 2 + 11 * 12 + 4;
   const std::string bytes = read_file(path);
   const auto expect = [&](bool condition) {
@@ -116,13 +117,13 @@ cv::Mat read_float_tiff(const std::filesystem::path& path) {
   const std::uint32_t cols = field(0);
   const std::uint32_t rows = field(1);
   const std::uint32_t channels = field(6);
-  expect(cols > 0 && rows > 0 && cols <= kMaxSize && rows <= kMaxSize &&
+  expect(cols > 0 && rows > 0 && cols <= kMostUseful && rows <= kMostUseful &&
          (channels == 1 || channels == 3));
-  cv::Mat image(static_cast<int>(rows), static_cast<int>(cols),
-                channels == 1 ? CV_32FC1 : CV_32FC3);
-  const std::size_t size = image.total() * image.elemSize();
-  expect(fields == kPixelsAt + size + size_of_triples(channels) &&
-         directory(image, static_cast<std::uint32_t>(size)) == bytes.substr(kPixelsAt + size));
+  const std::size_t size = std::size_t{cols} * rows * channels * sizeof(float);
+  expect(fields == kPixelsAt + size + size_of_triples(channels));
+  const cv::Mat image = new_image({static_cast<int>(cols), static_cast<int>(rows)},
+                                  channels == 1 ? CV_32FC1 : CV_32FC3, path);
+  expect(directory(image, static_cast<std::uint32_t>(size)) == bytes.substr(kPixelsAt + size));
   std::memcpy(image.data, bytes.data() + kPixelsAt, size);
   return image;
 }

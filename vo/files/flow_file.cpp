@@ -5,7 +5,8 @@
 #include <cstring>
 
 #include "vo/core/error.h"
-#include "vo/files/output.h"
+#include "vo/files/input.h"
+#include "vo/files/new_image.h"
 
 namespace vo {
 namespace {
@@ -29,19 +30,18 @@ std::string encode_flow(const cv::Mat_<cv::Vec2f>& flow) {
 }
 
 cv::Mat_<cv::Vec2f> read_flow(const std::filesystem::path& path) {
-  constexpr std::int32_t kMaxSize = 16384;  // px
   const std::string bytes = read_file(path);
   std::array<std::int32_t, 2> size{};
   require(bytes.size() > kHeaderBytes && bytes.starts_with(kFlowMagic), path.string(),
           ": expected a .flo file of optical flow");
   std::memcpy(size.data(), bytes.data() + kFlowMagic.size(), sizeof(size));
   const auto [cols, rows] = size;
-  require(cols > 0 && rows > 0 && cols <= kMaxSize && rows <= kMaxSize, path.string(),
-          ": expected a size of up to ", kMaxSize, " px, got ", cols, "x", rows);
-  cv::Mat_<cv::Vec2f> flow(rows, cols);
-  const std::size_t pixels = flow.total() * sizeof(cv::Vec2f);
+  require(cols > 0 && rows > 0, path.string(), ": expected a size in px, got ", cols, "x", rows);
+  const std::size_t pixels =
+      static_cast<std::size_t>(cols) * static_cast<std::size_t>(rows) * sizeof(cv::Vec2f);
   require(bytes.size() == kHeaderBytes + pixels, path.string(), ": expected ",
-          kHeaderBytes + pixels, " bytes, got ", bytes.size());
+          kHeaderBytes + pixels, " bytes for ", cols, "x", rows, " px, got ", bytes.size());
+  const cv::Mat_<cv::Vec2f> flow = new_image({cols, rows}, CV_32FC2, path);
   std::memcpy(flow.data, bytes.data() + kHeaderBytes, pixels);
   return flow;
 }

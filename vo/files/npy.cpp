@@ -4,7 +4,8 @@
 #include <cstring>
 
 #include "vo/core/error.h"
-#include "vo/files/output.h"
+#include "vo/files/input.h"
+#include "vo/files/new_image.h"
 
 namespace vo {
 namespace {
@@ -52,11 +53,13 @@ cv::Mat read_npy(const std::filesystem::path& path) {
               header.find("'fortran_order': False") != std::string::npos && values >= 2 &&
               rows > 0 && cols > 0 && (channels == 1 || channels == 3),
           expected, " with two dimensions, or a third of 3");
-  cv::Mat image(rows, cols, channels == 1 ? CV_32FC1 : CV_32FC3);
-  const std::size_t size = image.total() * image.elemSize();
+  const int type = channels == 1 ? CV_32FC1 : CV_32FC3;
   const std::size_t start = kNpyMagic.size() + 2 + header_size;
-  require(bytes.size() == start + size, path.string(), ": expected ", start + size, " bytes, got ",
-          bytes.size());
+  const std::size_t size =
+      static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols) * CV_ELEM_SIZE(type);
+  require(bytes.size() == start + size, path.string(), ": expected ", start + size, " bytes for ",
+          cols, "x", rows, " px, got ", bytes.size());
+  const cv::Mat image = new_image({cols, rows}, type, path);
   std::memcpy(image.data, bytes.data() + start, size);
   return image;
 }

@@ -1,9 +1,7 @@
 #include "vo/files/output.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
-#include <fstream>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -12,6 +10,7 @@
 #include <unistd.h>
 
 #include "vo/core/error.h"
+#include "vo/files/input.h"
 
 namespace vo {
 namespace {
@@ -196,21 +195,6 @@ void write_file(const fs::path& given, std::string_view bytes, ExistingOutput ex
     remove_quietly(partial);
     fail_to_write(given, error.value());
   }
-}
-
-std::string read_file(const fs::path& path) {
-  require(fs::exists(path), path.string(), ": there is no such file");
-  require(!fs::is_directory(path), path.string(), ": is a folder, expected a file");
-  std::ifstream file(path, std::ios::binary);
-  require(file.is_open(), path.string(),
-          ": cannot be read: ", std::generic_category().message(errno));
-  std::string bytes;
-  std::array<char, 65536> block{};
-  while (file.read(block.data(), block.size()) || file.gcount() > 0) {
-    bytes.append(block.data(), static_cast<std::size_t>(file.gcount()));
-  }
-  require(!file.bad(), path.string(), ": cannot be read to its end");
-  return bytes;
 }
 
 void write_files(const fs::path& folder, const std::vector<NamedBytes>& files,

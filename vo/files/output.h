@@ -35,9 +35,6 @@ void require_no_conflict(const std::filesystem::path& path, std::string_view byt
 void write_file(const std::filesystem::path& path, std::string_view bytes,
                 ExistingOutput existing = ExistingOutput::keep);
 
-/// Returns the whole file as bytes; throws Error naming the path if it cannot be read.
-std::string read_file(const std::filesystem::path& path);
-
 /// Writes each file into `folder` as `write_file` does, and makes the folders that hold it.
 void write_files(const std::filesystem::path& folder, const std::vector<NamedBytes>& files,
                  ExistingOutput existing = ExistingOutput::keep);

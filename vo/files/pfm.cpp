@@ -4,7 +4,8 @@
 #include <cstring>
 
 #include "vo/core/error.h"
-#include "vo/files/output.h"
+#include "vo/files/input.h"
+#include "vo/files/new_image.h"
 
 namespace vo {
 
@@ -19,7 +20,6 @@ std::string encode_pfm(const cv::Mat& image) {
 }
 
 cv::Mat read_pfm(const std::filesystem::path& path) {
-  constexpr int kMaxSize = 16384;  // px
   const std::string bytes = read_file(path);
   char kind = 0;
   int cols = 0;
@@ -28,13 +28,14 @@ cv::Mat read_pfm(const std::filesystem::path& path) {
   int start = 0;
   const int values =
       std::sscanf(bytes.c_str(), "P%c %d %d %lf%*c%n", &kind, &cols, &rows, &scale, &start);
-  require(values == 4 && start > 0 && (kind == 'f' || kind == 'F') && scale < 0 && cols > 0 &&
-              rows > 0 && cols <= kMaxSize && rows <= kMaxSize,
-          path.string(), ": expected a little-endian portable float map");
-  cv::Mat image(rows, cols, kind == 'f' ? CV_32FC1 : CV_32FC3);
-  const std::size_t row = static_cast<std::size_t>(cols) * image.elemSize();
+  require(
+      values == 4 && start > 0 && (kind == 'f' || kind == 'F') && scale < 0 && cols > 0 && rows > 0,
+      path.string(), ": expected a little-endian portable float map");
+  const int type = kind == 'f' ? CV_32FC1 : CV_32FC3;
+  const std::size_t row = static_cast<std::size_t>(cols) * CV_ELEM_SIZE(type);
   const std::size_t size = static_cast<std::size_t>(start) + row * static_cast<std::size_t>(rows);
   require(bytes.size() == size, path.string(), ": expected ", size, " bytes, got ", bytes.size());
+  cv::Mat image = new_image({cols, rows}, type, path);
   const char* source = bytes.data() + start;
   for (int v = rows; v-- > 0; source += row) {
     std::memcpy(image.ptr(v), source, row);

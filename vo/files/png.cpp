@@ -2,26 +2,28 @@
 
 #include <array>
 #include <csetjmp>
+#include <cstdlib>
 #include <cstring>
 #include <vector>
 
 #include <png.h>
 
 #include "vo/core/error.h"
-#include "vo/files/output.h"
+#include "vo/files/input.h"
+#include "vo/files/new_image.h"
 
 namespace vo {
 namespace {
 
 constexpr int kSignatureBytes = 8;
-constexpr png_uint_32 kMaxSize = 16384;  // px
-constexpr int kCompressionLevel = 3;     // a higher level halves the speed for 5 % fewer bytes
+constexpr int kCompressionLevel = 3;  // a higher level halves the speed for 5 % fewer bytes
 
 /// Error message that libpng's callbacks leave. libpng reports an error by calling `on_error`,
 /// which must not return: it leaves by longjmp to the setjmp of the function that called libpng.
 /// Those functions hold no object with a destructor.
 struct PngError {
   std::array<char, 128> message{};
+  bool is_out_of_memory = false;
 };
 
 struct ByteSource {
@@ -53,12 +55,37 @@ void append_bytes(png_structp png, png_bytep bytes, std::size_t count) {
 
 void flush_nothing(png_structp /*png*/) {}
 
+png_voidp allocate(png_structp png, png_alloc_size_t size) {
+  void* memory = std::malloc(size);  // NOLINT(cppcoreguidelines-no-malloc): libpng frees it
+  if (memory == nullptr) {
+    static_cast<PngError*>(png_get_mem_ptr(png))->is_out_of_memory = true;
+  }
+  return memory;
+}
+
+void release(png_structp /*png*/, png_voidp memory) {
+  std::free(memory);  // NOLINT(cppcoreguidelines-no-malloc): as it was allocated
+}
+
+/// Throws Error unless libpng has succeeded.
+void require_decoded(bool succeeded, const PngError& error, const std::filesystem::path& path) {
+  if (!succeeded && error.is_out_of_memory) {
+    fail_as(ErrorKind::temporary, path.string(), ": there is not enough memory to decode it");
+  }
+  require(succeeded, path.string(), ": cannot be decoded: ", error.message.data());
+}
+
 /// Owns libpng's state for reading.
 class PngReadState {
  public:
   explicit PngReadState(PngError& error)
-      : png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &error, on_error, on_warning)),
-        info_(png_create_info_struct(png_)) {}
+      : png_(png_create_read_struct_2(PNG_LIBPNG_VER_STRING, &error, on_error, on_warning, &error,
+                                      allocate, release)),
+        info_(png_ != nullptr ? png_create_info_struct(png_) : nullptr) {
+    if (info_ == nullptr) {
+      error.is_out_of_memory = true;
+    }
+  }
   ~PngReadState() { png_destroy_read_struct(&png_, &info_, nullptr); }
   PngReadState(const PngReadState&) = delete;
   PngReadState& operator=(const PngReadState&) = delete;
@@ -99,7 +126,6 @@ bool read_header(png_structp png, png_infop info, ByteSource* source) {
     return false;
   }
   png_set_read_fn(png, source, read_bytes);
-  png_set_user_limits(png, kMaxSize, kMaxSize);
   png_read_info(png, info);
   const bool is_gray = (png_get_color_type(png, info) & PNG_COLOR_MASK_COLOR) == 0;
   if (png_get_bit_depth(png, info) == 16 && is_gray) {
@@ -161,6 +187,18 @@ int image_type(png_structp png, png_infop info) {
   return png_get_bit_depth(png, info) == 16 ? CV_16UC1 : CV_8UC1;
 }
 
+/// Throws Error if the file is shorter than its pixels can be compressed to: deflate makes at most
+/// 1032 bytes of one, a palette's bit three bytes.
+void require_long_enough(const PngReadState& state, std::size_t bytes,
+                         const std::filesystem::path& path) {
+  constexpr std::size_t kMostExpansion = 1032 * 8 * 3;
+  const png_uint_32 width = png_get_image_width(state.png(), state.info());
+  const png_uint_32 height = png_get_image_height(state.png(), state.info());
+  const std::size_t pixel_bytes = png_get_rowbytes(state.png(), state.info()) * height;
+  require(bytes >= pixel_bytes / kMostExpansion, path.string(), ": cannot be decoded: it has ",
+          bytes, " bytes, too few for ", width, "x", height, " px");
+}
+
 }  // namespace
 
 cv::Mat read_png(const std::filesystem::path& path) {
@@ -171,14 +209,14 @@ cv::Mat read_png(const std::filesystem::path& path) {
   PngError error;
   const PngReadState state(error);
   ByteSource source{&bytes};
-  require(read_header(state.png(), state.info(), &source), path.string(),
-          ": cannot be decoded: ", error.message.data());
-  cv::Mat image(static_cast<int>(png_get_image_height(state.png(), state.info())),
-                static_cast<int>(png_get_image_width(state.png(), state.info())),
-                image_type(state.png(), state.info()));
+  require_decoded(!error.is_out_of_memory && read_header(state.png(), state.info(), &source), error,
+                  path);
+  require_long_enough(state, bytes.size(), path);
+  cv::Mat image = new_image({static_cast<int>(png_get_image_width(state.png(), state.info())),
+                             static_cast<int>(png_get_image_height(state.png(), state.info()))},
+                            image_type(state.png(), state.info()), path);
   std::vector<png_bytep> rows = row_pointers(image);
-  require(read_rows(state.png(), rows.data()), path.string(),
-          ": cannot be decoded: ", error.message.data());
+  require_decoded(read_rows(state.png(), rows.data()), error, path);
   return image;
 }
 

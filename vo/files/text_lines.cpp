@@ -1,51 +1,59 @@
 #include "vo/files/text_lines.h"
 
-#include <cmath>
+#include <algorithm>
+#include <utility>
 
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/files/output.h"
+#include "vo/files/input.h"
 
 namespace vo {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r,";
 
-std::vector<std::string> split(std::string_view line) {
-  std::vector<std::string> fields;
+void split(std::string_view line, std::vector<std::string_view>& fields) {
+  fields.clear();
   std::size_t begin = line.find_first_not_of(kBlanks);
   while (begin != std::string_view::npos) {
     const std::size_t end = line.find_first_of(kBlanks, begin);
-    fields.emplace_back(line.substr(begin, end - begin));
+    fields.push_back(line.substr(begin, end - begin));
     begin = end == std::string_view::npos ? end : line.find_first_not_of(kBlanks, end);
   }
-  return fields;
 }
 
 }  // namespace
 
-std::vector<TextLine> read_text_lines(const std::filesystem::path& path) {
-  const std::string text = read_file(path);
-  std::vector<TextLine> lines;
-  std::size_t number = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    ++number;
-    const std::string_view line = std::string_view(text).substr(begin, end - begin);
-    std::vector<std::string> fields = split(line.substr(0, line.find('#')));
-    if (!fields.empty()) {
-      lines.push_back({concat(path.string(), ":", number), std::move(fields)});
+std::string TextLine::place() const {
+  return concat(file.string(), ":", number);
+}
+
+TextFile::TextFile(std::filesystem::path path)
+    : path_(std::move(path)), text_(read_file(path_, kMaxListBytes)) {}
+
+std::size_t TextFile::line_count() const {
+  return static_cast<std::size_t>(std::count(text_.begin(), text_.end(), '\n')) + 1;
+}
+
+void TextFile::for_each_line(const std::function<void(const TextLine& line)>& visit) const {
+  TextLine line{path_, 0, {}};
+  for (std::size_t begin = 0; begin < text_.size();) {
+    const std::size_t end = std::min(text_.find('\n', begin), text_.size());
+    const std::string_view text = std::string_view(text_).substr(begin, end - begin);
+    ++line.number;
+    split(text.substr(0, text.find('#')), line.fields);
+    if (!line.fields.empty()) {
+      visit(line);
     }
     begin = end + 1;
   }
-  return lines;
 }
 
 double parse_number(const TextLine& line, std::size_t field) {
   try {
     return parse_real(line.fields.at(field));
   } catch (const Error& error) {
-    fail(line.place, ": ", error.what(), " as value ", field + 1);
+    fail(line.place(), ": ", error.what(), " as value ", field + 1);
   }
 }
 

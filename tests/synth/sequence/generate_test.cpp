@@ -15,8 +15,8 @@
 #include "tests/support/quads.h"
 #include "tests/support/temp_folder.h"
 #include "vo/dataset/trajectory_file.h"
+#include "vo/files/input.h"
 #include "vo/files/npy.h"
-#include "vo/files/output.h"
 #include "vo/files/png.h"
 
 namespace synth {

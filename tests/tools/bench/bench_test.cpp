@@ -14,6 +14,7 @@
 #include "tools/bench/race.h"
 #include "tools/bench/summary.h"
 #include "tools/plot/linear_fit.h"
+#include "vo/files/input.h"
 #include "vo/odometry/track_sequence.h"
 
 namespace {

@@ -8,6 +8,7 @@
 #include "tests/support/plane_sequence.h"
 #include "vo/core/fields.h"
 #include "vo/dataset/trajectory_file.h"
+#include "vo/files/input.h"
 #include "vo/files/png.h"
 
 namespace {

@@ -5,6 +5,7 @@
 
 #include "tests/support/program_test.h"
 #include "vo/dataset/sequence.h"
+#include "vo/files/input.h"
 #include "vo/files/npy.h"
 #include "vo/files/png.h"
 

@@ -6,7 +6,7 @@
 #include "tests/support/program.h"
 #include "tests/support/render_room.h"
 #include "tests/support/temp_folder.h"
-#include "vo/files/output.h"
+#include "vo/files/input.h"
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "vo/dataset/sequence.h"
 #include "vo/files/float_image.h"
 #include "vo/files/flow_file.h"
+#include "vo/files/input.h"
 
 namespace {
 

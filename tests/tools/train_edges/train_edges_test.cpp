@@ -11,6 +11,7 @@
 #include "tools/train_edges/edge_score.h"
 #include "tools/train_edges/forest_trainer.h"
 #include "tools/train_edges/label_space.h"
+#include "vo/files/input.h"
 #include "vo/structured_forest/structured_forest_file.h"
 
 namespace {

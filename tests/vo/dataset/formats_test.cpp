@@ -12,6 +12,7 @@
 #include "vo/dataset/euroc.h"
 #include "vo/dataset/icl_nuim.h"
 #include "vo/dataset/sequence.h"
+#include "vo/files/input.h"
 
 namespace {
 

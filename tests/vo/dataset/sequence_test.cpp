@@ -8,6 +8,7 @@
 #include "tests/support/plane_sequence.h"
 #include "tests/support/temp_folder.h"
 #include "vo/dataset/camera_file.h"
+#include "vo/files/input.h"
 #include "vo/files/npy.h"
 #include "vo/files/output.h"
 #include "vo/files/png.h"

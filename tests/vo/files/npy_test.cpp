@@ -42,7 +42,7 @@ TEST(Npy, RejectsOtherFiles) {
   const std::string bytes = vo::encode_npy(cv::Mat_<float>(2, 3, 1.0F));
   vo::write_file(folder.path() / "cut.npy", bytes.substr(0, bytes.size() - 1));
   EXPECT_THAT(error_text([&] { vo::read_npy(folder.path() / "cut.npy"); }),
-              HasSubstr("cut.npy: expected 152 bytes, got 151"));
+              HasSubstr("cut.npy: expected 152 bytes for 3x2 px, got 151"));
   vo::write_file(folder.path() / "text.npy", "no array");
   EXPECT_THAT(error_text([&] { vo::read_npy(folder.path() / "text.npy"); }),
               HasSubstr("text.npy: expected a version 1.0 .npy file"));

@@ -6,6 +6,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 #include "vo/core/error.h"
+#include "vo/files/input.h"
 
 namespace {
 

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
@@ -58,6 +59,24 @@ TEST(Png, ADamagedByteIsAnError) {
   vo::write_file(folder.path() / "bad.png", bytes);
   EXPECT_THAT(error_text([&] { vo::read_png(folder.path() / "bad.png"); }),
               HasSubstr("bad.png: cannot be decoded: "));
+}
+
+TEST(Png, ASizeThatTheFileCannotHoldIsRefusedBeforeMemoryIsAskedFor) {
+  const TempFolder folder;
+  std::string bytes = vo::encode_png(pattern(CV_8UC3));
+  constexpr std::size_t kWidth = 16;     // after the signature and the length and name of the chunk
+  constexpr std::size_t kChecksum = 29;  // after the 13 bytes of the header
+  for (const std::size_t at : {kWidth, kWidth + 4}) {
+    bytes.replace(at, 4, std::string("\0\0\x3e\x80", 4));  // 16000
+  }
+  const auto checksum =
+      ::crc32(0, reinterpret_cast<const unsigned char*>(bytes.data()) + kWidth - 4, 17);
+  for (std::size_t i = 0; i < 4; ++i) {
+    bytes[kChecksum + i] = static_cast<char>(checksum >> (24 - 8 * i) & 0xff);
+  }
+  vo::write_file(folder.path() / "huge.png", bytes);
+  EXPECT_THAT(error_text([&] { vo::read_png(folder.path() / "huge.png"); }),
+              EndsWith(" bytes, too few for 16000x16000 px"));
 }
 
 TEST(Png, WhatIsNoPngSaysSo) {

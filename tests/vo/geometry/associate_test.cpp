@@ -72,6 +72,39 @@ TEST(Associate, FindsNothingInNothing) {
   EXPECT_THAT(associate({}, a, 1), IsEmpty());
 }
 
+TEST(Associate, AgreesWithTheDefinitionWhereManyPairsAreEquallyClose) {
+  std::mt19937 random(2);
+  std::bernoulli_distribution is_there(0.6);
+  for (int trial = 0; trial < 50; ++trial) {
+    std::vector<double> a;
+    std::vector<double> b;
+    for (int stamp = 0; stamp < 40; ++stamp) {
+      if (is_there(random)) {
+        a.push_back(stamp);
+      }
+      if (is_there(random)) {
+        b.push_back(stamp + 0.5 * (trial % 2));
+      }
+    }
+    for (const double max_difference : {0.6, 2.0, 7.0}) {
+      EXPECT_EQ(associate(a, b, max_difference), associate_by_definition(a, b, max_difference));
+    }
+  }
+}
+
+TEST(Associate, TakesNoMorePairsForAMillionStampsCloseToEachOther) {
+  std::vector<double> a(1'000'000);
+  std::vector<double> b(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    a[i] = 1e-8 * static_cast<double>(i);
+    b[i] = a[i] + 0.3e-8;
+  }
+  const Pairs pairs = associate(a, b, 0.02);  // of 1e12 pairs within the limit
+  ASSERT_EQ(pairs.size(), a.size());
+  EXPECT_TRUE(
+      std::all_of(pairs.begin(), pairs.end(), [](const auto& p) { return p.first == p.second; }));
+}
+
 TEST(Associate, AgreesWithTheDefinitionOnRandomStamps) {
   std::mt19937 random(1);
   for (int trial = 0; trial < 50; ++trial) {

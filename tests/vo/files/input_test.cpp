@@ -1,0 +1,92 @@
+#include "vo/files/input.h"
+
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "tests/support/error_text.h"
+#include "tests/support/temp_folder.h"
+#include "vo/files/text_lines.h"
+
+namespace {
+
+using support::error_text;
+using support::TempFolder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(ReadFile, ReturnsEveryByte) {
+  const TempFolder folder;
+  std::string bytes;
+  for (int i = 0; i < 200'000; ++i) {
+    bytes.push_back(static_cast<char>(i * 7));
+  }
+  folder.write("bytes", bytes);
+  EXPECT_EQ(vo::read_file(folder.path() / "bytes"), bytes);
+  folder.write("none", "");
+  EXPECT_EQ(vo::read_file(folder.path() / "none"), "");
+}
+
+TEST(ReadFile, NamesWhatIsNoRegularFileAndNeverWaitsForIt) {
+  const TempFolder folder;
+  const std::filesystem::path pipe = folder.path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const auto error = [](const std::filesystem::path& path) {
+    return error_text([&] { vo::read_file(path); });
+  };
+  EXPECT_THAT(error(pipe), HasSubstr("pipe: is a pipe, expected a regular file"));
+  EXPECT_EQ(error("/dev/zero"), "/dev/zero: is a device, expected a regular file");
+  EXPECT_THAT(error(folder.path()), HasSubstr(": is a folder, expected a regular file"));
+  EXPECT_THAT(error(folder.path() / "none"), HasSubstr("none: there is no such file"));
+}
+
+TEST(ReadFile, ReadsNothingThatIsTooLarge) {
+  const TempFolder folder;
+  folder.write("sparse", "");
+  std::filesystem::resize_file(folder.path() / "sparse", 5'000'000'000);
+  EXPECT_THAT(error_text([&] { vo::read_file(folder.path() / "sparse"); }),
+              HasSubstr("has 5000000000 bytes, expected at most 4000000000"));
+  EXPECT_THAT(error_text([&] { vo::read_file(folder.path() / "sparse", 10); }),
+              HasSubstr("expected at most 10"));
+}
+
+TEST(PathIn, StaysInTheFolder) {
+  EXPECT_EQ(vo::path_in("seq", "rgb/./1.png", "rgb.txt:1"), "seq/rgb/1.png");
+  EXPECT_EQ(vo::path_in("seq", "rgb/../depth/1.png", "rgb.txt:1"), "seq/depth/1.png");
+  for (const char* name : {"../1.png", "/etc/passwd", "rgb/../../1.png", ".."}) {
+    EXPECT_THAT(error_text([&] { vo::path_in("seq", name, "rgb.txt:7"); }),
+                HasSubstr("rgb.txt:7: '" + std::string(name) + "' leads out of seq"));
+  }
+}
+
+TEST(TextFile, VisitsTheLinesThatHoldSomething) {
+  const TempFolder folder;
+  folder.write("list", "# head\r\n1 a,b\r\n\n  \t\n2\tc # comment\n#\n3");
+  std::vector<std::string> seen;
+  vo::TextFile(folder.path() / "list").for_each_line([&](const vo::TextLine& line) {
+    std::string text = std::to_string(line.number) + ":";
+    for (const std::string_view field : line.fields) {
+      text += " " + std::string(field);
+    }
+    seen.push_back(text);
+  });
+  EXPECT_THAT(seen, ElementsAre("2: 1 a b", "5: 2 c", "7: 3"));
+}
+
+TEST(TextFile, NamesTheLineOfAValueThatIsNoNumber) {
+  const TempFolder folder;
+  folder.write("list", "1\n\ntwo\n");
+  double sum = 0;
+  EXPECT_THAT(error_text([&] {
+                vo::TextFile(folder.path() / "list").for_each_line([&](const vo::TextLine& line) {
+                  sum += vo::parse_number(line, 0);
+                });
+              }),
+              HasSubstr("list:3: expected a number, got 'two' as value 1"));
+  EXPECT_EQ(sum, 1);
+}
+
+}  // namespace

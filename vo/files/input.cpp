@@ -1,0 +1,99 @@
+#include "vo/files/input.h"
+
+#include <cerrno>
+#include <new>
+#include <string_view>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "vo/core/error.h"
+
+namespace vo {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string_view kind_of(mode_t mode) {
+  if (S_ISDIR(mode)) {
+    return "a folder";
+  }
+  if (S_ISFIFO(mode)) {
+    return "a pipe";
+  }
+  return S_ISSOCK(mode) ? "a socket" : "a device";
+}
+
+/// Owns an open file.
+class OpenFile {
+ public:
+  /// Opens without waiting, which a pipe without a writer would have one do.
+  explicit OpenFile(const fs::path& path)
+      : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+    require(descriptor_ >= 0 || errno != ENOENT, path.string(), ": there is no such file");
+    require(descriptor_ >= 0, path.string(),
+            ": cannot be read: ", std::generic_category().message(errno));
+  }
+  ~OpenFile() { ::close(descriptor_); }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  OpenFile(OpenFile&&) = delete;
+  OpenFile& operator=(OpenFile&&) = delete;
+
+  /// Returns the size of the regular file, bytes.
+  std::uintmax_t size() const {
+    struct stat status {};
+    require(::fstat(descriptor_, &status) == 0, path_.string(),
+            ": cannot be read: ", std::generic_category().message(errno));
+    require(S_ISREG(status.st_mode), path_.string(), ": is ", kind_of(status.st_mode),
+            ", expected a regular file");
+    return static_cast<std::uintmax_t>(status.st_size);
+  }
+
+  /// Fills `bytes` from the file's start; it becomes shorter where the file is.
+  void read(std::string& bytes) const {
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+      const ssize_t count = ::read(descriptor_, bytes.data() + done, bytes.size() - done);
+      require(count >= 0 || errno == EINTR, path_.string(),
+              ": cannot be read to its end: ", std::generic_category().message(errno));
+      if (count == 0) {
+        break;
+      }
+      done += static_cast<std::size_t>(count > 0 ? count : 0);
+    }
+    bytes.resize(done);
+  }
+
+ private:
+  const fs::path& path_;
+  int descriptor_;
+};
+
+}  // namespace
+
+std::string read_file(const fs::path& path, std::uintmax_t max_bytes) {
+  const OpenFile file(path);
+  const std::uintmax_t size = file.size();
+  require(size <= max_bytes, path.string(), ": has ", size, " bytes, expected at most ", max_bytes);
+  std::string bytes;
+  try {
+    bytes.resize(size);
+  } catch (const std::bad_alloc&) {
+    fail_as(ErrorKind::temporary, path.string(), ": reading it needs ", size,
+            " bytes of memory, which are not there");
+  }
+  file.read(bytes);
+  return bytes;
+}
+
+fs::path path_in(const fs::path& folder, const std::string& name, const std::string& place) {
+  const fs::path relative = fs::path(name).lexically_normal();
+  require(!relative.is_absolute() && *relative.begin() != "..", place, ": '", name,
+          "' leads out of ", folder.string(), ", expected a file in it");
+  return folder / relative;
+}
+
+}  // namespace vo

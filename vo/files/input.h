@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace vo {
+
+/// The greatest sizes of files that come from outside, bytes; what is larger is not read.
+inline constexpr std::uintmax_t kMaxFileBytes = 4'000'000'000;
+inline constexpr std::uintmax_t kMaxListBytes = 1'000'000'000;
+inline constexpr std::uintmax_t kMaxConfigurationBytes = 16'000'000;
+
+/// Returns the whole file as bytes. Throws Error naming the path: `input` if it is no regular file
+/// (a folder, a pipe, a device), is larger than `max_bytes` or cannot be read; `temporary` if there
+/// is not enough memory for it. It never waits for a pipe's other end.
+std::string read_file(const std::filesystem::path& path, std::uintmax_t max_bytes = kMaxFileBytes);
+
+/// Returns the path of a file that a list in `folder` names. Throws Error beginning with `place`,
+/// the line of the list, if the name leads out of the folder.
+std::filesystem::path path_in(const std::filesystem::path& folder, const std::string& name,
+                              const std::string& place);
+
+}  // namespace vo

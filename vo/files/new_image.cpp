@@ -1,0 +1,22 @@
+#include "vo/files/new_image.h"
+
+#include "vo/core/error.h"
+
+namespace vo {
+
+cv::Mat new_image(cv::Size size, int type, const std::filesystem::path& path) {
+  constexpr int kMaxSize = 16384;  // px
+  require(size.width > 0 && size.height > 0 && size.width <= kMaxSize && size.height <= kMaxSize,
+          path.string(), ": expected an image of 1 to ", kMaxSize, " px in width and height, got ",
+          size.width, "x", size.height);
+  try {
+    return cv::Mat(size, type);
+  } catch (const cv::Exception& error) {
+    require(error.code == cv::Error::StsNoMem, path.string(), ": ", error.what());
+    fail_as(ErrorKind::temporary, path.string(), ": an image of ", size.width, "x", size.height,
+            " px needs ", static_cast<double>(size.area()) * CV_ELEM_SIZE(type),
+            " bytes of memory, which are not there");
+  }
+}
+
+}  // namespace vo
