@@ -5,6 +5,7 @@
 #include <limits>
 #include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -114,6 +115,16 @@ int main(int argc, char** argv) {
   } catch (const std::filesystem::filesystem_error& error) {
     std::cerr << "edvo: " << error.path1().string() << ": " << error.code().message() << "\n";
     return tools::exit_code::kUnusableInput;
+  } catch (const cv::Exception& error) {
+    const bool is_memory = error.code == cv::Error::StsNoMem;
+    std::cerr << "edvo: " << (is_memory ? "out of memory: " : "internal error: ") << error.err
+              << "\n";
+    return is_memory ? tools::exit_code::kTemporary : tools::exit_code::kInternalError;
+  } catch (const std::system_error& error) {
+    const bool is_scarce = error.code() == std::errc::resource_unavailable_try_again;
+    std::cerr << "edvo: " << (is_scarce ? "no memory for another thread: " : "internal error: ")
+              << error.what() << "\n";
+    return is_scarce ? tools::exit_code::kTemporary : tools::exit_code::kInternalError;
   } catch (const std::bad_alloc&) {
     std::cerr << "edvo: out of memory\n";
     return tools::exit_code::kTemporary;

@@ -133,4 +133,13 @@ vo::Trajectory sample(const CameraPath& path, double rate_hz, double duration_s)
   return sample(path, sample_times(rate_hz, duration_s));
 }
 
+void require_within_reach(const vo::Trajectory& trajectory) {
+  constexpr double kFarthest = 1e7;  // m, where neighbouring numbers are 1 m apart
+  for (const vo::StampedPose& pose : trajectory) {
+    const double distance = pose.T_world_camera.translation().norm();
+    vo::require(distance <= kFarthest, "path: the camera is ", distance, " m from the origin at ",
+                pose.timestamp, " s, expected within ", kFarthest, " m");
+  }
+}
+
 }  // namespace synth

@@ -54,4 +54,8 @@ vo::Trajectory sample(const CameraPath& path, const std::vector<double>& times);
 /// Returns the path's poses at `sample_times`.
 vo::Trajectory sample(const CameraPath& path, double rate_hz, double duration_s);
 
+/// Throws vo::Error if a pose is farther than 1e7 m from the world's origin, where rays in single
+/// precision say nothing any more.
+void require_within_reach(const vo::Trajectory& trajectory);
+
 }  // namespace synth

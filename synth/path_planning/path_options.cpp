@@ -138,6 +138,7 @@ TimedPath make_path(const PathOptions& options, const SceneFile& scene) {
   if (options.shake.moves()) {
     result.path = with_hand_shake(result.path, options.shake);
   }
+  require_within_reach(sample(result.path, result.times));
   return result;
 }
 

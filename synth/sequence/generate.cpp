@@ -70,6 +70,7 @@ CameraPath path_of(const SequenceRecipe& recipe) {
 FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe)
     : scene_(scene), recipe_(recipe), motion_{recipe.truth, path_of(recipe)}, moves_(moves(scene)) {
   vo::require(!recipe.truth.empty(), "sequence: no poses to render, expected at least one");
+  require_within_reach(recipe.truth);
   recipe.camera.validate();
   recipe.sensor.validate();
   renderers_ = std::make_unique<const RenderersOverTime>(scene, recipe.render);

@@ -124,6 +124,13 @@ Scene receding_wall() {
   return scene;
 }
 
+TEST(GenerateSequence, RefusesACameraBeyondWhereRaysCanBeComputed) {
+  SequenceRecipe far{.camera = kCamera};
+  far.truth = {{0, {}}, {0.5, vo::SE3(Eigen::Quaterniond::Identity(), {0, 1e19, 0})}};
+  EXPECT_THAT(error_text([&] { FrameGenerator(small_room(), far); }),
+              HasSubstr("the camera is 1e+19 m from the origin at 0.5 s, expected within 1e+07 m"));
+}
+
 TEST(GenerateSequence, MovesTheSceneFromTheFirstStampOn) {
   const support::TempFolder folder;
   const vo::Trajectory truth = {{1e9, {}}, {1e9 + 0.5, {}}, {1e9 + 2, {}}};
