@@ -47,11 +47,15 @@ constexpr const char* kTestHelp =
     "better.";
 
 constexpr const char* kFooter =
-    "An outside tracker is a command of the shell. {sequence} is a folder as `edvo render` makes\n"
-    "it, {camera} its camera.toml, {output} the TUM trajectory to write (T_world_camera in any\n"
-    "world). It exits with 0, or with 5 where frames are missing because it was lost. What is "
-    "known\n"
-    "of edvo alone (keyframes, covariances) is not judged.\n\n"
+    "An outside tracker is a program with its arguments, in quotes as a shell reads them, started\n"
+    "without a shell in a folder of its own. {sequence} stands for a folder as `edvo render` "
+    "makes\n"
+    "it, {camera} for its camera.toml, {output} for the TUM trajectory to write (T_world_camera "
+    "in\n"
+    "any world); they are also in the environment as EDVO_SEQUENCE, EDVO_CAMERA, EDVO_OUTPUT. It\n"
+    "exits with 0, or with 5 where frames are missing because it was lost. All that it started "
+    "ends\n"
+    "with it. What is known of edvo alone (keyframes, covariances) is not judged.\n\n"
     "Examples:\n"
     "  edvo test scenarios --junit junit.xml --baseline baseline.json\n"
     "  edvo test scenarios --report report.html\n"
@@ -59,7 +63,8 @@ constexpr const char* kFooter =
     "  edvo test scenarios --tracker 'my_vo {sequence} {output}' --baseline mine.json\n"
     "  edvo test scenarios/room_orbit.toml --seeds 5 --json results.json\n"
     "  edvo test scenarios --tracker 'my_vo --in {sequence} --camera {camera} --out {output}'\n"
-    "  edvo test scenarios --tracker 'edvo track {sequence} --preset paper --out {output}'\n\n"
+    "  edvo test scenarios --tracker 'edvo track {sequence} --preset paper --out {output}'\n"
+    "  edvo test scenarios --tracker 'sh -c \"my_vo < $EDVO_SEQUENCE/rgb.txt > $EDVO_OUTPUT\"'\n\n"
     "Exit codes: 0 all hold, 3 a scenario or scene cannot be used, 4 a bound or the baseline is\n"
     "violated or the outside tracker failed, 75 a disk was full; the other scenarios still run.";
 
@@ -70,7 +75,7 @@ struct TestArguments {
   int threads = 0;
   std::string cache;
   std::string tracker;
-  double time_limit = OutsideTracker{}.time_limit;
+  TrackerLimits limits;
   std::string junit;
   std::string json;
   std::string report;
@@ -110,7 +115,9 @@ void complete_judges(TestArguments& arguments) {
 void complete(TestArguments& arguments) {
   RunSettings& run = arguments.run;
   if (!arguments.tracker.empty()) {
-    run.trial.tracker = {.command = arguments.tracker, .time_limit = arguments.time_limit};
+    run.trial.tracker = {.command = arguments.tracker,
+                         .limits = arguments.limits,
+                         .withheld = fs::absolute(cache_folder(arguments.cache))};
   }
   check_usage([&] {
     run.validate();
@@ -217,7 +224,6 @@ void add_run_options(CLI::App& command, TestArguments& arguments) {
   command.add_option("--cache", arguments.cache, "folder of the cache [$XDG_CACHE_HOME/edvo]");
   command.add_option("--tracker", arguments.tracker,
                      "test this program: CMD with {sequence} {camera} {output}");
-  command.add_option("--time-limit", arguments.time_limit, "of --tracker per sequence, s [600]");
   command.add_option("--threads", arguments.threads, "threads at most; 0 = all cores")
       ->check(CLI::NonNegativeNumber);
   command.add_flag("--quiet,-q", arguments.quiet, "no progress on stderr");
@@ -242,6 +248,7 @@ void add_test_command(CLI::App& program, int& exit_code) {
   command.add_flag("--update-baseline", arguments->update_baseline,
                    "--save-baseline to the file of --baseline, without comparing");
   add_field_options(command, vo::fields_of(arguments->comparison), "Baseline");
+  add_field_options(command, vo::fields_of(arguments->limits), "Limits of --tracker");
   command.callback([arguments, &exit_code] { exit_code = test(*arguments); });
 }
 

@@ -13,13 +13,10 @@ TestResults test_build(const std::filesystem::path& build,
   constexpr double kTimeLimit = 24 * 3600;  // time limit, s
   const ScratchFolder scratch;
   const std::filesystem::path results = scratch.path() / "results.json";
-  std::string command =
-      vo::concat(shell_quoted(std::filesystem::absolute(build).string()), " test --quiet --json ",
-                 shell_quoted(results.string()), " --seeds ", seeds);
-  for (const std::string& scenario : scenarios) {
-    command += " " + shell_quoted(scenario);
-  }
-  run_child(command, scratch.path() / "printed.txt", kTimeLimit, waiting);
+  ChildCommand command{.words = {std::filesystem::absolute(build).string(), "test", "--quiet",
+                                 "--json", results.string(), "--seeds", std::to_string(seeds)}};
+  command.words.insert(command.words.end(), scenarios.begin(), scenarios.end());
+  run_child(command, {.time = kTimeLimit}, waiting);
   vo::require(std::filesystem::exists(results), build.string(),
               ": left no results of `edvo test`, expected a build of edvo that has it");
   return read_results(results);

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <csignal>
+#include <cstdint>
 #include <optional>
 #include <sstream>
 #include <string>
 
+#include "tools/laboratory/tracker_command.h"
 #include "tools/processes/child_process.h"
 #include "tools/processes/scratch_folder.h"
 #include "vo/core/error.h"
@@ -21,42 +24,70 @@ namespace fs = std::filesystem;
 constexpr int kLost = 5;                     // exit code of a tracker that was lost
 constexpr double kMaxTimeDifference = 0.02;  // s, between a pose and its frame
 
-std::string replaced(std::string text, const std::string& name, const fs::path& path) {
-  const std::string value = shell_quoted(fs::absolute(path).string());
-  for (std::size_t at = text.find(name); at != std::string::npos;
-       at = text.find(name, at + value.size())) {
-    text.replace(at, name.size(), value);
-  }
-  return text;
-}
-
-/// Returns `; it last said: ` with the program's last line of output, or nothing.
-std::string last_words(const fs::path& printed) {
-  std::string text = fs::exists(printed) ? vo::read_file(printed) : "";
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) {
-    text.pop_back();
+/// Returns `; it last said: ` with the last line of a program's output, or nothing.
+std::string last_words(std::string printed) {
+  while (!printed.empty() && std::isspace(static_cast<unsigned char>(printed.back())) != 0) {
+    printed.pop_back();
   }
   constexpr std::size_t kMaxLength = 200;
-  const std::string line = text.substr(text.find_last_of('\n') + 1);
+  const std::string line = printed.substr(printed.find_last_of('\n') + 1);
   return line.empty() ? "" : "; it last said: " + line.substr(0, kMaxLength);
+}
+
+ChildLimits child_limits(const TrackerLimits& limits) {
+  constexpr double kMegabyte = 1e6;  // bytes
+  return {.time = limits.time_limit,
+          .memory = kMegabyte * limits.memory_limit,
+          .processes = static_cast<double>(limits.process_limit),
+          .output = kMegabyte * limits.output_limit,
+          .file = kMegabyte * limits.file_limit};
 }
 
 OutsideRun failed_run(ProblemKind kind, const std::string& sentence) {
   return {.tracking = {}, .problem = sentence, .kind = kind};
 }
 
-/// Returns what is wrong with how the program ended; nothing where that is as it should be.
-std::optional<OutsideRun> bad_end(const ChildEnd& end, const OutsideTracker& tracker,
-                                  const fs::path& printed) {
-  constexpr int kShellSignal = 128;  // a shell's exit code for signal n is 128 + n
-  const int signal = end.exit_code > kShellSignal ? end.exit_code - kShellSignal : end.signal;
-  const std::string said = last_words(printed);
-  if (end.timed_out) {
-    return failed_run(
-        ProblemKind::timeout,
-        vo::concat("the tracker was ended after ", tracker.time_limit, " s, its time limit", said));
+/// Returns why the program was ended.
+std::string limit_sentence(ExceededLimit exceeded, const TrackerLimits& limits) {
+  switch (exceeded) {
+    case ExceededLimit::time:
+      return vo::concat("the tracker was ended after ", limits.time_limit, " s, its time limit");
+    case ExceededLimit::memory:
+      return vo::concat("the tracker was ended for holding more than ", limits.memory_limit,
+                        " MB of memory (--memory-limit)");
+    case ExceededLimit::processes:
+      return vo::concat("the tracker was ended for running more than ", limits.process_limit,
+                        " processes (--process-limit)");
+    case ExceededLimit::output:
+      return vo::concat("the tracker was ended for printing more than ", limits.output_limit,
+                        " MB (--output-limit)");
+    case ExceededLimit::none:
+      break;
   }
-  if (signal != 0) {
+  return "";
+}
+
+/// Returns the signal that ended the program, or the one that a shell ended it for; 0 for none.
+int signal_of(const ChildEnd& end) {
+  constexpr int kShellSignal = 128;  // a shell's exit code for signal n is 128 + n
+  constexpr int kLastSignal = 64;
+  const int signal = end.exit_code - kShellSignal;
+  return signal > 0 && signal <= kLastSignal ? signal : end.signal;
+}
+
+/// Returns what is wrong with how the program ended; nothing where that is as it should be.
+std::optional<OutsideRun> bad_end(const ChildEnd& end, const TrackerLimits& limits) {
+  const std::string said = last_words(end.tail);
+  if (end.exceeded != ExceededLimit::none) {
+    const bool is_timeout = end.exceeded == ExceededLimit::time;
+    return failed_run(is_timeout ? ProblemKind::timeout : ProblemKind::tracker,
+                      limit_sentence(end.exceeded, limits) + said);
+  }
+  if (const int signal = signal_of(end); signal == SIGXFSZ) {
+    return failed_run(ProblemKind::tracker,
+                      vo::concat("the tracker wrote a file of more than ", limits.file_limit,
+                                 " MB (--file-limit)", said));
+  } else if (signal != 0) {
     return failed_run(ProblemKind::crash,
                       vo::concat("the tracker crashed (signal ", signal, ")", said));
   }
@@ -87,10 +118,14 @@ vo::SequenceResult all_lost(const vo::SequenceReader& sequence) {
 }
 
 /// Reads the trajectory. Errors do not name the temporary file, which the user does not know.
-vo::Trajectory read_output(const fs::path& output, const fs::path& printed) {
-  vo::require(fs::exists(output), "the tracker wrote no trajectory to {output}",
+vo::Trajectory read_output(const fs::path& output, const std::string& printed) {
+  constexpr std::uintmax_t kMaxBytes = 100'000'000;
+  const fs::file_status status = fs::symlink_status(output);
+  vo::require(fs::exists(status), "the tracker wrote no trajectory to {output} or $EDVO_OUTPUT",
               last_words(printed));
-  vo::require(fs::is_regular_file(output), "the tracker made {output} no file");
+  vo::require(fs::is_regular_file(status), "the tracker made {output} no file");
+  vo::require(fs::file_size(output) <= kMaxBytes, "the tracker's trajectory has more than ",
+              kMaxBytes, " bytes");
   const std::string bytes = vo::read_file(output);
   vo::require(!bytes.empty(), "the tracker wrote an empty trajectory");
   vo::require(bytes.back() == '\n', "the tracker's trajectory ends within a line");
@@ -156,31 +191,44 @@ vo::SequenceResult poses_of_frames(const vo::Trajectory& estimate,
 
 }  // namespace
 
-void OutsideTracker::validate() const {
-  for (const char* name : {"{sequence}", "{output}"}) {
-    vo::require(command.find(name) != std::string::npos, "--tracker ", command, ": expected ", name,
-                " in it");
-  }
+void TrackerLimits::validate() const {
   vo::require(time_limit > 0, "--time-limit: expected above 0, got ", time_limit);
+  vo::require(memory_limit > 0, "--memory-limit: expected above 0, got ", memory_limit);
+  vo::require(process_limit > 0, "--process-limit: expected above 0, got ", process_limit);
+  vo::require(output_limit > 0, "--output-limit: expected above 0, got ", output_limit);
+  vo::require(file_limit > 0, "--file-limit: expected above 0, got ", file_limit);
+}
+
+void OutsideTracker::validate() const {
+  validate_tracker_command(command);
+  limits.validate();
 }
 
 OutsideRun track_outside(const OutsideTracker& tracker, const fs::path& folder,
                          const vo::SequenceReader& sequence, const WaitObserver& waiting) {
   const ScratchFolder scratch;
-  const fs::path output = scratch.path() / "trajectory.txt";
-  const fs::path printed = scratch.path() / "printed.txt";
-  std::string command = replaced(tracker.command, "{sequence}", folder);
-  command = replaced(command, "{camera}", folder / "camera.toml");
-  command = replaced(command, "{output}", output);
-  const ChildEnd end = run_child(command, printed, tracker.time_limit, waiting);
-  if (const std::optional<OutsideRun> bad = bad_end(end, tracker, printed)) {
+  const TrackerPlaces places{.sequence = folder,
+                             .camera = folder / "camera.toml",
+                             .output = scratch.path() / "trajectory.txt",
+                             .scratch = scratch.path(),
+                             .withheld = tracker.withheld};
+  const ChildCommand command = tracker_command(tracker.command, places);
+  ChildEnd end;
+  try {
+    end = run_child(command, child_limits(tracker.limits), waiting);
+  } catch (const vo::Error& error) {
+    waiting();
+    return failed_run(ProblemKind::tracker, vo::concat("the tracker ", error.what()));
+  }
+  if (const std::optional<OutsideRun> bad = bad_end(end, tracker.limits)) {
     return *bad;
   }
-  if (end.exit_code == kLost && has_no_pose(output)) {
+  if (end.exit_code == kLost && has_no_pose(places.output)) {
     return {.tracking = all_lost(sequence), .problem = ""};
   }
   try {
-    return {.tracking = poses_of_frames(read_output(output, printed), sequence), .problem = ""};
+    return {.tracking = poses_of_frames(read_output(places.output, end.tail), sequence),
+            .problem = ""};
   } catch (const vo::Error& error) {
     return failed_run(ProblemKind::tracker, error.what());
   }

@@ -12,13 +12,34 @@
 
 namespace tools {
 
-/// An external tracking program: a shell command in which {sequence} stands for the folder of an
-/// RGB-D sequence, {camera} for its camera.toml and {output} for the TUM trajectory to write. Exit
-/// code 0 means success, 5 (as in `edvo track`) that poses of some or all frames are missing
-/// because tracking was lost.
+/// Limits of an external tracker, with all processes that it starts, on one sequence.
+struct TrackerLimits {
+  double time_limit = 600;     ///< wall time, s
+  double memory_limit = 4000;  ///< private resident memory of all its processes together, MB
+  int process_limit = 256;     ///< number of processes at a time
+  double output_limit = 100;   ///< what it prints, MB
+  double file_limit = 1000;    ///< size of each file that it writes, MB
+
+  void validate() const;  ///< throws vo::Error on an invalid option
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, TrackerLimits& limits) {
+  visit("time_limit", limits.time_limit, "per sequence, s");
+  visit("memory_limit", limits.memory_limit, "of all its processes together, MB");
+  visit("process_limit", limits.process_limit, "processes at a time");
+  visit("output_limit", limits.output_limit, "of what it prints, MB");
+  visit("file_limit", limits.file_limit, "of each file that it writes, MB");
+}
+
+/// An external tracking program: a command in which {sequence} stands for the folder of an RGB-D
+/// sequence, {camera} for its camera.toml and {output} for the TUM trajectory to write
+/// (`tracker_command.h`). Exit code 0 means success, 5 (as in `edvo track`) that poses of some or
+/// all frames are missing because tracking was lost.
 struct OutsideTracker {
   std::string command;
-  double time_limit = 600;  ///< time limit for one sequence, s
+  TrackerLimits limits{};
+  std::filesystem::path withheld{};  ///< folder that holds the truth, kept from the tracker
 
   void validate() const;  ///< throws vo::Error on an invalid option
 };

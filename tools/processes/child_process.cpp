@@ -2,131 +2,98 @@
 
 #include <array>
 #include <cerrno>
-#include <chrono>
-#include <csignal>
+#include <cstring>
 #include <system_error>
-#include <thread>
 
-#include <fcntl.h>
-#include <spawn.h>
+#include <poll.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tools/processes/supervisor.h"
 #include "vo/core/error.h"
 
 namespace tools {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+[[noreturn]] void fail_to_start(const ChildCommand& command, int error) {
+  vo::fail(command.words.front(), ": cannot be started: ", std::generic_category().message(error));
+}
 
-/// Settings of posix_spawn: own process group, default signal handlers, no input, output to a file.
-class SpawnSettings {
+/// A supervisor and the socket to it; the destructor closes the socket, at which the supervisor
+/// kills the program and ends, and waits for that.
+class Supervised {
  public:
-  explicit SpawnSettings(const std::filesystem::path& output) {
-    constexpr mode_t kMode = 0666;
-    posix_spawnattr_init(&attributes_);
-    posix_spawn_file_actions_init(&actions_);
-    sigset_t defaults;
-    sigemptyset(&defaults);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXFSZ}) {
-      sigaddset(&defaults, signal);
+  Supervised(const ChildCommand& command, const ChildLimits& limits) {
+    std::array<int, 2> sockets{};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) != 0) {
+      fail_to_start(command, errno);
     }
-    posix_spawnattr_setsigdefault(&attributes_, &defaults);
-    posix_spawnattr_setpgroup(&attributes_, 0);
-    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
-    posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, output.c_str(),
-                                     O_WRONLY | O_CREAT | O_TRUNC, kMode);
-    posix_spawn_file_actions_adddup2(&actions_, STDOUT_FILENO, STDERR_FILENO);
+    supervisor_ = ::fork();
+    const int error = errno;
+    if (supervisor_ == 0) {
+      ::close(sockets[0]);
+      supervise(command, limits, sockets[1]);
+    }
+    ::close(sockets[1]);
+    control_ = sockets[0];
+    if (supervisor_ < 0) {
+      ::close(control_);
+      fail_to_start(command, error);
+    }
   }
 
-  ~SpawnSettings() {
-    posix_spawn_file_actions_destroy(&actions_);
-    posix_spawnattr_destroy(&attributes_);
+  ~Supervised() {
+    ::close(control_);
+    ::waitpid(supervisor_, nullptr, 0);
   }
 
-  SpawnSettings(const SpawnSettings&) = delete;
-  SpawnSettings& operator=(const SpawnSettings&) = delete;
-  SpawnSettings(SpawnSettings&&) = delete;
-  SpawnSettings& operator=(SpawnSettings&&) = delete;
+  Supervised(const Supervised&) = delete;
+  Supervised& operator=(const Supervised&) = delete;
+  Supervised(Supervised&&) = delete;
+  Supervised& operator=(Supervised&&) = delete;
 
-  pid_t spawn(std::string command) {
-    std::string shell = "/bin/sh";
-    std::string flag = "-c";
-    const std::array<char*, 4> words{shell.data(), flag.data(), command.data(), nullptr};
-    pid_t process = 0;
-    const int error =
-        posix_spawn(&process, shell.c_str(), &actions_, &attributes_, words.data(), environ);
-    vo::require(error == 0, command,
-                ": cannot be started: ", std::generic_category().message(error));
-    return process;
+  /// Returns what the supervisor wrote until it ended.
+  std::string wait(const WaitObserver& waiting) const {
+    constexpr int kPause = 100;  // ms
+    std::string bytes;
+    for (;;) {
+      waiting();
+      pollfd event{control_, POLLIN, 0};
+      if (::poll(&event, 1, kPause) <= 0) {
+        continue;
+      }
+      std::array<char, 8192> block{};
+      const ssize_t count = ::read(control_, block.data(), block.size());
+      if (count <= 0) {
+        return bytes;
+      }
+      bytes.append(block.data(), static_cast<std::size_t>(count));
+    }
   }
 
  private:
-  posix_spawnattr_t attributes_{};
-  posix_spawn_file_actions_t actions_{};
-};
-
-/// Owns a process group; its destructor kills the group and waits for the leader.
-class ProcessGroup {
- public:
-  explicit ProcessGroup(pid_t leader) : leader_(leader) {}
-
-  ~ProcessGroup() {
-    ::kill(-leader_, SIGKILL);
-    if (!has_ended_) {
-      ::waitpid(leader_, nullptr, 0);
-    }
-  }
-
-  ProcessGroup(const ProcessGroup&) = delete;
-  ProcessGroup& operator=(const ProcessGroup&) = delete;
-  ProcessGroup(ProcessGroup&&) = delete;
-  ProcessGroup& operator=(ProcessGroup&&) = delete;
-
-  /// Returns whether the leader has ended, and stores how in `end`.
-  bool has_ended(ChildEnd& end) {
-    int status = 0;
-    if (::waitpid(leader_, &status, WNOHANG) != leader_) {
-      return false;
-    }
-    has_ended_ = true;
-    end.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
-    end.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-    return true;
-  }
-
- private:
-  pid_t leader_;
-  bool has_ended_ = false;
+  pid_t supervisor_ = -1;
+  int control_ = -1;
 };
 
 }  // namespace
 
-ChildEnd run_child(const std::string& command, const std::filesystem::path& output,
-                   double time_limit, const WaitObserver& waiting) {
-  constexpr std::chrono::milliseconds kPause(20);
-  const Clock::time_point start = Clock::now();
-  ProcessGroup group(SpawnSettings(output).spawn(command));
-  ChildEnd end;
-  while (!group.has_ended(end)) {
-    const std::chrono::duration<double> elapsed = Clock::now() - start;
-    if (elapsed.count() > time_limit) {
-      end.timed_out = true;
-      break;
-    }
-    waiting();
-    std::this_thread::sleep_for(kPause);
+ChildEnd run_child(const ChildCommand& command, const ChildLimits& limits,
+                   const WaitObserver& waiting) {
+  vo::require(!command.words.empty(), "expected a program to start");
+  const std::string bytes = Supervised(command, limits).wait(waiting);
+  SupervisorMessage message;
+  vo::require(bytes.size() >= sizeof(message), command.words.front(),
+              ": its supervising process was killed");
+  std::memcpy(&message, bytes.data(), sizeof(message));
+  if (message.start_error != 0) {
+    fail_to_start(command, message.start_error);
   }
-  return end;
-}
-
-std::string shell_quoted(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) {
-    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  }
-  return quoted + "'";
+  return {.exit_code = message.exit_code,
+          .signal = message.signal,
+          .exceeded = message.exceeded,
+          .tail = bytes.substr(sizeof(message))};
 }
 
 }  // namespace tools

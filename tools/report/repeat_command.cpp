@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "tools/processes/child_process.h"
+#include "tools/processes/shell_words.h"
 
 namespace tools {
 namespace {

@@ -180,9 +180,9 @@ TEST_F(LabProgram, AnOutsideTrackerIsJudgedByTheSameBounds) {
 }
 
 TEST_F(LabProgram, BytesThatATrackerPrintsDoNotBreakTheResults) {
-  const ProgramResult result = test(path("scenarios") + " --json " + path("r.json") + " --junit " +
-                                    path("r.xml") + " --report " + path("r.html") +
-                                    R"( --tracker "printf '\\377<\\001' # {sequence} {output}")");
+  const ProgramResult result =
+      test(path("scenarios") + " --json " + path("r.json") + " --junit " + path("r.xml") +
+           " --report " + path("r.html") + R"( --tracker "printf '\\377<\\001'")");
   EXPECT_EQ(result.exit_code, 4) << result.out << result.err;
   EXPECT_THAT(result.out, HasSubstr("it last said: ?<?\n"));
   EXPECT_EQ(json::parse(read("r.json"))["scenarios"].size(), 1U);

@@ -1,7 +1,8 @@
 #include "tools/laboratory/outside_tracker.h"
 
-#include <chrono>
-#include <thread>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,23 +19,33 @@ using support::error_text;
 using support::TempFolder;
 using testing::HasSubstr;
 
+/// The command that has a shell run a script.
+std::string shell(const std::string& script) {
+  std::string quoted;
+  for (const char c : script) {
+    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  }
+  return "sh -c '" + quoted + "'";
+}
+
 /// A sequence of six frames and a tracker on it.
 class OutsideTracker : public testing::Test {
  protected:
   OutsideTracker() { truth_ = support::write_plane_sequence(path(), 6); }
 
-  std::filesystem::path path() const { return folder_.path() / "a sequence"; }
+  std::filesystem::path path() const { return folder_.path() / "a $(touch here) 'sequence'"; }
 
-  tools::OutsideRun run(const std::string& command, double time_limit = 10) const {
-    return tools::track_outside({.command = command, .time_limit = time_limit}, path(),
+  tools::OutsideRun run(const std::string& command, const tools::TrackerLimits& limits = {}) const {
+    return tools::track_outside({.command = command, .limits = limits}, path(),
                                 vo::SequenceReader(path()), [] {});
   }
 
-  vo::SequenceResult track(const std::string& command) const { return run(command).tracking; }
-
-  std::string error(const std::string& command, double time_limit = 10) const {
-    return run(command, time_limit).problem;
+  tools::OutsideRun run_script(const std::string& script,
+                               const tools::TrackerLimits& limits = {}) const {
+    return run(shell(script), limits);
   }
+
+  std::string error(const std::string& script) const { return run_script(script).problem; }
 
   TempFolder folder_;
   vo::Trajectory truth_;
@@ -46,8 +57,8 @@ TEST_F(OutsideTracker, ThatWritesTheTruthHasNoErrorInWhateverWorldItIs) {
     pose.T_world_camera =
         vo::SE3(Eigen::Quaterniond(0.6, 0, 0.8, 0), {1, 2, 3}) * pose.T_world_camera;
   }
-  vo::write_file(path() / "moved.txt", vo::format_trajectory(moved));
-  const vo::SequenceResult result = track("cp {sequence}/moved.txt {output}");
+  const std::string file = folder_.write("moved.txt", vo::format_trajectory(moved)).string();
+  const vo::SequenceResult result = run("cp '" + file + "' {output}").tracking;
   ASSERT_EQ(result.trajectory.size(), 6U);
   EXPECT_EQ(result.tracked_fraction(), 1);
   for (std::size_t i = 0; i < truth_.size(); ++i) {
@@ -58,17 +69,18 @@ TEST_F(OutsideTracker, ThatWritesTheTruthHasNoErrorInWhateverWorldItIs) {
 }
 
 TEST_F(OutsideTracker, IsGivenTheCameraAndMaySayThatItWasLost) {
+  const std::string file = folder_.write("truth.txt", vo::format_trajectory(truth_)).string();
   const vo::SequenceResult result =
-      track("test -f {camera} && head -4 {sequence}/groundtruth.txt > {output}; exit 5");
+      run_script("test -f \"$EDVO_CAMERA\" && head -4 '" + file + "' > \"$EDVO_OUTPUT\"; exit 5")
+          .tracking;
   EXPECT_LT(result.tracked_fraction(), 1);
   EXPECT_EQ(result.frames.size(), 6U);
   EXPECT_EQ(result.frames.back().status, vo::TrackingStatus::lost);
 }
 
 TEST_F(OutsideTracker, MaySayThatItWasLostFromTheFirstFrameOn) {
-  for (const char* command : {"true {sequence} {output}; exit 5",
-                              "true {sequence}; echo '# no pose' > {output}; exit 5"}) {
-    const vo::SequenceResult result = track(command);
+  for (const char* script : {"exit 5", "echo '# no pose' > $EDVO_OUTPUT; exit 5"}) {
+    const vo::SequenceResult result = run_script(script).tracking;
     EXPECT_EQ(result.frames.size(), 6U);
     EXPECT_EQ(result.tracked_fraction(), 0);
     EXPECT_TRUE(result.trajectory.empty());
@@ -76,44 +88,90 @@ TEST_F(OutsideTracker, MaySayThatItWasLostFromTheFirstFrameOn) {
 }
 
 TEST_F(OutsideTracker, ThatFailsIsASentence) {
-  EXPECT_THAT(error("echo {sequence} {output} >/dev/null; kill -SEGV $$"),
-              HasSubstr("the tracker crashed (signal 11)"));
-  EXPECT_THAT(error("sh -c 'kill -ABRT $$'; exit $? # {sequence} {output}"),
-              HasSubstr("the tracker crashed (signal 6)"));
-  EXPECT_THAT(error("echo no licence; exit 3 # {sequence} {output}"),
+  EXPECT_THAT(error("kill -SEGV $$"), HasSubstr("the tracker crashed (signal 11)"));
+  EXPECT_THAT(error("sh -c 'kill -ABRT $$'; exit $?"), HasSubstr("the tracker crashed (signal 6)"));
+  EXPECT_THAT(error("echo no licence; exit 3"),
               HasSubstr("ended with exit code 3, expected 0; it last said: no licence"));
-  EXPECT_THAT(error("no_such_program {sequence} {output}"), HasSubstr("exit code 127"));
-  EXPECT_THAT(error("true {sequence} {output}"), HasSubstr("wrote no trajectory"));
-  EXPECT_THAT(error("true {sequence}; : > {output}"), HasSubstr("empty trajectory"));
-  EXPECT_THAT(error("true {sequence}; head -c 999 /dev/zero > {output}; echo >> {output}"),
+  EXPECT_THAT(run("no_such_program {sequence} {output}").problem,
+              HasSubstr("no_such_program: cannot be started: No such file or directory"));
+  EXPECT_THAT(error("true"), HasSubstr("wrote no trajectory"));
+  EXPECT_THAT(error(": > $EDVO_OUTPUT"), HasSubstr("empty trajectory"));
+  EXPECT_THAT(error("head -c 999 /dev/zero > $EDVO_OUTPUT; echo >> $EDVO_OUTPUT"),
               HasSubstr("the tracker's trajectory:1"));
-  EXPECT_THAT(error("true {sequence}; echo 0 1 2 3 0 0 0 nan > {output}"),
+  EXPECT_THAT(error("echo 0 1 2 3 0 0 0 nan > $EDVO_OUTPUT"),
               HasSubstr("the tracker's trajectory:1"));
-  EXPECT_THAT(error("head -c 130 {sequence}/groundtruth.txt > {output}"),
+  EXPECT_THAT(error("printf '0 0 0 0 0 0 0 1\\n0.03 0 0' > $EDVO_OUTPUT"),
               HasSubstr("ends within a line"));
-  EXPECT_THAT(error("true {sequence}; echo 100 0 0 0 0 0 0 1 > {output}"),
+  EXPECT_THAT(error("echo 100 0 0 0 0 0 0 1 > $EDVO_OUTPUT"),
               HasSubstr("no pose at the time of a frame"));
+  EXPECT_THAT(error("ln -s /etc/passwd $EDVO_OUTPUT"), HasSubstr("made {output} no file"));
 }
 
 TEST_F(OutsideTracker, ThatFailsIsOfAKind) {
-  EXPECT_EQ(run("kill -SEGV $$ # {sequence} {output}").kind, tools::ProblemKind::crash);
-  EXPECT_EQ(run("sleep 60 # {sequence} {output}", 0.1).kind, tools::ProblemKind::timeout);
-  EXPECT_EQ(run("exit 3 # {sequence} {output}").kind, tools::ProblemKind::tracker);
+  EXPECT_EQ(run_script("kill -SEGV $$").kind, tools::ProblemKind::crash);
+  EXPECT_EQ(run_script("sleep 60", {.time_limit = 0.1}).kind, tools::ProblemKind::timeout);
+  EXPECT_EQ(run_script("exit 3").kind, tools::ProblemKind::tracker);
 }
 
-TEST_F(OutsideTracker, ThatHangsIsEndedWithAllItStarted) {
-  const auto start = std::chrono::steady_clock::now();
-  const std::string mark = (folder_.path() / "mark").string();
-  EXPECT_THAT(error("(sleep 1; echo late > '" + mark + "') & sleep 60 # {sequence} {output}", 0.2),
-              HasSubstr("was ended after 0.2 s, its time limit"));
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
-  std::this_thread::sleep_for(std::chrono::milliseconds(1300));
-  EXPECT_FALSE(std::filesystem::exists(mark));
+TEST_F(OutsideTracker, ThatHangsIsEndedAtItsTimeLimit) {
+  EXPECT_EQ(run_script("echo busy; sleep 60", {.time_limit = 0.2}).problem,
+            "the tracker was ended after 0.2 s, its time limit; it last said: busy");
 }
 
-TEST_F(OutsideTracker, NeedsPlacesForSequenceAndOutput) {
-  EXPECT_THAT(error_text([] { tools::OutsideTracker{.command = "vo {sequence}"}.validate(); }),
-              HasSubstr("expected {output} in it"));
+TEST_F(OutsideTracker, ThatTakesTooMuchIsEnded) {
+  EXPECT_THAT(run_script("yes", {.output_limit = 1}).problem,
+              HasSubstr("printing more than 1 MB (--output-limit); it last said: y"));
+  EXPECT_THAT(run_script("for i in 1 2 3 4 5 6 7 8; do sleep 60 & done; wait", {.process_limit = 6})
+                  .problem,
+              HasSubstr("running more than 6 processes (--process-limit)"));
+  EXPECT_THAT(
+      run_script("head -c 30m /dev/zero | tail -n 1; sleep 60", {.memory_limit = 20}).problem,
+      HasSubstr("holding more than 20 MB of memory (--memory-limit)"));
+  EXPECT_THAT(run_script("exec head -c 3m /dev/zero > file", {.file_limit = 2}).problem,
+              HasSubstr("wrote a file of more than 2 MB (--file-limit)"));
+}
+
+TEST_F(OutsideTracker, IsStartedFromWordsAndToldOfPlacesInItsEnvironment) {
+  const std::filesystem::path mark = folder_.path() / "told";
+  const std::string script =
+      folder_
+          .write("tell.sh", "echo \"$1\" > '" + mark.string() + "'\necho \"$EDVO_SEQUENCE\" >> '" +
+                                mark.string() + "'\n")
+          .string();
+  run("sh '" + script + "' {sequence} {output}");
+  EXPECT_EQ(vo::read_file(mark), path().string() + "\n" + path().string() + "\n");
+  EXPECT_FALSE(std::filesystem::exists("here"));
+}
+
+TEST_F(OutsideTracker, IsNotToldWhereTheTruthIs) {
+  const std::filesystem::path mark = folder_.path() / "environment";
+  const std::filesystem::path withheld = folder_.path() / "cache/edvo";
+  setenv("XDG_CACHE_HOME", withheld.parent_path().c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
+  setenv("TOLD", withheld.c_str(), 1);                          // NOLINT(concurrency-mt-unsafe)
+  tools::track_outside({.command = shell("env > '" + mark.string() + "'"), .withheld = withheld},
+                       path(), vo::SequenceReader(path()), [] {});
+  unsetenv("XDG_CACHE_HOME");  // NOLINT(concurrency-mt-unsafe)
+  unsetenv("TOLD");            // NOLINT(concurrency-mt-unsafe)
+  EXPECT_THAT(vo::read_file(mark), HasSubstr("EDVO_OUTPUT="));
+  EXPECT_THAT(vo::read_file(mark), testing::Not(HasSubstr((folder_.path() / "cache").string())));
+}
+
+TEST_F(OutsideTracker, NeedsACommandThatSaysWhereWithoutAShell) {
+  const auto usage = [](const std::string& command) {
+    return error_text([&] { tools::OutsideTracker{.command = command}.validate(); });
+  };
+  EXPECT_THAT(usage("vo {sequence}"), HasSubstr("expected {output} or, in a script, $EDVO_OUTPUT"));
+  EXPECT_THAT(
+      usage("vo {sequence} > {output}"),
+      HasSubstr("has an unquoted >, which only a shell understands; to use a shell write sh "
+                "-c 'vo \"$EDVO_SEQUENCE\""));
+  EXPECT_THAT(usage("sh -c 'vo {sequence} > {output}'"), HasSubstr("text of a script"));
+  EXPECT_THAT(usage(" "), HasSubstr("expected a program"));
+  for (const std::string command :
+       {"vo {sequence} {output}", "sh -c 'vo \"$1\" >\"$2\"' sh {sequence} {output}",
+        "sh -c \"vo <$EDVO_SEQUENCE >$EDVO_OUTPUT\"", "./a_script_that_reads_the_environment"}) {
+    EXPECT_EQ(usage(command), "no error") << command;
+  }
 }
 
 }  // namespace
