@@ -9,12 +9,15 @@
 #include <sstream>
 #include <string>
 
+#include "tools/laboratory/staged_sequence.h"
 #include "tools/laboratory/tracker_command.h"
 #include "tools/processes/child_process.h"
 #include "tools/processes/scratch_folder.h"
 #include "vo/core/error.h"
 #include "vo/dataset/trajectory_file.h"
 #include "vo/files/input.h"
+#include "vo/files/output.h"
+#include "vo/files/result_files.h"
 
 namespace tools {
 namespace {
@@ -205,13 +208,16 @@ void OutsideTracker::validate() const {
 }
 
 OutsideRun track_outside(const OutsideTracker& tracker, const fs::path& folder,
-                         const vo::SequenceReader& sequence, const WaitObserver& waiting) {
+                         vo::SequenceContent content, const vo::SequenceReader& sequence,
+                         const WaitObserver& waiting) {
   const ScratchFolder scratch;
-  const TrackerPlaces places{.sequence = folder,
-                             .camera = folder / "camera.toml",
-                             .output = scratch.path() / "trajectory.txt",
-                             .scratch = scratch.path(),
+  const StagedSequence staged(folder, content, scratch.path() / "sequence", waiting);
+  const TrackerPlaces places{.sequence = staged.folder(),
+                             .camera = staged.folder() / "camera.toml",
+                             .output = scratch.path() / "work" / "trajectory.txt",
+                             .scratch = scratch.path() / "work",
                              .withheld = tracker.withheld};
+  vo::make_folder(places.scratch);
   const ChildCommand command = tracker_command(tracker.command, places);
   ChildEnd end;
   try {

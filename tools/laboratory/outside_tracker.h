@@ -51,11 +51,14 @@ struct OutsideRun {
   ProblemKind kind = ProblemKind::tracker;
 };
 
-/// Runs the tracker on the sequence in `folder` and moves its poses so that the first one equals
-/// the ground truth's. It is a problem when the program crashes, takes too long, or writes no valid
-/// trajectory of the sequence. Only exceptions thrown by `waiting` propagate.
+/// Runs the tracker on a copy of the sequence in `folder` without its truth (`staged_sequence.h`),
+/// with depth where the content says so, and moves its poses so that the first one equals the
+/// ground truth's. It is a problem when the program crashes, exceeds a limit, or writes no valid
+/// trajectory of the sequence. Throws vo::Error when the copy cannot be made, and what `waiting`
+/// throws.
 OutsideRun track_outside(const OutsideTracker& tracker, const std::filesystem::path& folder,
-                         const vo::SequenceReader& sequence, const WaitObserver& waiting);
+                         vo::SequenceContent content, const vo::SequenceReader& sequence,
+                         const WaitObserver& waiting);
 
 /// Returns the bounds without those on metrics that only edvo's own tracker reports: keyframes,
 /// covariances, maps.

@@ -104,6 +104,17 @@ std::vector<std::string> tracker_environment(const TrackerPlaces& places) {
   return environment;
 }
 
+/// Returns the view in which the sequence is read-only and the truth is not there.
+PrivateView tracker_view(const TrackerPlaces& places) {
+  PrivateView view{.read_only = {places.sequence}, .hidden = {}};
+  const bool may_hide = !places.withheld.empty() &&
+                        !contains(places.sequence.string() + "/", places.withheld.string() + "/");
+  if (may_hide) {
+    view.hidden.push_back(places.withheld);
+  }
+  return view;
+}
+
 }  // namespace
 
 void validate_tracker_command(const std::string& command) {
@@ -131,7 +142,8 @@ void validate_tracker_command(const std::string& command) {
 ChildCommand tracker_command(const std::string& command, const TrackerPlaces& places) {
   ChildCommand child{.words = split_words(command),
                      .environment = tracker_environment(places),
-                     .folder = places.scratch};
+                     .folder = places.scratch,
+                     .view = tracker_view(places)};
   for (std::size_t i = 0; i < child.words.size(); ++i) {
     child.words[i] = substituted(resolved_word(child.words[i], i == 0), places);
   }

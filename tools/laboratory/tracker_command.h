@@ -23,7 +23,8 @@ void validate_tracker_command(const std::string& command);
 /// Returns the program to run: the words of the command with {sequence}, {camera} and {output}
 /// replaced inside them. Words that name a file of the current folder become absolute. The
 /// environment is this process' without the name of the withheld folder, with EDVO_SEQUENCE,
-/// EDVO_CAMERA, EDVO_OUTPUT, TMPDIR, and OLDPWD for the current folder.
+/// EDVO_CAMERA, EDVO_OUTPUT, TMPDIR, and OLDPWD for the current folder. Where permitted, the
+/// program sees the sequence read-only and the withheld folder empty.
 ChildCommand tracker_command(const std::string& command, const TrackerPlaces& places);
 
 }  // namespace tools

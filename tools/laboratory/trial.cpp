@@ -85,7 +85,10 @@ void add_report(const Scenario& scenario, const Outcome& outcome, FrameGallery g
 void measure_outside(const Scenario& scenario, const TrialSettings& settings,
                      const fs::path& folder, const WaitObserver& waiting, TrialResult& trial) {
   const vo::SequenceReader sequence(folder);
-  OutsideRun run = track_outside(*settings.tracker, folder, sequence, waiting);
+  const auto content = scenario.odometry.mode == OdometryMode::rgbd
+                           ? vo::SequenceContent::colour_and_depth
+                           : vo::SequenceContent::colour;
+  OutsideRun run = track_outside(*settings.tracker, folder, content, sequence, waiting);
   if (!run.problem.empty()) {
     set_problem(trial, run.kind, run.problem);
     return;

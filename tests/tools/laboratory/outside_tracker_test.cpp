@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/error_text.h"
+#include "tests/support/folder_contents.h"
 #include "tests/support/plane_sequence.h"
 #include "tests/support/temp_folder.h"
 #include "vo/dataset/trajectory_file.h"
@@ -36,7 +37,7 @@ class OutsideTracker : public testing::Test {
   std::filesystem::path path() const { return folder_.path() / "a $(touch here) 'sequence'"; }
 
   tools::OutsideRun run(const std::string& command, const tools::TrackerLimits& limits = {}) const {
-    return tools::track_outside({.command = command, .limits = limits}, path(),
+    return tools::track_outside({.command = command, .limits = limits}, path(), content_,
                                 vo::SequenceReader(path()), [] {});
   }
 
@@ -47,8 +48,15 @@ class OutsideTracker : public testing::Test {
 
   std::string error(const std::string& script) const { return run_script(script).problem; }
 
+  /// Returns what a script prints last.
+  std::string said(const std::string& script) const {
+    const std::string text = error(script + "; exit 1");
+    return text.substr(text.find("last said: ") + 11);
+  }
+
   TempFolder folder_;
   vo::Trajectory truth_;
+  vo::SequenceContent content_ = vo::SequenceContent::colour_and_depth;
 };
 
 TEST_F(OutsideTracker, ThatWritesTheTruthHasNoErrorInWhateverWorldItIs) {
@@ -124,9 +132,10 @@ TEST_F(OutsideTracker, ThatTakesTooMuchIsEnded) {
   EXPECT_THAT(run_script("for i in 1 2 3 4 5 6 7 8; do sleep 60 & done; wait", {.process_limit = 6})
                   .problem,
               HasSubstr("running more than 6 processes (--process-limit)"));
-  EXPECT_THAT(
-      run_script("head -c 30m /dev/zero | tail -n 1; sleep 60", {.memory_limit = 20}).problem,
-      HasSubstr("holding more than 20 MB of memory (--memory-limit)"));
+  EXPECT_THAT(run_script("exec python3 -c 'import time; x = bytearray(30000000); time.sleep(60)'",
+                         {.memory_limit = 20})
+                  .problem,
+              HasSubstr("holding more than 20 MB of memory (--memory-limit)"));
   EXPECT_THAT(run_script("exec head -c 3m /dev/zero > file", {.file_limit = 2}).problem,
               HasSubstr("wrote a file of more than 2 MB (--file-limit)"));
 }
@@ -138,9 +147,11 @@ TEST_F(OutsideTracker, IsStartedFromWordsAndToldOfPlacesInItsEnvironment) {
           .write("tell.sh", "echo \"$1\" > '" + mark.string() + "'\necho \"$EDVO_SEQUENCE\" >> '" +
                                 mark.string() + "'\n")
           .string();
-  run("sh '" + script + "' {sequence} {output}");
-  EXPECT_EQ(vo::read_file(mark), path().string() + "\n" + path().string() + "\n");
-  EXPECT_FALSE(std::filesystem::exists("here"));
+  run("sh '" + script + "' '{sequence}/$(touch {camera})' {output}");
+  const std::string told = vo::read_file(mark);
+  const std::string sequence = told.substr(told.find('\n') + 1);
+  EXPECT_EQ(told, sequence.substr(0, sequence.size() - 1) + "/$(touch " +
+                      sequence.substr(0, sequence.size() - 1) + "/camera.toml)\n" + sequence);
 }
 
 TEST_F(OutsideTracker, IsNotToldWhereTheTruthIs) {
@@ -149,11 +160,39 @@ TEST_F(OutsideTracker, IsNotToldWhereTheTruthIs) {
   setenv("XDG_CACHE_HOME", withheld.parent_path().c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
   setenv("TOLD", withheld.c_str(), 1);                          // NOLINT(concurrency-mt-unsafe)
   tools::track_outside({.command = shell("env > '" + mark.string() + "'"), .withheld = withheld},
-                       path(), vo::SequenceReader(path()), [] {});
+                       path(), content_, vo::SequenceReader(path()), [] {});
   unsetenv("XDG_CACHE_HOME");  // NOLINT(concurrency-mt-unsafe)
   unsetenv("TOLD");            // NOLINT(concurrency-mt-unsafe)
   EXPECT_THAT(vo::read_file(mark), HasSubstr("EDVO_OUTPUT="));
   EXPECT_THAT(vo::read_file(mark), testing::Not(HasSubstr((folder_.path() / "cache").string())));
+}
+
+TEST_F(OutsideTracker, SeesImagesCameraAndImuAlone) {
+  for (const char* name : {"sequence.toml", "truth/flow.npy", "depth_float/000000.npy"}) {
+    vo::write_files(path(), {{name, "truth"}});
+  }
+  vo::write_files(path(), {{"imu.csv", "0"}, {"imu.toml", ""}});
+  const char* script = "cd \"$EDVO_SEQUENCE\"; echo $(find . -type f | grep -v 00000[1-5] | sort)";
+  EXPECT_EQ(said(script),
+            "./camera.toml ./depth.txt ./depth/000000.png ./imu.csv ./imu.toml "
+            "./rgb.txt ./rgb/000000.png");
+  content_ = vo::SequenceContent::colour;
+  EXPECT_EQ(said(script), "./camera.toml ./imu.csv ./imu.toml ./rgb.txt ./rgb/000000.png");
+}
+
+TEST_F(OutsideTracker, ReadsTheBytesOfTheSequenceAndWritesNoneOfThem) {
+  const auto before = support::contents(path());
+  EXPECT_EQ(
+      said("sha256sum < \"$EDVO_SEQUENCE/rgb/000003.png\""),
+      said("sha256sum < '/" + folder_.write("copy", before.at("rgb/000003.png")).string() + "'"));
+  error("cd \"$EDVO_SEQUENCE\"; chmod -R u+w .; echo x > rgb/000000.png; rm -rf *; echo x > more");
+  EXPECT_EQ(support::contents(path()), before);
+}
+
+TEST_F(OutsideTracker, CannotWriteItsInput) {
+  EXPECT_THAT(said("cd \"$EDVO_SEQUENCE\" && echo x > rgb/000000.png"),
+              HasSubstr("rgb/000000.png"));
+  EXPECT_THAT(said("cd \"$EDVO_SEQUENCE\" && touch more && echo done"), HasSubstr("more"));
 }
 
 TEST_F(OutsideTracker, NeedsACommandThatSaysWhereWithoutAShell) {

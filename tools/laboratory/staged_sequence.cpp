@@ -1,0 +1,128 @@
+#include "tools/laboratory/staged_sequence.h"
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <fcntl.h>
+#include <linux/fs.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "vo/core/error.h"
+
+namespace tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file descriptor, closed by the destructor.
+class OpenFile {
+ public:
+  OpenFile(const fs::path& file, int flags) : descriptor_(::open(file.c_str(), flags, 0600)) {}
+  ~OpenFile() { ::close(descriptor_); }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  OpenFile(OpenFile&&) = delete;
+  OpenFile& operator=(OpenFile&&) = delete;
+
+  int descriptor() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
+/// Makes a file that shares the blocks of another; returns whether the file system can.
+bool clone_file(const fs::path& from, const fs::path& to) {
+  const OpenFile source(from, O_RDONLY | O_CLOEXEC);
+  const OpenFile target(to, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC);
+  return ::ioctl(target.descriptor(), FICLONE, source.descriptor()) == 0;
+}
+
+[[noreturn]] void fail_to_stage(const fs::path& file, const std::error_code& error) {
+  const bool full = error == std::errc::no_space_on_device || error.value() == EDQUOT;
+  vo::fail_as(full ? vo::ErrorKind::temporary : vo::ErrorKind::input, file.string(),
+              ": cannot be copied for the tracker: ", error.message());
+}
+
+void copy_read_only(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  if (!clone_file(from, to)) {
+    fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
+  }
+  if (!error) {
+    fs::permissions(to, fs::perms::owner_read | fs::perms::group_read | fs::perms::others_read,
+                    error);
+  }
+  if (error) {
+    fail_to_stage(from, error);
+  }
+}
+
+void set_folder_permissions(const fs::path& folder, fs::perms change, fs::perm_options how) {
+  std::error_code ignored;
+  fs::permissions(folder, change, how, ignored);
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.is_directory(ignored)) {
+      fs::permissions(entry.path(), change, how, ignored);
+    }
+  }
+}
+
+void remove_read_only(const fs::path& folder) {
+  std::error_code ignored;
+  set_folder_permissions(folder, fs::perms::owner_write, fs::perm_options::add);
+  fs::remove_all(folder, ignored);
+}
+
+/// Copies the regular files that lie directly in a folder.
+void copy_folder(const fs::path& from, const fs::path& to, const WaitObserver& waiting) {
+  std::error_code error;
+  fs::create_directories(to, error);
+  if (error) {
+    fail_to_stage(to, error);
+  }
+  for (const fs::directory_entry& entry : fs::directory_iterator(from)) {
+    if (entry.is_regular_file() && !entry.is_symlink()) {
+      copy_read_only(entry.path(), to / entry.path().filename());
+      waiting();
+    }
+  }
+}
+
+void copy_known(const fs::path& sequence, vo::SequenceContent content, const fs::path& folder,
+                const WaitObserver& waiting) {
+  std::vector<std::string> files{"rgb.txt", "camera.toml", "imu.csv", "imu.toml"};
+  copy_folder(sequence / "rgb", folder / "rgb", waiting);
+  if (content == vo::SequenceContent::colour_and_depth) {
+    files.insert(files.end(), {"depth.txt", "associations.txt"});
+    copy_folder(sequence / "depth", folder / "depth", waiting);
+  }
+  for (const std::string& file : files) {
+    if (fs::is_regular_file(sequence / file)) {
+      copy_read_only(sequence / file, folder / file);
+    }
+  }
+}
+
+}  // namespace
+
+StagedSequence::StagedSequence(const fs::path& sequence, vo::SequenceContent content,
+                               const fs::path& folder, const WaitObserver& waiting)
+    : folder_(folder) {
+  constexpr auto kWrite = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+  try {
+    copy_known(sequence, content, folder, waiting);
+  } catch (...) {
+    remove_read_only(folder);
+    throw;
+  }
+  set_folder_permissions(folder, kWrite, fs::perm_options::remove);
+}
+
+StagedSequence::~StagedSequence() {
+  remove_read_only(folder_);
+}
+
+}  // namespace tools
