@@ -17,6 +17,7 @@
 #include "vo/core/fields.h"
 #include "vo/core/hash.h"
 #include "vo/files/input.h"
+#include "vo/dataset/sequence.h"
 #include "vo/files/output.h"
 #include "vo/files/result_files.h"
 #include "vo/files/toml_file.h"

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "tools/laboratory/outside_tracker.h"
 #include "tools/laboratory/results.h"
+#include "tools/outside_tracker/outside_tracker.h"
 #include "tools/pictures/frame_gallery.h"
 #include "tools/processes/file_lock.h"
 #include "tools/scenario/scenario.h"

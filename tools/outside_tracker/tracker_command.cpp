@@ -1,4 +1,4 @@
-#include "tools/laboratory/tracker_command.h"
+#include "tools/outside_tracker/tracker_command.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "tools/laboratory/outside_tracker.h"
+#include "tools/outside_tracker/outside_tracker.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -59,21 +59,42 @@ class OutsideTracker : public testing::Test {
   vo::SequenceContent content_ = vo::SequenceContent::colour_and_depth;
 };
 
-TEST_F(OutsideTracker, ThatWritesTheTruthHasNoErrorInWhateverWorldItIs) {
-  vo::Trajectory moved = truth_;
+/// Returns the trajectory with a millimetre added to and taken from every second position.
+vo::Trajectory with_errors(vo::Trajectory trajectory) {
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    const double error = i % 4 == 1 ? 0.001 : i % 4 == 3 ? -0.001 : 0;
+    trajectory[i].T_world_camera =
+        vo::SE3(Eigen::Quaterniond::Identity(), {0, error, 0}) * trajectory[i].T_world_camera;
+  }
+  return trajectory;
+}
+
+TEST_F(OutsideTracker, HasTheSameErrorsInWhateverWorldItIs) {
+  const vo::Trajectory estimate = with_errors(truth_);
+  vo::Trajectory moved = estimate;
   for (vo::StampedPose& pose : moved) {
     pose.T_world_camera =
         vo::SE3(Eigen::Quaterniond(0.6, 0, 0.8, 0), {1, 2, 3}) * pose.T_world_camera;
   }
   const std::string file = folder_.write("moved.txt", vo::format_trajectory(moved)).string();
-  const vo::SequenceResult result = run("cp '" + file + "' {output}").tracking;
-  ASSERT_EQ(result.trajectory.size(), 6U);
-  EXPECT_EQ(result.tracked_fraction(), 1);
+  const tools::OutsideRun run = this->run("cp '" + file + "' {output}");
+  EXPECT_EQ(run.problem, "");
+  ASSERT_EQ(run.tracking.trajectory.size(), 6U);
+  EXPECT_EQ(run.tracking.tracked_fraction(), 1);
   for (std::size_t i = 0; i < truth_.size(); ++i) {
-    const Eigen::Vector3d difference =
-        result.trajectory[i].T_world_camera.translation() - truth_[i].T_world_camera.translation();
+    const Eigen::Vector3d difference = run.tracking.trajectory[i].T_world_camera.translation() -
+                                       estimate[i].T_world_camera.translation();
     EXPECT_LT(difference.norm(), 1e-8) << "nine decimals of a metre";
   }
+}
+
+TEST_F(OutsideTracker, ThatHasTheTruthIsImplausible) {
+  const std::string file = (path() / "groundtruth.txt").string();
+  folder_.write("truth.txt", vo::read_file(file));
+  const tools::OutsideRun run =
+      this->run("cp '" + (folder_.path() / "truth.txt").string() + "' {output}");
+  EXPECT_EQ(run.kind, tools::ProblemKind::implausible);
+  EXPECT_THAT(run.problem, HasSubstr("is below the rounding of its own numbers"));
 }
 
 TEST_F(OutsideTracker, IsGivenTheCameraAndMaySayThatItWasLost) {

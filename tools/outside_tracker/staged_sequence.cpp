@@ -1,4 +1,4 @@
-#include "tools/laboratory/staged_sequence.h"
+#include "tools/outside_tracker/staged_sequence.h"
 
 #include <cerrno>
 #include <string>

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "tools/laboratory/results.h"
+#include "tools/outside_tracker/problem_kind.h"
 #include "tools/processes/file_lock.h"
 #include "tools/scenario/scenario.h"
 #include "vo/dataset/sequence.h"
@@ -46,9 +46,9 @@ struct OutsideTracker {
 
 /// A tracker's result on a sequence, or why there is none.
 struct OutsideRun {
-  vo::SequenceResult tracking;  ///< frames carry only their status and pose
-  std::string problem;          ///< one sentence; empty on success
-  ProblemKind kind = ProblemKind::tracker;
+  vo::SequenceResult tracking;              ///< frames carry only their status and pose
+  std::string problem;                      ///< one sentence; empty on success
+  ProblemKind kind = ProblemKind::tracker;  ///< kind of the problem, if there is one
 };
 
 /// Runs the tracker on a copy of the sequence in `folder` without its truth (`staged_sequence.h`),

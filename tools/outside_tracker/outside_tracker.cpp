@@ -1,4 +1,4 @@
-#include "tools/laboratory/outside_tracker.h"
+#include "tools/outside_tracker/outside_tracker.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,9 @@
 #include <sstream>
 #include <string>
 
-#include "tools/laboratory/staged_sequence.h"
-#include "tools/laboratory/tracker_command.h"
+#include "tools/outside_tracker/plausibility.h"
+#include "tools/outside_tracker/staged_sequence.h"
+#include "tools/outside_tracker/tracker_command.h"
 #include "tools/processes/child_process.h"
 #include "tools/processes/scratch_folder.h"
 #include "vo/core/error.h"
@@ -192,6 +193,12 @@ vo::SequenceResult poses_of_frames(const vo::Trajectory& estimate,
   return result;
 }
 
+/// Returns the alignment that leaves free what images alone do not tell.
+vo::TrajectoryAlignment alignment_of(vo::SequenceContent content) {
+  return content == vo::SequenceContent::colour ? vo::TrajectoryAlignment::sim3
+                                                : vo::TrajectoryAlignment::se3;
+}
+
 }  // namespace
 
 void TrackerLimits::validate() const {
@@ -233,8 +240,14 @@ OutsideRun track_outside(const OutsideTracker& tracker, const fs::path& folder,
     return {.tracking = all_lost(sequence), .problem = ""};
   }
   try {
-    return {.tracking = poses_of_frames(read_output(places.output, end.tail), sequence),
-            .problem = ""};
+    OutsideRun run{.tracking = poses_of_frames(read_output(places.output, end.tail), sequence),
+                   .problem = ""};
+    run.problem =
+        implausibility(sequence.ground_truth(), run.tracking.trajectory, alignment_of(content),
+                       {.truth = position_unit(folder / "groundtruth.txt"),
+                        .estimate = position_unit(places.output)});
+    run.kind = ProblemKind::implausible;
+    return run;
   } catch (const vo::Error& error) {
     return failed_run(ProblemKind::tracker, error.what());
   }
