@@ -1,11 +1,15 @@
 #include "tools/laboratory/test_run.h"
 
 #include <algorithm>
-#include <mutex>
+#include <cstdlib>
 #include <optional>
 
-#include "tools/processes/job_pool.h"
+#include <tbb/global_control.h>
+
+#include "tools/laboratory/trial_message.h"
+#include "tools/processes/forked_jobs.h"
 #include "tools/processes/readable_text.h"
+#include "tools/processes/scratch_folder.h"
 #include "vo/core/error.h"
 #include "vo/core/version.h"
 #include "vo/files/toml_file.h"
@@ -47,7 +51,7 @@ struct LoadedScenario {
 };
 
 LoadedScenario load(const fs::path& file, BoundsSource bounds) {
-  LoadedScenario loaded{.result = {.name = file.stem().string()}, .scenario = {}};
+  LoadedScenario loaded{.result = {.name = readable_text(file.stem().string())}, .scenario = {}};
   try {
     Scenario scenario = load_scenario(file);
     scenario.require_scene();
@@ -57,8 +61,20 @@ LoadedScenario load(const fs::path& file, BoundsSource bounds) {
     loaded.scenario = std::move(scenario);
   } catch (const vo::Error& error) {
     loaded.result.trials.push_back({.problem = readable_text(error.what())});
+  } catch (const fs::filesystem_error& error) {
+    loaded.result.trials.push_back({.problem = readable_text(error.what())});
   }
   return loaded;
+}
+
+/// Makes a trial's process put its temporary files into a folder that outlives it, and take its
+/// share of the threads: twice what is its own, because trials differ in how long they take.
+tbb::global_control prepare_process(const fs::path& scratch, int at_a_time) {
+  using tbb::global_control;
+  ::setenv("TMPDIR", scratch.c_str(), 1);  // NOLINT(concurrency-mt-unsafe): a process of one thread
+  const std::size_t all = global_control::active_value(global_control::max_allowed_parallelism);
+  const std::size_t share = 2 * all / static_cast<std::size_t>(std::max(at_a_time, 1));
+  return {global_control::max_allowed_parallelism, std::clamp<std::size_t>(share, 1, all)};
 }
 
 }  // namespace
@@ -89,14 +105,20 @@ std::vector<fs::path> find_scenarios(const std::vector<fs::path>& paths, SlowSce
 
 std::vector<TrialResult> run_trials(const std::vector<TrialJob>& jobs, const RunSettings& settings,
                                     const vo::Progress& progress, const WaitObserver& waiting) {
+  const ScratchFolder scratch;
+  const int at_a_time = std::min(settings.jobs, static_cast<int>(jobs.size()));
   std::vector<TrialResult> results(jobs.size());
-  std::mutex mutex;
   std::size_t done = 0;
-  run_jobs(jobs.size(), settings.jobs, [&](std::size_t i) {
-    results[i] = run_trial(jobs[i].scenario, jobs[i].seed, settings.trial, waiting);
-    const std::lock_guard lock(mutex);
+  const auto work = [&](std::size_t i) {
+    const auto limit = prepare_process(scratch.path(), at_a_time);
+    return trial_message(run_trial(jobs[i].scenario, jobs[i].seed, settings.trial, waiting));
+  };
+  const auto take = [&](std::size_t i, const JobEnd& end) {
+    waiting();
+    results[i] = trial_of_process(end, jobs[i].seed);
     progress(++done, jobs.size());
-  });
+  };
+  run_forked(jobs.size(), settings.jobs, {.work = work, .done = take}, waiting);
   return results;
 }
 
@@ -111,10 +133,11 @@ TestResults run_tests(const std::vector<fs::path>& files, const RunSettings& set
     }
   }
   std::vector<TrialResult> trials = run_trials(jobs, settings, progress, waiting);
-  TestResults results{.edvo = vo::version(),
-                      .tracker = settings.trial.tracker ? settings.trial.tracker->command : "edvo",
-                      .bounds = settings.bounds,
-                      .scenarios = {}};
+  TestResults results{
+      .edvo = vo::version(),
+      .tracker = settings.trial.tracker ? readable_text(settings.trial.tracker->command) : "edvo",
+      .bounds = settings.bounds,
+      .scenarios = {}};
   auto next = trials.begin();
   for (LoadedScenario& loaded : scenarios) {
     ScenarioResult& result = loaded.result;

@@ -31,8 +31,9 @@ struct TrialJob {
   int seed = 0;
 };
 
-/// Returns the results in job order. `progress` counts trials; `waiting` is called repeatedly, from
-/// several threads at once.
+/// Returns the results in job order. Each trial runs in a process of its own, forked from this one,
+/// which may have no other thread: a crash costs one trial. `progress` counts trials; `waiting` is
+/// called repeatedly, in this process and in those of the trials.
 std::vector<TrialResult> run_trials(const std::vector<TrialJob>& jobs, const RunSettings& settings,
                                     const vo::Progress& progress, const WaitObserver& waiting);
 

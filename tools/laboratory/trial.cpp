@@ -1,9 +1,11 @@
 #include "tools/laboratory/trial.h"
 
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -167,6 +169,10 @@ TrialResult run_trial(const Scenario& scenario, int seed, const TrialSettings& s
     waiting();
     set_problem(trial, ProblemKind::unusable,
                 error.path1().string() + ": " + error.code().message());
+  } catch (const std::bad_alloc&) {
+    set_problem(trial, ProblemKind::temporary, "out of memory");
+  } catch (const std::exception& error) {
+    set_problem(trial, ProblemKind::crash, vo::concat("internal error: ", error.what()));
   }
   trial.time = std::chrono::duration<double>(Clock::now() - start).count();
   return trial;

@@ -1,7 +1,10 @@
 #include "tools/report/report_data.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -210,26 +213,13 @@ Json times_json(const std::vector<vo::StageTimes>& times) {
           {"alignment_ms", column(times, [](const Times& t) { return rounded(t.alignment_ms); })}};
 }
 
-Json scenario_json(const ScenarioReport& report) {
+/// Returns what is known of the run besides its verdict.
+Json run_json(const ScenarioReport& report) {
   const std::vector<double> timestamps = timestamps_of(report);
-  Json json = {{"name", report.name},
-               {"why", report.why},
-               {"folder", report.repeat.folder},
-               {"command", report.repeat.command},
-               {"passed", report.passed()},
-               {"alignment", vo::to_string(report.alignment)},
-               {"metrics", metrics_json(report.metrics)},
-               {"notes", report.notes},
-               {"options", options_json(report.options)},
+  Json json = {{"options", options_json(report.options)},
                {"frames", frames_json(report, timestamps)},
                {"stride", report.gallery.stride()},
                {"pictures", pictures_json(report.gallery.pictures(), timestamps)}};
-  if (!report.tracker.empty()) {
-    json["tracker"] = report.tracker;
-  }
-  if (!report.problem.empty()) {
-    json["problem"] = report.problem;
-  }
   if (report.camera) {
     json["camera"] = camera_json(*report.camera);
   }
@@ -245,6 +235,58 @@ Json scenario_json(const ScenarioReport& report) {
   return json;
 }
 
+Json scenario_json(const ScenarioReport& report) {
+  Json json = {{"name", report.name},
+               {"why", report.why},
+               {"folder", report.repeat.folder},
+               {"command", report.repeat.command},
+               {"passed", report.passed()},
+               {"alignment", vo::to_string(report.alignment)},
+               {"metrics", metrics_json(report.metrics)},
+               {"notes", report.notes}};
+  if (!report.tracker.empty()) {
+    json["tracker"] = report.tracker;
+  }
+  if (!report.problem.empty()) {
+    json["problem"] = report.problem;
+  }
+  const Json run = report.data ? *report.data : run_json(report);
+  for (const auto& [key, value] : run.items()) {
+    if (!json.contains(key) && key != "problem") {
+      json[key] = value;
+    }
+  }
+  return json;
+}
+
+ReportedMetric metric_of_data(const Json& json) {
+  const auto number_or = [&](const char* key, double otherwise) {
+    return json.at(key).is_null() ? otherwise : json.at(key).get<double>();
+  };
+  ReportedMetric metric{.name = json.at("name").get<std::string>(),
+                        .value = number_or("value", std::numeric_limits<double>::quiet_NaN()),
+                        .bound = {},
+                        .holds = true};
+  if (!json.at("holds").is_null()) {
+    metric.bound = Bound{number_or("min", Bound{}.min), number_or("max", Bound{}.max)};
+    metric.holds = json.at("holds").get<bool>();
+  }
+  return metric;
+}
+
+vo::Trajectory poses_of_data(const Json& timestamps, const Json& poses) {
+  vo::Trajectory trajectory;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (!poses[i].is_null()) {
+      const auto p = poses[i].get<std::array<double, 7>>();
+      trajectory.push_back(
+          {timestamps.at(i).get<double>(),
+           vo::SE3(Eigen::Quaterniond(p[6], p[3], p[4], p[5]), {p[0], p[1], p[2]})});
+    }
+  }
+  return trajectory;
+}
+
 }  // namespace
 
 Json report_data(const std::vector<ScenarioReport>& scenarios) {
@@ -252,6 +294,27 @@ Json report_data(const std::vector<ScenarioReport>& scenarios) {
           {"version", kReportDataVersion},
           {"generator", vo::concat("edvo ", vo::version())},
           {"scenarios", column(scenarios, scenario_json)}};
+}
+
+ScenarioReport report_of_data(const Json& entry) {
+  ScenarioReport report;
+  report.name = entry.at("name").get<std::string>();
+  report.why = entry.at("why").get<std::string>();
+  report.repeat = {.folder = entry.at("folder").get<std::string>(),
+                   .command = entry.at("command").get<std::string>()};
+  report.tracker = entry.value("tracker", std::string());
+  report.problem = entry.value("problem", std::string());
+  for (const Json& metric : entry.at("metrics")) {
+    report.metrics.push_back(metric_of_data(metric));
+  }
+  report.notes = entry.at("notes").get<std::vector<std::string>>();
+  report.alignment =
+      vo::parse_enum<vo::TrajectoryAlignment>(entry.at("alignment").get<std::string>());
+  const Json& frames = entry.at("frames");
+  report.truth = poses_of_data(frames.at("timestamp"), frames.at("truth"));
+  report.estimate = poses_of_data(frames.at("timestamp"), frames.at("estimate"));
+  report.data = std::make_shared<Json>(entry);
+  return report;
 }
 
 }  // namespace tools

@@ -30,4 +30,9 @@ constexpr int kReportDataVersion = 2;
 /// depends only on the input.
 nlohmann::ordered_json report_data(const std::vector<ScenarioReport>& scenarios);
 
+/// Returns a report of an entry of `scenarios` that another process made: its verdict, notes and
+/// poses, and the entry itself as `data`, so that `report_data` gives the entry again. Throws
+/// nlohmann::json::exception where it is no such entry.
+ScenarioReport report_of_data(const nlohmann::ordered_json& entry);
+
 }  // namespace tools

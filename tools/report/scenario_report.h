@@ -2,9 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <nlohmann/json_fwd.hpp>
 
 #include "tools/pictures/frame_gallery.h"
 #include "tools/report/repeat_command.h"
@@ -50,6 +53,10 @@ struct ScenarioReport {
   std::vector<vo::TrackingResult> frames;
   std::vector<vo::StageTimes> times;  ///< stage times of `frames`; diagnostic, differ between runs
   FrameGallery gallery;
+
+  /// Entry of `report_data` that another process made of the run. Where it is set, what is not of
+  /// the verdict is taken from it: options, frames, pictures, point cloud, times.
+  std::shared_ptr<const nlohmann::ordered_json> data;
 
   bool passed() const;
 };

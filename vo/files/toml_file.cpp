@@ -3,6 +3,8 @@
 #include <toml++/toml.h>
 
 #include "vo/core/error.h"
+#include "vo/files/output.h"
+#include "vo/files/toml_nesting.h"
 
 namespace vo {
 namespace {
@@ -118,9 +120,11 @@ std::string quoted_toml(std::string_view text) {
 
 std::vector<TomlValue> read_toml(const Path& path) {
   require(std::filesystem::is_regular_file(path), path.string(), ": there is no such file");
+  const std::string text = read_file(path);
+  require_shallow_toml(text, path);
   std::vector<TomlValue> values;
   try {
-    flatten(toml::parse_file(path.string()), "", path, values);
+    flatten(toml::parse(text, path.string()), "", path, values);
   } catch (const toml::parse_error& error) {
     fail(path.string(), ":", error.source().begin.line, ":", error.source().begin.column, ": ",
          error.description());

@@ -32,6 +32,23 @@ TEST(ReportData, TheCurveOfPositionErrorsHasTheAteAsItsRootMeanSquare) {
   EXPECT_NEAR(std::sqrt(squares / 12), vo::evaluate(report.truth, report.estimate).ate.rmse, 1e-6);
 }
 
+TEST(ReportData, OfAnotherProcessIsPassedOn) {
+  tools::ScenarioReport report = support::plane_report(8, 6);
+  report.problem = "it was odd";
+  report.notes = {"a note"};
+  report.metrics = {{"ate_rmse_m", 0.5, tools::Bound{.max = 0.25}, false}, {"keyframes", NAN, {}}};
+  const auto data = tools::report_data({report});
+  tools::ScenarioReport passed_on = tools::report_of_data(data["scenarios"][0]);
+  EXPECT_EQ(tools::report_data({passed_on}), data);
+  EXPECT_EQ(passed_on.estimate.size(), report.estimate.size());
+  passed_on.problem.clear();
+  passed_on.name = "renamed";
+  const auto changed = tools::report_data({passed_on})["scenarios"][0];
+  EXPECT_FALSE(changed.contains("problem"));
+  EXPECT_EQ(changed["name"], "renamed");
+  EXPECT_EQ(changed["pictures"], data["scenarios"][0]["pictures"]);
+}
+
 TEST(ReportData, EveryQuantityHasOneElementPerFrameAndLostFramesHaveNoPose) {
   const auto data = tools::report_data({support::plane_report(8, 6)});
   const auto& frames = data["scenarios"][0]["frames"];

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "tools/laboratory/results.h"
+#include "tools/processes/forked_jobs.h"
+
+namespace tools {
+
+/// Returns a trial as bytes for another process, its report included.
+std::string trial_message(const TrialResult& trial);
+
+/// Returns the trial of which a process has told before it ended, or one whose problem says how the
+/// process ended without a word.
+TrialResult trial_of_process(const JobEnd& end, int seed);
+
+}  // namespace tools
