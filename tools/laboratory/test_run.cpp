@@ -105,6 +105,7 @@ std::vector<fs::path> find_scenarios(const std::vector<fs::path>& paths, SlowSce
 
 std::vector<TrialResult> run_trials(const std::vector<TrialJob>& jobs, const RunSettings& settings,
                                     const vo::Progress& progress, const WaitObserver& waiting) {
+  program_hash();  // once for the processes of all trials
   const ScratchFolder scratch;
   const int at_a_time = std::min(settings.jobs, static_cast<int>(jobs.size()));
   std::vector<TrialResult> results(jobs.size());

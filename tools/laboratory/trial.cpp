@@ -33,16 +33,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kUnknownMetric = std::numeric_limits<double>::quiet_NaN();
 
-/// Returns the hash of this program's file, because another build may measure differently.
-const std::string& program_hash() {
-  static const std::string hash = [] {
-    vo::ContentHash content;
-    content.add(vo::read_file("/proc/self/exe"));
-    return vo::to_hex(content.value());
-  }();
-  return hash;
-}
-
 /// Returns the cache key of edvo's own result on a sequence.
 std::string kept_key(const Scenario& scenario, const std::string& sequence) {
   Scenario copy = scenario;
@@ -151,6 +141,15 @@ void measure_trial(const Scenario& scenario, const TrialSettings& settings,
 }
 
 }  // namespace
+
+const std::string& program_hash() {
+  static const std::string hash = [] {
+    vo::ContentHash content;
+    content.add(vo::read_file("/proc/self/exe"));
+    return vo::to_hex(content.value());
+  }();
+  return hash;
+}
 
 TrialResult run_trial(const Scenario& scenario, int seed, const TrialSettings& settings,
                       const WaitObserver& waiting) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "tools/laboratory/results.h"
 #include "tools/outside_tracker/outside_tracker.h"
@@ -17,6 +18,10 @@ struct TrialSettings {
   bool measure_again = false;              ///< ignores results in the cache
   std::optional<GalleryOptions> pictures;  ///< if set, seed 0 gets a report with pictures
 };
+
+/// Returns the hash of this program's file, because another build may measure differently. The file
+/// is read at the first call.
+const std::string& program_hash();
 
 /// Renders the sequence unless the cache holds it, tracks it and measures. Results of edvo's own
 /// tracker are cached under the hash of the program, the tracker's options and the sequence's bytes

@@ -11,6 +11,7 @@
 #include "tests/support/folder_contents.h"
 #include "tests/support/plane_sequence.h"
 #include "tests/support/temp_folder.h"
+#include "tools/processes/shell_words.h"
 #include "vo/dataset/trajectory_file.h"
 #include "vo/files/output.h"
 
@@ -22,11 +23,7 @@ using testing::HasSubstr;
 
 /// The command that has a shell run a script.
 std::string shell(const std::string& script) {
-  std::string quoted;
-  for (const char c : script) {
-    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  }
-  return "sh -c '" + quoted + "'";
+  return "sh -c " + tools::shell_quoted(script);
 }
 
 /// A sequence of six frames and a tracker on it.
