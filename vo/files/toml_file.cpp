@@ -3,7 +3,7 @@
 #include <toml++/toml.h>
 
 #include "vo/core/error.h"
-#include "vo/files/output.h"
+#include "vo/files/input.h"
 #include "vo/files/toml_nesting.h"
 
 namespace vo {
@@ -119,8 +119,7 @@ std::string quoted_toml(std::string_view text) {
 }
 
 std::vector<TomlValue> read_toml(const Path& path) {
-  require(std::filesystem::is_regular_file(path), path.string(), ": there is no such file");
-  const std::string text = read_file(path);
+  const std::string text = read_file(path, kMaxConfigurationBytes);
   require_shallow_toml(text, path);
   std::vector<TomlValue> values;
   try {
