@@ -20,6 +20,26 @@ namespace fs = std::filesystem;
 
 constexpr const char* kManifest = "sequence.toml";
 
+/// Returns a hash of the files of each channel of motion, as TOML: the poses do not tell how the
+/// camera moves between them.
+std::string describe_motion(const SequenceRecipe& recipe) {
+  std::string text;
+  for (const TruthChannel channel : recipe.channels.channels) {
+    TruthOptions alone = recipe.channels;
+    alone.channels = {channel};
+    const std::vector<vo::NamedBytes> files = encode_motion(alone, recipe.path, recipe.truth);
+    vo::ContentHash hash;
+    for (const vo::NamedBytes& file : files) {
+      hash.add(file.bytes);
+    }
+    if (!files.empty()) {
+      text += vo::concat("motion_hash.", vo::to_string(channel), " = \"", vo::to_hex(hash.value()),
+                         "\"\n");
+    }
+  }
+  return text;
+}
+
 /// Returns the format of each ground-truth channel and the options it was made with, as TOML.
 std::string describe_channels(const SequenceRecipe& recipe) {
   TruthOptions options = recipe.channels;
@@ -34,13 +54,7 @@ std::string describe_channels(const SequenceRecipe& recipe) {
   if (options.has(TruthChannel::imu)) {
     text += vo::format_toml(vo::fields_of(options.imu, "imu."));
   }
-  vo::ContentHash motion;  // the poses do not tell how the camera moves between them
-  for (const vo::NamedBytes& file : encode_motion(options, recipe.path, recipe.truth)) {
-    motion.add(file.bytes);
-    text += "motion_hash." + fs::path(file.name).stem().string() + " = \"" +
-            vo::to_hex(motion.value()) + "\"\n";
-  }
-  return text;
+  return text + describe_motion(recipe);
 }
 
 bool moves_between_stamps(const SensorOptions& sensor) {

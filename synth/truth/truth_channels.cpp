@@ -33,7 +33,9 @@ std::string extension(TruthChannel channel, vo::FloatFormat format) {
 
 std::string format_velocities(const CameraPath& path, const vo::Trajectory& trajectory) {
   const TimeSpan span{trajectory.front().timestamp, trajectory.back().timestamp};
-  std::string text = "# timestamp [s],vx,vy,vz [m/s, world],wx,wy,wz [rad/s, camera]\n";
+  std::string text =
+      "#timestamp [s],v_world_x [m s^-1],v_world_y [m s^-1],v_world_z [m s^-1],"
+      "w_camera_x [rad s^-1],w_camera_y [rad s^-1],w_camera_z [rad s^-1]\n";
   for (const vo::StampedPose& pose : trajectory) {
     const PathMotion motion = path_motion(path, span, pose.timestamp);
     std::array<char, 256> line{};

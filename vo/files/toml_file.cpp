@@ -1,10 +1,15 @@
 #include "vo/files/toml_file.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
 #include <toml++/toml.h>
 
 #include "vo/core/error.h"
 #include "vo/files/input.h"
 #include "vo/files/toml_nesting.h"
+#include "vo/core/utf8.h"
 
 namespace vo {
 namespace {
@@ -94,6 +99,18 @@ std::string_view expectation(FieldType type) {
   return "";
 }
 
+/// Returns a UTF-8 character as it stands within a TOML string.
+std::string escaped_toml(std::string_view character) {
+  constexpr char kDelete = 0x7F;
+  const char first = character.front();
+  if (character.size() > 1 || (first >= ' ' && first != kDelete)) {
+    return (first == '"' || first == '\\' ? "\\" : "") + std::string(character);
+  }
+  std::array<char, 8> code{};
+  std::snprintf(code.data(), code.size(), "\\u%04X", static_cast<unsigned>(first));
+  return code.data();
+}
+
 std::string toml_text(const Field& field) {
   std::string value = field.get();
   switch (field.type) {
@@ -112,8 +129,10 @@ std::string toml_text(const Field& field) {
 
 std::string quoted_toml(std::string_view text) {
   std::string result = "\"";
-  for (const char c : text) {
-    result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    result += length == 0 ? "\uFFFD" : escaped_toml(text.substr(0, length));
+    text.remove_prefix(std::max<std::size_t>(length, 1));
   }
   return result + "\"";
 }

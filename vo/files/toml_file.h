@@ -26,7 +26,8 @@ std::vector<TomlValue> read_toml(const std::filesystem::path& path);
 /// the fields (naming the nearest one) and for a value of another type.
 void assign_fields(const std::vector<TomlValue>& values, std::vector<Field>& fields);
 
-/// Returns the text as a TOML string, with quotes and backslashes escaped.
+/// Returns the text as a TOML string: quotes, backslashes and control characters are escaped, bytes
+/// that are not UTF-8 become U+FFFD.
 std::string quoted_toml(std::string_view text);
 
 /// Returns the fields as TOML that reads back to equal values.

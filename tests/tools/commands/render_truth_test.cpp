@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -10,6 +12,7 @@
 #include "vo/files/float_image.h"
 #include "vo/files/flow_file.h"
 #include "vo/files/input.h"
+#include "vo/files/toml_file.h"
 
 namespace {
 
@@ -24,6 +27,20 @@ using testing::HasSubstr;
 
 ProgramResult render_truth(const fs::path& out, const std::string& options) {
   return support::render_room(out, "--duration 0.4 --size 64x48 " + options);
+}
+
+TEST(RenderTruth, TheManifestIsTomlWithOneHashPerChannelOfMotion) {
+  const TempFolder folder;
+  for (const char* channels : {"imu", "velocity", "all"}) {
+    const fs::path out = folder.path() / channels;
+    const ProgramResult result = render_truth(out, std::string("--channels ") + channels);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const std::vector<vo::TomlValue> values = vo::read_toml(out / "sequence.toml");
+    const auto hashes = std::count_if(values.begin(), values.end(), [](const auto& value) {
+      return value.key.starts_with("motion_hash.");
+    });
+    EXPECT_EQ(hashes, std::string(channels) == "all" ? 2 : 1) << channels;
+  }
 }
 
 TEST(RenderTruth, EveryChannelIsThereAndItsConventionInTheManifest) {

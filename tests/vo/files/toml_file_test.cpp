@@ -70,6 +70,14 @@ TEST(TomlFile, FormatReadsBack) {
   EXPECT_EQ(copy.points, settings.points);
 }
 
+TEST(TomlFile, AnyTextIsValidToml) {
+  Settings settings;
+  settings.name = "a\tb\n\x7f \u00e9";
+  const Settings copy = read(vo::format_toml(vo::fields_of(settings, "top.")));
+  EXPECT_EQ(copy.name, settings.name);
+  EXPECT_EQ(vo::quoted_toml("bad\xff.gltf"), "\"bad\uFFFD.gltf\"");
+}
+
 TEST(TomlFile, ErrorsNameFileLineAndNearestKey) {
   EXPECT_THAT(error_of("[top]\ncount = 1\nsiez = 2\n"),
               EndsWith("s.toml:3: unknown key 'top.siez'; the nearest known key is top.size"));
