@@ -78,6 +78,7 @@ int run(int argc, char** argv) {
   std::vector<std::string> words =
       tools::without_help_command(std::vector<std::string>(argv + 1, argv + argc));
   tools::require_known_words(program, words);
+  words = tools::without_json_place(program, std::move(words));
   try {
     std::reverse(words.begin(), words.end());  // as CLI11 takes them
     program.parse(words);

@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/bench/opencv_peer.h"
+#include "tools/json/document.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/core/version.h"
 
 namespace tools {
 namespace {
@@ -176,8 +176,7 @@ std::string bench_table(const BenchReport& report) {
 }
 
 Json bench_json(const BenchReport& report) {
-  Json json = {{"edvo", vo::version()},
-               {"input", report.input},
+  Json json = {{"input", report.input},
                {"cpu", report.cpu},
                {"threads", kThreads},
                {"width", report.width},
@@ -201,7 +200,7 @@ Json bench_json(const BenchReport& report) {
   for (const GrowthTable& table : report.growth) {
     json["growth"].push_back(growth_json(table));
   }
-  return json;
+  return json_document({"bench"}, json);
 }
 
 }  // namespace tools

@@ -10,6 +10,7 @@
 
 #include "synth/camera/make_renderer.h"
 #include "synth/scene/world_geometry.h"
+#include "tools/json/document.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 
@@ -188,7 +189,7 @@ std::string format_table(const RenderBench& bench) {
 std::string format_json(const RenderBench& bench) {
   const nlohmann::ordered_json result = {
       {"costs", json_of(bench.costs)}, {"growth", json_of(bench.growth)}, {"absent", bench.absent}};
-  return result.dump(2) + "\n";
+  return json_text(json_document({"bench_render"}, result));
 }
 
 }  // namespace tools

@@ -27,8 +27,12 @@ tbb::global_control CommonOptions::limit_threads() const {
   return {tbb::global_control::max_allowed_parallelism, max_threads()};
 }
 
+void add_json_flag(CLI::App& command, bool& json) {
+  command.add_flag("--json", json, "print the result as JSON on stdout; --json - is the same");
+}
+
 void add_common_options(CLI::App& command, CommonOptions& options) {
-  command.add_flag("--json", options.json, "print the result as JSON on stdout");
+  add_json_flag(command, options.json);
   command.add_flag("--quiet,-q", options.quiet, "no progress on stderr");
   command.add_flag("--force", options.force, "replace an output that exists and differs");
   command.add_option("--threads", options.threads, "threads at most; 0 = all cores")

@@ -35,6 +35,9 @@ struct CommonOptions {
 
 void add_common_options(CLI::App& command, CommonOptions& options);
 
+/// Adds the flag `--json` alone; `add_common_options` has it, too.
+void add_json_flag(CLI::App& command, bool& json);
+
 /// Adds an option `--key value` for each field ('_' as '-'), with its help and default.
 void add_field_options(CLI::App& command, const std::vector<vo::Field>& fields,
                        const std::string& group);

@@ -12,6 +12,14 @@ std::vector<const CLI::App*> commands_of(const CLI::App& app) {
   return app.get_subcommands([](const CLI::App*) { return true; });
 }
 
+/// Returns the command of this name; null where there is none.
+const CLI::App* find_command(const CLI::App& app, const std::string& name) {
+  const std::vector<const CLI::App*> commands = commands_of(app);
+  const auto found = std::find_if(commands.begin(), commands.end(),
+                                  [&](const CLI::App* c) { return c->get_name() == name; });
+  return found == commands.end() ? nullptr : *found;
+}
+
 std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) {
   std::vector<std::string> names;
   for (const CLI::App* command : commands) {
@@ -54,15 +62,29 @@ void require_known_words(const CLI::App& program, const std::vector<std::string>
         reject("option", name, options_of(*app), help);
       }
     } else if (!commands.empty() && word.front() != '-') {
-      const auto found = std::find_if(commands.begin(), commands.end(),
-                                      [&](const CLI::App* c) { return c->get_name() == word; });
-      if (found == commands.end()) {
+      const CLI::App* command = find_command(*app, word);
+      if (command == nullptr) {
         reject("command", word, names_of(commands), help);
       }
-      app = *found;
+      app = command;
       help = program.get_name() + " " + word + " --help";
     }
   }
+}
+
+std::vector<std::string> without_json_place(const CLI::App& program,
+                                            std::vector<std::string> words) {
+  const CLI::App* app = &program;
+  for (std::size_t i = 0; i + 1 < words.size() && words[i] != "--"; ++i) {
+    const CLI::App* command = find_command(*app, words[i]);
+    app = command != nullptr ? command : app;
+    const CLI::Option* json = words[i] == "--json" ? app->get_option_no_throw("--json") : nullptr;
+    const bool is_flag = json != nullptr && json->get_items_expected_max() == 0;
+    if (is_flag && words[i + 1] == "-") {
+      words.erase(words.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    }
+  }
+  return words;
 }
 
 std::vector<std::string> without_help_command(std::vector<std::string> words) {

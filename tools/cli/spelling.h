@@ -15,4 +15,8 @@ void require_known_words(const CLI::App& program, const std::vector<std::string>
 /// Turns `help COMMAND` into `COMMAND --help`, and `help` into `--help`.
 std::vector<std::string> without_help_command(std::vector<std::string> words);
 
+/// Turns `--json -`, which names stdout, into `--json` where that is a flag of the command.
+std::vector<std::string> without_json_place(const CLI::App& program,
+                                            std::vector<std::string> words);
+
 }  // namespace tools

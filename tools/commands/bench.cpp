@@ -16,6 +16,7 @@
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/scene_arguments.h"
 #include "tools/commands/commands.h"
+#include "tools/json/document.h"
 #include "tools/scenario/run_scenario.h"
 #include "tools/scenario/scenario.h"
 #include "vo/dataset/sequence.h"
@@ -96,7 +97,7 @@ void bench(const BenchArguments& arguments) {
     vo::require_writable(arguments.out);
   }
   const BenchReport report = measure(arguments, load_input(arguments));
-  const std::string json = bench_json(report).dump(2) + "\n";
+  const std::string json = json_text(bench_json(report));
   if (!arguments.out.empty()) {
     vo::write_file(arguments.out, json, arguments.common.existing());
   }

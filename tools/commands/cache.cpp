@@ -8,9 +8,12 @@
 #include <string_view>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
+#include "tools/json/document.h"
 #include "tools/plot/table.h"
 #include "tools/sequence_cache/sequence_cache.h"
 #include "vo/core/error.h"
@@ -23,6 +26,7 @@ constexpr const char* kCacheHelp =
     "cache at once; nothing in use is removed, and what is removed is rendered again when needed.";
 
 struct CacheArguments {
+  bool json = false;
   std::string folder;
   std::string max_size;
 
@@ -44,7 +48,27 @@ std::uintmax_t parse_bytes(const std::string& text) {
   }
 }
 
-void print(const std::vector<CacheEntry>& entries, const std::string& what) {
+nlohmann::ordered_json entry_json(const CacheEntry& entry) {
+  return {{"key", entry.key},
+          {"scene", entry.scene},
+          {"frames", entry.frames},
+          {"bytes", entry.bytes},
+          {"problem", entry.problem}};
+}
+
+/// Prints what an action did as JSON: the sequences that it lists, verified or removed.
+void print_json(const CacheArguments& arguments, const char* action,
+                const std::vector<CacheEntry>& entries) {
+  nlohmann::ordered_json sequences = nlohmann::ordered_json::array();
+  for (const CacheEntry& entry : entries) {
+    sequences.push_back(entry_json(entry));
+  }
+  std::cout << json_text(json_document(
+      {"cache"},
+      {{"action", action}, {"folder", arguments.cache().string()}, {"sequences", sequences}}));
+}
+
+void print_table(const std::vector<CacheEntry>& entries, const std::string& what) {
   Table table{.columns = {{"sequence"}, {"scene"}, {"frames"}, {"MB", 1}, {"state"}}};
   double bytes = 0;
   for (const CacheEntry& entry : entries) {
@@ -57,8 +81,20 @@ void print(const std::vector<CacheEntry>& entries, const std::string& what) {
             << format_decimals(bytes / kBytesPerMegabyte, 1) << " MB\n";
 }
 
+/// Prints what an action did, for people or as JSON; `what` ends the sentence on how many sequences
+/// there are.
+void print(const CacheArguments& arguments, const char* action,
+           const std::vector<CacheEntry>& entries, const std::string& what) {
+  if (arguments.json) {
+    print_json(arguments, action, entries);
+  } else {
+    print_table(entries, what);
+  }
+}
+
 void list(const CacheArguments& arguments) {
-  print(list_cache(arguments.cache()), "sequences in " + arguments.cache().string());
+  print(arguments, "list", list_cache(arguments.cache()),
+        "sequences in " + arguments.cache().string());
 }
 
 void verify(const CacheArguments& arguments) {
@@ -66,11 +102,13 @@ void verify(const CacheArguments& arguments) {
   const std::vector<CacheEntry> entries = verify_cache(arguments.cache(), bar.callback());
   const auto broken = std::count_if(entries.begin(), entries.end(),
                                     [](const CacheEntry& entry) { return !entry.problem.empty(); });
-  print(entries, vo::concat("sequences, of which ", broken, " were broken and are removed"));
+  print(arguments, "verify", entries,
+        vo::concat("sequences, of which ", broken, " were broken and are removed"));
 }
 
 void prune(const CacheArguments& arguments) {
-  print(prune_cache(arguments.cache(), parse_bytes(arguments.max_size)), "sequences removed");
+  print(arguments, "prune", prune_cache(arguments.cache(), parse_bytes(arguments.max_size)),
+        "sequences removed");
 }
 
 void add_action(CLI::App& command, const std::shared_ptr<CacheArguments>& arguments,
@@ -78,6 +116,7 @@ void add_action(CLI::App& command, const std::shared_ptr<CacheArguments>& argume
                 void (*action)(const CacheArguments&)) {
   CLI::App& sub = *command.add_subcommand(name_and_help.first, name_and_help.second);
   sub.add_option("--cache", arguments->folder, "folder of the cache [$XDG_CACHE_HOME/edvo]");
+  add_json_flag(sub, arguments->json);
   if (action == prune) {
     sub.add_option("--max-size", arguments->max_size, "what may stay: bytes, 500M, 2G")->required();
   }

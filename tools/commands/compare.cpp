@@ -8,8 +8,10 @@
 #include "tools/cli/interrupt.h"
 #include "tools/cli/options.h"
 #include "tools/commands/commands.h"
+#include "tools/json/document.h"
 #include "tools/laboratory/build_test.h"
 #include "tools/laboratory/comparison.h"
+#include "tools/laboratory/comparison_json.h"
 #include "tools/laboratory/results_json.h"
 #include "tools/laboratory/self_comparison.h"
 #include "tools/laboratory/verdict_table.h"
@@ -30,10 +32,12 @@ constexpr const char* kCompareHelp =
 constexpr const char* kCompareExamples =
     "Examples:\n"
     "  edvo compare before.json after.json\n"
+    "  edvo compare before.json after.json --json > changes.json\n"
     "  edvo compare --build-a old/edvo --build-b build/release/edvo --seeds 5 scenarios\n"
     "  edvo compare results.json --halves 200 --worse-percent 0 --better-percent 0";
 
 struct CompareArguments {
+  bool json = false;
   std::vector<std::string> inputs;
   std::string build_a;
   std::string build_b;
@@ -49,7 +53,7 @@ TestResults run_build(const CompareArguments& arguments, const std::string& buil
   return test_build(build, arguments.inputs, arguments.seeds, throw_if_interrupted);
 }
 
-void name_missing(const TestResults& a, const TestResults& b) {
+void print_missing(const TestResults& a, const TestResults& b) {
   for (const std::string& name : missing_scenarios(a, b)) {
     std::cout << name << ": only in the first\n";
   }
@@ -64,6 +68,10 @@ int compare_halves(const CompareArguments& arguments) {
   }
   const TestResults results = read_results(arguments.inputs[0]);
   const int alarms = count_false_alarms(results, arguments.halves, arguments.options);
+  if (arguments.json) {
+    std::cout << json_text(self_comparison_json(alarms, arguments.halves, arguments.options));
+    return exit_code::kOk;
+  }
   std::cout << alarms << " of " << arguments.halves << " comparisons with itself raise an alarm, "
             << arguments.options.level * arguments.halves << " are expected at most\n";
   return exit_code::kOk;
@@ -85,8 +93,12 @@ int compare(const CompareArguments& arguments) {
       has_builds ? run_build(arguments, arguments.build_b) : read_results(arguments.inputs[1]);
   const std::vector<Change> changes = compare_results(a, b, arguments.options);
   vo::require(!changes.empty(), "the two results have no scenario in common");
-  std::cout << format_changes(changes);
-  name_missing(a, b);
+  if (arguments.json) {
+    std::cout << json_text(comparison_json(a, b, changes, arguments.options));
+  } else {
+    std::cout << format_changes(changes);
+    print_missing(a, b);
+  }
   return has_alarm(changes) ? exit_code::kBoundViolated : exit_code::kOk;
 }
 
@@ -103,6 +115,7 @@ void add_compare_command(CLI::App& program, int& exit_code) {
   command.add_option("--seeds", arguments->seeds, "of the builds [1]")->check(CLI::PositiveNumber);
   command.add_option("--halves", arguments->halves, "compare one result with itself so often")
       ->check(CLI::PositiveNumber);
+  add_json_flag(command, arguments->json);
   add_field_options(command, vo::fields_of(arguments->options), "Alarms");
   command.callback([arguments, &exit_code] { exit_code = compare(*arguments); });
 }

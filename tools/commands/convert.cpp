@@ -8,6 +8,7 @@
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/scene_arguments.h"
 #include "tools/commands/commands.h"
+#include "tools/json/document.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/dataset/convert_sequence.h"
@@ -64,7 +65,7 @@ void print(const ConvertArguments& arguments, const vo::ConvertOutcome& outcome)
                                            {"poses", outcome.poses},
                                            {"imu_samples", outcome.imu_samples},
                                            {"depth_beyond_16_bit", outcome.depth_beyond_16_bit}};
-    std::cout << result.dump(2) << "\n";
+    std::cout << json_text(json_document({"convert"}, result));
     return;
   }
   std::cout << arguments.out << ": " << outcome.frames << " frames, " << outcome.poses << " poses, "

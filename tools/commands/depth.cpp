@@ -15,10 +15,10 @@
 #include "tools/depth/depth_table.h"
 #include "tools/depth/mapping_run.h"
 #include "tools/depth/mono_run.h"
+#include "tools/json/document.h"
 #include "tools/plot/table.h"
 #include "tools/report/report.h"
 #include "vo/core/error.h"
-#include "vo/core/version.h"
 
 namespace tools {
 namespace {
@@ -87,17 +87,14 @@ void print(const DepthArguments& arguments, const nlohmann::ordered_json& option
            const std::vector<MappedFrame>& frames) {
   const MapErrors& last = frames.back().errors;
   if (arguments.common.json) {
-    std::cout << nlohmann::ordered_json{{"edvo", vo::version()},
-                                        {"sequence", arguments.sequence},
-                                        {"frames", frames.size()},
-                                        {"density_percent", last.density_percent},
-                                        {"scale", last.scale},
-                                        {"first_scale", frames.front().errors.scale},
-                                        {"errors", as_json(error_table(last))},
-                                        {"mapping_ms", median_mapping_ms(frames)},
-                                        {"options", options}}
-                     .dump(2)
-              << "\n";
+    std::cout << json_text(json_document({"depth"}, {{"sequence", arguments.sequence},
+                                                     {"frames", frames.size()},
+                                                     {"density_percent", last.density_percent},
+                                                     {"scale", last.scale},
+                                                     {"first_scale", frames.front().errors.scale},
+                                                     {"errors", as_json(error_table(last))},
+                                                     {"mapping_ms", median_mapping_ms(frames)},
+                                                     {"options", options}}));
     return;
   }
   std::cout << as_text(error_table(last)) << "after " << frames.size() << " frames; "

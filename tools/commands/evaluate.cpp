@@ -11,6 +11,7 @@
 
 #include "tools/cli/options.h"
 #include "tools/commands/commands.h"
+#include "tools/json/document.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/dataset/sequence.h"
@@ -172,7 +173,7 @@ void evaluate(EvaluateArguments& arguments) {
     report.offset = vo::estimate_time_offset(truth, estimate, arguments.options);
   }
   if (arguments.common.json) {
-    std::cout << as_json(arguments, report).dump(2) << "\n";
+    std::cout << json_text(json_document({"evaluate"}, as_json(arguments, report)));
   } else {
     print_table(arguments, report);
   }

@@ -8,6 +8,7 @@
 #include "synth/gltf/gltf_summary.h"
 #include "tools/cli/options.h"
 #include "tools/commands/commands.h"
+#include "tools/json/document.h"
 
 namespace tools {
 namespace {
@@ -152,9 +153,7 @@ void print_table(const synth::GltfSummary& summary) {
 void inspect(const InspectArguments& arguments) {
   const synth::GltfSummary summary = synth::summarize_gltf(arguments.scene, arguments.options);
   if (arguments.common.json) {
-    std::cout
-        << as_json(arguments, summary).dump(2, ' ', false, ordered_json::error_handler_t::replace)
-        << "\n";
+    std::cout << json_text(json_document({"inspect"}, as_json(arguments, summary)));
   } else {
     print_table(summary);
   }

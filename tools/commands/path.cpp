@@ -11,6 +11,7 @@
 #include "tools/cli/options.h"
 #include "tools/cli/scene_arguments.h"
 #include "tools/commands/commands.h"
+#include "tools/json/document.h"
 
 namespace tools {
 namespace {
@@ -105,7 +106,7 @@ void check(const CheckArguments& arguments, int& exit_code) {
   const synth::PathReport report =
       synth::check_path(file.scene(), camera.pinhole, timed, arguments.limits);
   if (arguments.common.json) {
-    std::cout << to_json(report).dump(2) << "\n";
+    std::cout << json_text(json_document({"path_check"}, to_json(report)));
   } else {
     print(report);
   }

@@ -14,6 +14,7 @@
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/scene_arguments.h"
 #include "tools/commands/commands.h"
+#include "tools/json/document.h"
 #include "vo/core/error.h"
 #include "vo/dataset/depth_units.h"
 
@@ -106,7 +107,7 @@ void print(const RenderArguments& arguments, const synth::RenderOutcome& outcome
       {"was_there", outcome.was_there},
       {"depth_beyond_16_bit", outcome.depth_beyond_16_bit},
       {"notes", outcome.notes}};
-  std::cout << result.dump(2) << "\n";
+  std::cout << json_text(json_document({"render"}, result));
 }
 
 void print(const RenderArguments& arguments, const synth::RenderPlan& plan) {
@@ -115,7 +116,7 @@ void print(const RenderArguments& arguments, const synth::RenderPlan& plan) {
         {"frames", plan.frames},     {"there", plan.there},
         {"files", plan.files},       {"bytes", std::round(plan.bytes)},
         {"cpu_s", plan.processor_s}, {"measured_frames", plan.measured}};
-    std::cout << result.dump(2) << "\n";
+    std::cout << json_text(json_document({"render_plan"}, result));
     return;
   }
   std::cout << "frames    " << plan.frames << ", of which " << plan.there << " are there\n"

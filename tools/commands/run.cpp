@@ -8,6 +8,7 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
+#include "tools/json/document.h"
 #include "tools/report/report.h"
 #include "tools/report/run_report.h"
 
@@ -45,7 +46,7 @@ void print(const RunArguments& arguments, const Scenario& scenario, const Outcom
     nlohmann::ordered_json report = report_json(scenario, outcome);
     report["ms_per_frame"] = time_json(vo::summarize(outcome.tracking.times));
     report["out"] = arguments.out;
-    std::cout << report.dump(2) << "\n";
+    std::cout << json_text(report);
     return;
   }
   const char* folder = scenario.odometry.mode == OdometryMode::rgbd ? "/panels/" : "/maps/";

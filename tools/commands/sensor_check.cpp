@@ -8,6 +8,7 @@
 #include "synth/path_planning/path_options.h"
 #include "tools/cli/options.h"
 #include "tools/commands/commands.h"
+#include "tools/json/document.h"
 #include "tools/sensor_check/contact_sheet.h"
 #include "tools/sensor_check/noise_table.h"
 #include "vo/files/result_files.h"
@@ -40,11 +41,10 @@ struct SensorCheckArguments {
 
 void print(const SensorCheckArguments& arguments, double depth, double image) {
   if (arguments.common.json) {
-    std::cout << nlohmann::ordered_json{{"out", arguments.out},
-                                        {"worst_depth_deviation_share", depth},
-                                        {"worst_image_deviation_share", image}}
-                     .dump(2)
-              << "\n";
+    std::cout << json_text(
+        json_document({"sensor_check"}, {{"out", arguments.out},
+                                         {"worst_depth_deviation_share", depth},
+                                         {"worst_image_deviation_share", image}}));
     return;
   }
   std::cout << std::fixed << std::setprecision(1)  //

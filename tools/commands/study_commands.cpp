@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/json/document.h"
 #include "tools/sequence_cache/sequence_cache.h"
 #include "vo/files/result_files.h"
 
@@ -26,7 +27,7 @@ void deliver_study(const StudyReport& report, const std::string& command, const 
                    const CommonOptions& common) {
   vo::write_results(folder, study_files(report, command), common.existing());
   if (common.json) {
-    std::cout << as_json(report).dump(2) << "\n";
+    std::cout << json_text(json_document({"study"}, as_json(report)));
     return;
   }
   const std::string stem = folder + "/" + report.name;

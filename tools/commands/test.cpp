@@ -6,13 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "tools/cli/exit_code.h"
 #include "tools/cli/interrupt.h"
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
+#include "tools/json/document.h"
 #include "tools/laboratory/baseline.h"
 #include "tools/laboratory/comparison.h"
 #include "tools/laboratory/junit.h"
@@ -45,6 +44,8 @@ constexpr const char* kTestHelp =
     "Holm's correction over all metrics and scenarios; a single seed has no chance in it, every\n"
     "difference counts) and larger than the tolerance, to the worse or, unexplained, to the "
     "better.";
+
+constexpr const char* kStdout = "-";  // a file's name that means stdout
 
 constexpr const char* kFooter =
     "An outside tracker is a program with its arguments, quoted as for a shell but started "
@@ -128,7 +129,7 @@ void complete(TestArguments& arguments) {
   run.trial.cache = cache_folder(arguments.cache);
   for (const std::string& file :
        {arguments.junit, arguments.json, arguments.report, arguments.save_baseline}) {
-    if (!file.empty()) {
+    if (!file.empty() && file != kStdout) {
       vo::require_writable(file);
     }
   }
@@ -183,10 +184,17 @@ std::vector<Change> changes_from(const TestResults& baseline, const TestResults&
   return compare_results(baseline, results, options);
 }
 
+/// Prints the table and writes the files that the user named. Where the JSON goes to stdout, the
+/// table is on stderr.
 void write_results(const TestArguments& arguments, const TestResults& results,
                    const std::vector<Change>& changes) {
-  std::cout << format_verdicts(results, changes);
-  write_asked(arguments.json, results_json(results).dump(2) + "\n");
+  const bool is_json_on_stdout = arguments.json == kStdout;
+  (is_json_on_stdout ? std::cerr : std::cout) << format_verdicts(results, changes);
+  if (is_json_on_stdout) {
+    std::cout << json_text(results_json(results));
+  } else {
+    write_asked(arguments.json, json_text(results_json(results)));
+  }
   write_asked(arguments.junit, format_junit(results, changes));
   if (!arguments.report.empty()) {
     write_asked(arguments.report, html_report(test_reports(results, changes)));
@@ -238,7 +246,8 @@ void add_test_command(CLI::App& program, int& exit_code) {
   command.footer(kFooter);
   add_run_options(command, *arguments);
   command.add_option("--junit", arguments->junit, "write JUnit XML; replaces the file");
-  command.add_option("--json", arguments->json, "write the results; replaces the file");
+  command.add_option("--json", arguments->json,
+                     "write the results, - for stdout; replaces the file");
   command.add_option("--report", arguments->report,
                      "write an HTML report of all scenarios, tracked for it; replaces the file");
   command.add_option("--bounds", arguments->bounds, "what judges: scenario, baseline or none")

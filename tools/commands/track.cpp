@@ -18,11 +18,11 @@
 #include "tools/commands/commands.h"
 #include "tools/commands/track_arguments.h"
 #include "tools/depth/mono_run.h"
+#include "tools/json/document.h"
 #include "tools/pictures/panel_writer.h"
 #include "tools/report/report.h"
 #include "tools/report/trajectory_plot.h"
 #include "vo/core/error.h"
-#include "vo/core/version.h"
 #include "vo/dataset/camera_file.h"
 #include "vo/dataset/trajectory_file.h"
 #include "vo/evaluation/evaluate.h"
@@ -148,8 +148,7 @@ nlohmann::ordered_json last_pose_json(const vo::SequenceResult& result) {
 }
 
 nlohmann::ordered_json summary(const TrackArguments& arguments, const Tracked& tracked) {
-  nlohmann::ordered_json json = {
-      {"edvo", vo::version()}, {"sequence", arguments.sequence}, {"estimate", arguments.out}};
+  nlohmann::ordered_json json = {{"sequence", arguments.sequence}, {"estimate", arguments.out}};
   if (tracked.mono != nullptr) {
     json["mode"] = arguments.mode;
   }
@@ -180,7 +179,7 @@ int print(const TrackArguments& arguments, const Tracked& tracked) {
   std::ostream& out = vo::is_stream(arguments.out) ? std::cerr : std::cout;
   const vo::SequenceResult& result = tracked.result;
   if (arguments.common.json) {
-    out << summary(arguments, tracked).dump(2) << "\n";
+    out << json_text(json_document({"track"}, summary(arguments, tracked)));
   } else {
     const vo::TimeSummary times = vo::summarize(result.times);
     out << arguments.out << ": " << result.trajectory.size() << " of " << result.frames.size()

@@ -10,6 +10,7 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/commands/commands.h"
+#include "tools/json/document.h"
 #include "tools/train_edges/comparison_picture.h"
 #include "tools/train_edges/detector_sweep.h"
 #include "tools/train_edges/forest_trainer.h"
@@ -79,7 +80,7 @@ void train(const TrainArguments& arguments) {
                          {"views", views.size()},
                          {"trees", forest.parameters().trees},
                          {"nodes", forest.nodes().children.size()}};
-    std::cout << result.dump(2) << "\n";
+    std::cout << json_text(json_document({"train_edges"}, result));
   } else {
     std::cout << arguments.out << ": " << forest.parameters().trees << " trees, "
               << forest.nodes().children.size() << " nodes, " << bytes.size() << " bytes, from "
@@ -151,7 +152,7 @@ void evaluate(const TrainArguments& arguments) {
                    arguments.common.existing());
   }
   if (arguments.common.json) {
-    std::cout << as_json(curves, views.size()).dump(2) << "\n";
+    std::cout << json_text(json_document({"edge_detectors"}, as_json(curves, views.size())));
   } else {
     print_table(curves, views.size());
   }

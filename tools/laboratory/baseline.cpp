@@ -1,7 +1,6 @@
 #include "tools/laboratory/baseline.h"
 
-#include <nlohmann/json.hpp>
-
+#include "tools/json/document.h"
 #include "tools/laboratory/comparison.h"
 #include "tools/laboratory/results_json.h"
 #include "tools/processes/readable_text.h"
@@ -29,7 +28,7 @@ std::vector<std::string> save_baseline(const std::filesystem::path& file,
   std::erase_if(measured.scenarios,
                 [](const ScenarioResult& s) { return s.verdict() == Verdict::error; });
   const TestResults old = std::filesystem::exists(file) ? read_results(file) : TestResults();
-  vo::write_file(file, results_json(updated(old, measured)).dump(1) + "\n",
+  vo::write_file(file, json_text(results_json(updated(old, measured)), 1),
                  vo::ExistingOutput::replace);
   std::vector<std::string> notes;
   for (const std::string& name : missing_scenarios(results, measured)) {

@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/json/document.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/core/version.h"
 #include "vo/files/input.h"
 
 namespace tools {
@@ -15,8 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kSchema = "edvo.results";
-constexpr int kSchemaVersion = 1;
+constexpr JsonSchema kSchema{"results"};
 
 Json number_or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
@@ -118,9 +117,10 @@ TrialResult trial_from_json(const Json& json) {
 }
 
 Json results_json(const TestResults& results) {
-  Json json = {{"schema", kSchema},          {"schema_version", kSchemaVersion},
-               {"edvo", results.edvo},       {"tracker", results.tracker},
-               {"passed", results.passed()}, {"scenarios", Json::array()}};
+  Json json = json_document(kSchema, {{"edvo", results.edvo},
+                                      {"tracker", results.tracker},
+                                      {"passed", results.passed()},
+                                      {"scenarios", Json::array()}});
   for (const ScenarioResult& scenario : results.scenarios) {
     json["scenarios"].push_back(scenario_json(scenario));
   }
@@ -131,11 +131,11 @@ TestResults read_results(const std::filesystem::path& file) {
   const std::string text = vo::read_file(file);
   try {
     const Json json = Json::parse(text);
-    vo::require(json.value("schema", std::string()) == kSchema, file.string(),
-                ": expected the results of `edvo test --json`");
+    vo::require(json.value("schema", std::string()) == vo::concat("edvo.", kSchema.name),
+                file.string(), ": expected the results of `edvo test --json`");
     const int found = json.at("schema_version").get<int>();
-    vo::require(found == kSchemaVersion, file.string(), ": has schema version ", found,
-                ", expected ", kSchemaVersion);
+    vo::require(found == kSchema.version, file.string(), ": has schema version ", found,
+                ", expected ", kSchema.version);
     TestResults results{.edvo = json.value("edvo", std::string()),
                         .tracker = json.value("tracker", std::string()),
                         .scenarios = {}};

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/report/repeat_command.h"
+#include "tools/json/document.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/core/version.h"
@@ -80,7 +81,6 @@ std::string bound_text(const Bound& bound) {
 
 Json report_json(const Scenario& scenario, const Outcome& outcome) {
   Json report;
-  report["edvo"] = vo::version();
   report["scenario"] = scenario.name;
   report["why"] = scenario.why;
   report["passed"] = outcome.passed();
@@ -97,7 +97,7 @@ Json report_json(const Scenario& scenario, const Outcome& outcome) {
   report["notes"] = outcome.notes;
   Scenario copy = scenario;
   report["options"] = fields_json(vo::fields_of(copy));
-  return report;
+  return json_document({"run"}, report);
 }
 
 std::string report_markdown(const Scenario& scenario, const Outcome& outcome) {

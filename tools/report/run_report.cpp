@@ -9,6 +9,7 @@
 
 #include "tools/depth/depth_output.h"
 #include "tools/depth/depth_pictures.h"
+#include "tools/json/document.h"
 #include "tools/pictures/frame_gallery.h"
 #include "tools/pictures/panel_writer.h"
 #include "tools/report/html_report.h"
@@ -42,7 +43,7 @@ std::vector<vo::NamedBytes> result_files(const Scenario& scenario, const Outcome
   std::vector<vo::NamedBytes> files = {
       {"trajectory.txt", vo::format_trajectory(estimate)},
       {"frames.csv", vo::format_frame_log(outcome.tracking.frames)},
-      {"report.json", report_json(scenario, outcome).dump(2) + "\n"},
+      {"report.json", json_text(report_json(scenario, outcome))},
       {"report.md", report_markdown(scenario, outcome)}};
   if (!estimate.empty()) {
     files.push_back({"trajectory.svg",

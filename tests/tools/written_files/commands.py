@@ -1,0 +1,100 @@
+"""Runs of every command that writes a file or prints JSON, on inputs that take no time."""
+
+import dataclasses
+
+SCENARIO = """why = "its text has <, & and \\"quotes\\""
+[scene]
+gltf = "room/room.gltf"
+[camera]
+width = 160
+height = 120
+[path]
+kind = "orbit"
+rate = 15.0
+duration = 1.2
+orbit.centre = [-0.95, 0.5, 0.3]
+orbit.radius = 1.2
+orbit.height = 0.8
+[render]
+samples = 1
+"""
+RGBD = """[expect]
+tracked_fraction = { min = 1.0 }
+ate_rmse_m.max = 0.05
+"""
+IMPOSSIBLE = """[expect]
+ate_rmse_m.max = 0.0
+"""
+MONO = """[odometry]
+mode = "mono"
+mono.bootstrap = "rgbd"
+[expect]
+tracked_fraction = { min = 0.5 }
+"""
+SCENARIOS = {"good.toml": SCENARIO + RGBD, "bad.toml": SCENARIO + IMPOSSIBLE, "mono.toml": SCENARIO + MONO,
+             "broken.toml": "why = 3\n"}
+
+
+@dataclasses.dataclass
+class Run:
+    """A run of a command, in the folder of the test. `words` are as a shell reads them, {edvo} is the
+    program. With `json` its stdout is a document of that schema and nothing else."""
+
+    words: str
+    json: str = ""
+    exit_codes: tuple = (0,)
+
+
+ROOM = "assets/room/room.gltf"
+PATH = "--path orbit --orbit.centre=-0.95,0.5,0.3 --orbit.radius 1.2 --orbit.height 0.8 --rate 15 --duration 1.2"
+RENDER = f"render {ROOM} {PATH} --size 160x120 --samples 1"
+TEST = "test --cache cache"
+
+RUNS = [
+    Run(f"inspect {ROOM} --json", "inspect"),
+    Run(f"path check {ROOM} {PATH} --json", "path_check"),
+    Run(f"{RENDER} --plan --json", "render_plan"),
+    Run(f"{RENDER} --channels all --float-depth --out sequence --json -", "render"),
+    Run(f"{RENDER} --channels imu --out imu --json", "render"),
+    Run(f"{RENDER} --channels velocity --sensor kinect-v1 --out kinect --json", "render"),
+    Run("convert sequence euroc --format euroc --json", "convert"),
+    Run("convert sequence icl --format icl-nuim --json", "convert"),
+    Run("convert sequence icl_tum --format icl-tum --json", "convert"),
+    Run("convert euroc tum --format tum --json", "convert"),
+    Run("track sequence --out track.txt --frame-log track.csv --debug-images 6 --json", "track"),
+    Run("track sequence --mode mono --bootstrap rgbd --out mono.txt --frame-log mono.csv --json", "track"),
+    Run("track sequence --out /dev/stderr --json"),
+    Run("evaluate sequence/groundtruth.txt track.txt --json", "evaluate"),
+    Run("evaluate sequence/groundtruth.txt mono.txt --align sim3 --interval 5f --sequence sequence "
+        "--estimate-offset --json", "evaluate"),
+    Run("run scenarios/good.toml --out run --report-times --json", "run"),
+    Run("run scenarios/bad.toml --out run_bad --json", "run", (4,)),
+    Run("run scenarios/mono.toml --out run_mono --json", "run"),
+    Run("depth sequence --out depth --every 6 --json", "depth"),
+    Run("depth sequence --track --bootstrap rgbd --out depth_tracked --every 6 --json", "depth"),
+    Run(f"{TEST} scenarios/good.toml scenarios/mono.toml --seeds 2 --junit junit.xml --report test.html --json -",
+        "results"),
+    Run(f"{TEST} scenarios --junit junit_bad.xml --report test_bad.html --json -", "results", (3,)),
+    Run(f"{TEST} scenarios/good.toml --seeds 4 --json four.json"),
+    Run(f"{TEST} scenarios/good.toml --seeds 2 --baseline baseline.json --update-baseline --json two.json"),
+    Run(f"{TEST} scenarios/good.toml --tracker '{{edvo}} track {{sequence}} --preset paper --out {{output}}' "
+        "--junit outside.xml --report outside.html --json outside.json --baseline baseline.json", exit_codes=(0, 4)),
+    Run("compare two.json four.json --json -", "comparison"),
+    Run("compare two.json outside.json --json", "comparison", (0, 4)),
+    Run("compare four.json --halves 10 --json", "self_comparison"),
+    Run("cache list --cache cache --json -", "cache"),
+    Run("cache verify --cache cache --json", "cache"),
+    Run("sweep scenarios/good.toml --set odometry.tracker.pyramid.levels=2,3 --cache cache --out sweep --json",
+        "study"),
+    Run("budget scenarios/good.toml --set sensor.noise.full_well=6000,6000,6000 --seeds 1 --top 1 --cache cache "
+        "--out budget --json", "study"),
+    Run("basin scenarios/good.toml --cache cache --out basin --json", "study"),
+    *(Run(f"ablate sequence --study {study} --max-frames 6 --out ablate --json", "study")
+      for study in ("points", "detectors", "levels", "residuals", "time", "stress", "mono")),
+    Run("bench sequence --frames 8 --repeat 1 --growth --out bench.json --json", "bench"),
+    Run("bench-render assets/plane_and_box/plane_and_box.gltf --size 64x48 --json", "bench_render"),
+    Run("sensor-check --frames 2 --out sensors --json", "sensor_check"),
+    Run("train-edges assets/white_room/white_room.gltf --views 2 --out forest.yml.gz --json", "train_edges"),
+    Run("train-edges assets/white_room/white_room.gltf --views 2 --evaluate forest.yml.gz --json", "edge_detectors"),
+    Run("cache prune --max-size 0 --cache cache --json", "cache"),
+]

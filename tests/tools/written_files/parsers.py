@@ -1,0 +1,178 @@
+"""Parsers of every kind of text file that the program writes, none of them the project's own.
+
+Each takes a path and returns nothing; it raises ValueError, or its library's error, for what is not
+valid or does not mean what a file of its kind must.
+"""
+
+import csv
+import html.parser
+import json
+import math
+import re
+import subprocess
+import tomllib
+import xml.etree.ElementTree as ElementTree
+
+VOID_TAGS = {"meta", "link", "img", "input", "br", "hr", "area", "col", "source", "wbr", "base", "embed", "track"}
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def require(condition, message):
+    if not condition:
+        raise ValueError(message)
+
+
+def unique_members(pairs):
+    members = dict(pairs)
+    require(len(members) == len(pairs), f"a key is there twice: {[key for key, _ in pairs]}")
+    return members
+
+
+def refuse_constant(name):
+    raise ValueError(f"{name} is no JSON")
+
+
+def load_json(text):
+    """JSON as RFC 8259 has it: no NaN, no Infinity, and no key twice."""
+    return json.loads(text, object_pairs_hook=unique_members, parse_constant=refuse_constant)
+
+
+def parse_json(path):
+    return load_json(path.read_text(encoding="utf-8"))
+
+
+def parse_toml(path):
+    with path.open("rb") as file:
+        tomllib.load(file)
+
+
+def is_number(field):
+    try:
+        return math.isfinite(float(field))
+    except ValueError:
+        return False
+
+
+def parse_csv(path):
+    """A header of names or of EuRoC's `#name [unit]`, rows of as many fields, and in a column either
+    numbers and gaps or text."""
+    with path.open(encoding="utf-8", newline="") as file:
+        rows = list(csv.reader(file, strict=True))
+    require(len(rows) > 0, "no header")
+    header = rows[0]
+    require(len(set(header)) == len(header), f"two columns have the same name: {header}")
+    require(not any(is_number(name) for name in header), f"the first row is no header: {header}")
+    for number, row in enumerate(rows[1:], start=2):
+        require(len(row) == len(header), f"row {number} has {len(row)} fields, expected {len(header)}")
+    for index, name in enumerate(header):
+        column = [row[index] for row in rows[1:] if row[index]]
+        numbers = [is_number(field) for field in column]
+        require(all(numbers) or not any(numbers), f"{name}: numbers and text in one column: {column[:5]}")
+        require(not any(re.fullmatch("[-+]?(nan|inf)", field) for field in column), f"{name}: nan or inf")
+
+
+def run_xmllint(arguments, path):
+    done = subprocess.run(["xmllint", "--noout", "--nonet", *arguments, str(path)], capture_output=True,
+                          text=True, check=False)
+    require(done.returncode == 0 and not done.stderr, done.stderr)
+
+
+def parse_svg(path):
+    """Well formed, with a view box, a title, and no coordinate that is not a number."""
+    run_xmllint([], path)
+    root = ElementTree.parse(path).getroot()
+    require(root.tag == SVG + "svg", f"the root is {root.tag}")
+    box = root.get("viewBox", "").split()
+    require(len(box) == 4 and all(is_number(field) for field in box), "no viewBox")
+    texts = [text for text in ("".join(element.itertext()) for element in root.iter(SVG + "text")) if text]
+    require(texts, "no text")
+    for element in root.iter():
+        for name, value in element.attrib.items():
+            words = re.split(r"[\s,()]+", value)
+            require(not {"nan", "-nan", "inf", "-inf"} & set(words), f"{name}={value[:60]}")
+
+
+def parse_junit(path):
+    """Counts agree with the cases, times and names are there."""
+    run_xmllint([], path)
+    suites = ElementTree.parse(path).getroot()
+    require(suites.tag == "testsuites", f"the root is {suites.tag}")
+    for suite in suites.iter("testsuite"):
+        cases = suite.findall("testcase")
+        for attribute, count in (("tests", len(cases)),
+                                 ("failures", sum(case.find("failure") is not None for case in cases)),
+                                 ("errors", sum(case.find("error") is not None for case in cases))):
+            require(int(suite.get(attribute)) == count, f"{attribute}={suite.get(attribute)}, are {count}")
+        for case in cases:
+            require(case.get("name") and case.get("classname"), "a case without name")
+            require(float(case.get("time")) >= 0, "a negative time")
+    total = len(list(suites.iter("testcase")))
+    require(suites.get("tests") in (None, str(total)), f"tests={suites.get('tests')}, are {total}")
+
+
+class HtmlReader(html.parser.HTMLParser):
+    """Every tag is closed in turn, and scripts of JSON are JSON."""
+
+    def __init__(self):
+        super().__init__()
+        self.open_tags = []
+        self.json = None
+        self.has_json = False
+
+    def handle_starttag(self, tag, attrs):
+        if tag not in VOID_TAGS:
+            self.open_tags.append(tag)
+        if tag == "script" and dict(attrs).get("type") == "application/json":
+            self.json = ""
+
+    def handle_startendtag(self, tag, attrs):
+        pass
+
+    def handle_endtag(self, tag):
+        require(self.open_tags and self.open_tags.pop() == tag, f"</{tag}> closes another tag")
+        if self.json is not None:
+            load_json(self.json)
+            self.json, self.has_json = None, True
+
+    def handle_data(self, data):
+        if self.json is not None:
+            self.json += data
+
+
+def parse_html(path):
+    """As Python's parser and libxml2's (HTML 4 with its complaints on the tags of HTML 5) read it."""
+    reader = HtmlReader()
+    reader.feed(path.read_text(encoding="utf-8"))
+    reader.close()
+    require(not reader.open_tags, f"not closed: {reader.open_tags}")
+    require(reader.has_json, "a report without its data as JSON")
+    done = subprocess.run(["xmllint", "--html", "--noout", "--nonet", "--huge", str(path)], capture_output=True,
+                          text=True, check=False)
+    errors = [line for line in done.stderr.splitlines() if " error : " in line and "Tag " not in line]
+    require(done.returncode == 0 and not errors, "\n".join(errors[:5]))
+
+
+def parse_markdown(path):
+    """Tables have rows of as many cells as their heads, and pictures are there."""
+    text = path.read_text(encoding="utf-8")
+    cells = None
+    for line in text.splitlines():
+        count = len(re.findall(r"(?<!\\)\|", line)) if line.startswith("|") else None
+        require(None in (cells, count) or cells == count, f"{count} bars, expected {cells}: {line}")
+        cells = count
+    for picture in re.findall(r"!\[[^]]*\]\(([^)]+)\)", text):
+        require((path.parent / picture).exists(), f"there is no picture {picture}")
+
+
+PARSERS = {".json": parse_json, ".toml": parse_toml, ".csv": parse_csv, ".svg": parse_svg,
+           ".xml": parse_junit, ".html": parse_html, ".md": parse_markdown}
+OTHERS = {".png", ".npy", ".flo", ".txt", ".ply", ".gz", ".yaml", ".depth", ".freiburg", ".files", ""}
+
+
+def parse(path):
+    """Reads a file by its extension. A kind that is not known fails: a new one needs a parser, or a
+    line in OTHERS."""
+    extension = path.suffix.lower()
+    require(extension in PARSERS or extension in OTHERS, f"no parser for {extension}")
+    if extension in PARSERS:
+        PARSERS[extension](path)

@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+"""Runs every command that writes a file or prints JSON and reads all of it with parsers that are not
+the project's own: written_files_test.py EDVO SOURCE_FOLDER WORK_FOLDER.
+
+Exits with 77 (skipped) where xmllint or python3-jsonschema is not installed.
+"""
+
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import time
+
+import parsers
+
+try:
+    import schemas
+except ImportError:
+    schemas = None
+
+import commands
+
+
+class Check:
+    """Collects what is wrong, so that one run shows all of it."""
+
+    def __init__(self, program, work, known_schemas):
+        self.program, self.work, self.schemas = program, work, known_schemas
+        self.problems = []
+
+    def attempt(self, what, action):
+        try:
+            action()
+        except Exception as error:  # any parser's own kind
+            self.problems.append(f"{what}: {type(error).__name__}: {error}")
+
+    def run(self, run):
+        begin = time.monotonic()
+        words = shlex.split(run.words.replace("{edvo}", str(self.program)))
+        done = subprocess.run([self.program, *words], cwd=self.work, capture_output=True, check=False)
+        print(f"{time.monotonic() - begin:6.2f} s  edvo {run.words}", flush=True)
+        if done.returncode not in run.exit_codes:
+            self.problems.append(f"edvo {run.words}: exit code {done.returncode}, expected {run.exit_codes}: "
+                                 f"{done.stderr.decode(errors='replace')[-400:]}")
+        elif run.json:
+            self.attempt("edvo " + run.words, lambda: self.validate(done.stdout.decode("utf-8"), run.json))
+
+    def validate(self, text, name):
+        document = parsers.load_json(text)
+        self.schemas.validate(document)
+        parsers.require(document["schema"] == "edvo." + name, f"is of {document['schema']}")
+
+    def read_files(self):
+        """Parses every file below the folder; JSON that names a schema is held to it."""
+        count = 0
+        for path in sorted(self.work.rglob("*")):
+            if path.is_file() and self.work / "assets" not in path.parents:
+                self.attempt(path.relative_to(self.work), lambda: parsers.parse(path))
+                count += 1
+        for path in sorted(self.work.glob("**/*.json")):
+            if "cache" not in path.parts and self.work / "assets" not in path.parents:
+                self.attempt(path.relative_to(self.work),
+                             lambda: self.schemas.validate(parsers.load_json(path.read_text("utf-8"))))
+        print(f"{count} files read")
+
+    def require_every_command(self):
+        """A command with --json has a run here whose document was validated, and every schema one."""
+        ran = {" ".join(run.words.split()[:2]) for run in commands.RUNS if run.json}
+        for command in commands_with_json(self.program):
+            if not any((name + " ").startswith(command + " ") for name in ran):
+                self.problems.append(f"edvo {command} has --json, but no run in commands.py with a schema")
+        self.problems += [f"docs/schemas: no document of {name} was seen" for name in self.schemas.unused()]
+
+
+def help_of(program, words):
+    return subprocess.run([program, *words, "--help"], capture_output=True, text=True, check=True).stdout
+
+
+def subcommands(help_text):
+    listed = help_text.partition("\nSubcommands:\n")[2]
+    return re.findall(r"^  (\S+)", listed.partition("\n\n")[0], re.M)
+
+
+def commands_with_json(program, words=()):
+    """The commands, as words with a space between, whose help has --json."""
+    text = help_of(program, words)
+    found = [" ".join(words)] if re.search(r"^  --json\b", text, re.M) else []
+    for name in subcommands(text):
+        found += commands_with_json(program, (*words, name))
+    return found
+
+
+def prepare(work, source):
+    shutil.rmtree(work, ignore_errors=True)
+    (work / "scenarios").mkdir(parents=True)
+    (work / "assets").symlink_to(source / "assets")
+    for name, text in commands.SCENARIOS.items():
+        (work / "scenarios" / name).write_text(text, encoding="utf-8")
+
+
+def main():
+    program, source, work = (pathlib.Path(word).resolve() for word in sys.argv[1:4])
+    if schemas is None or shutil.which("xmllint") is None:
+        print("skipped: python3-jsonschema or xmllint (libxml2-utils) is not installed")
+        return 77
+    prepare(work, source)
+    check = Check(program, work, schemas.Schemas(source / "docs" / "schemas"))
+    for run in commands.RUNS:
+        check.run(run)
+    check.read_files()
+    check.require_every_command()
+    print(*check.problems, sep="\n")
+    return 1 if check.problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
