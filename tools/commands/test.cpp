@@ -127,9 +127,10 @@ void complete(TestArguments& arguments) {
   });
   complete_judges(arguments);
   run.trial.cache = cache_folder(arguments.cache);
+  const std::string json = arguments.json == kStdout ? "" : arguments.json;
   for (const std::string& file :
-       {arguments.junit, arguments.json, arguments.report, arguments.save_baseline}) {
-    if (!file.empty() && file != kStdout) {
+       {arguments.junit, json, arguments.report, arguments.save_baseline}) {
+    if (!file.empty()) {
       vo::require_writable(file);
     }
   }

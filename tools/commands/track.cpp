@@ -200,12 +200,10 @@ int print(const TrackArguments& arguments, const Tracked& tracked) {
 
 void write_pictures(const TrackArguments& arguments, const vo::SequenceReader& sequence,
                     const vo::SequenceResult& result) {
-  const vo::Trajectory& truth = sequence.ground_truth();
-  const vo::Trajectory shown =
-      truth.empty() ? result.trajectory : vo::align_trajectory(truth, result.trajectory);
-  vo::write_file(beside(arguments.out, "_trajectory.svg"),
-                 draw_trajectory(truth, shown, vo::TrajectoryAlignment::se3),
-                 arguments.common.existing());
+  vo::write_file(
+      beside(arguments.out, "_trajectory.svg"),
+      draw_trajectory(sequence.ground_truth(), result.trajectory, vo::TrajectoryAlignment::se3),
+      arguments.common.existing());
 }
 
 int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera) {

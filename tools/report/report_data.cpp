@@ -125,25 +125,16 @@ Json tracking_json(const std::vector<vo::TrackingResult>& frames) {
 }
 
 /// Returns the aligned poses of the frames; all are empty with fewer than three matched poses.
-FramePoses aligned_poses(const ScenarioReport& report, const std::vector<double>& timestamps,
-                         const FramePoses& truth, const FramePoses& estimate) {
-  constexpr int kMinPoses = 3;
-  int matched = 0;
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    matched += truth[i] && estimate[i] ? 1 : 0;
-  }
-  if (matched < kMinPoses) {
-    return FramePoses(timestamps.size());
-  }
-  return poses_of_frames(
-      vo::align_trajectory(report.truth, report.estimate, {.alignment = report.alignment}),
-      timestamps);
+FramePoses aligned_poses(const ScenarioReport& report, const std::vector<double>& timestamps) {
+  const std::optional<vo::Trajectory> aligned =
+      vo::align_trajectory(report.truth, report.estimate, {.alignment = report.alignment});
+  return aligned ? poses_of_frames(*aligned, timestamps) : FramePoses(timestamps.size());
 }
 
 Json frames_json(const ScenarioReport& report, const std::vector<double>& timestamps) {
   const FramePoses truth = interpolated_poses(report.truth, timestamps);
   const FramePoses estimate = poses_of_frames(report.estimate, timestamps);
-  const FramePoses aligned = aligned_poses(report, timestamps, truth, estimate);
+  const FramePoses aligned = aligned_poses(report, timestamps);
   const FrameErrors errors = frame_errors(truth, estimate, aligned);
   Json json = {{"timestamp", column(timestamps, rounded)},
                {"truth", poses_json(truth)},

@@ -46,8 +46,8 @@ std::vector<vo::NamedBytes> result_files(const Scenario& scenario, const Outcome
       {"report.json", json_text(report_json(scenario, outcome))},
       {"report.md", report_markdown(scenario, outcome)}};
   if (!estimate.empty()) {
-    files.push_back({"trajectory.svg",
-                     draw_trajectory(outcome.truth, estimate, vo::TrajectoryAlignment::none)});
+    files.push_back(
+        {"trajectory.svg", draw_trajectory(outcome.truth, estimate, scenario.score.align)});
   }
   return files;
 }

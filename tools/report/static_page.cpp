@@ -34,7 +34,7 @@ std::string section(const ScenarioReport& report) {
   }
   text += "</table>\n<p><code>" + escaped_markup(report.repeat.command) + "</code></p>\n";
   if (!report.estimate.empty()) {
-    text += draw_trajectory(report.truth, report.estimate, vo::TrajectoryAlignment::none);
+    text += draw_trajectory(report.truth, report.estimate, report.alignment);
   }
   return text;
 }

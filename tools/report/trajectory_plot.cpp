@@ -5,11 +5,14 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Geometry>
 
 #include "tools/plot/plot.h"
+#include "tools/scenario/error_titles.h"
 #include "vo/core/error.h"
 
 namespace tools {
@@ -44,36 +47,55 @@ Distances distances_from(const vo::Trajectory& truth, const vo::Trajectory& esti
   return distances;
 }
 
-/// Returns the positions, seen along the world axis in which they extend least, and the truth as
-/// far as the estimate's time goes.
-PlotPanel positions_panel(const vo::Trajectory& truth, const vo::Trajectory& estimate) {
+/// Returns the truth as far as the estimate's time goes.
+vo::Trajectory during(const vo::Trajectory& estimate, const vo::Trajectory& truth) {
   vo::Trajectory covered;
   std::copy_if(truth.begin(), truth.end(), std::back_inserter(covered), [&](const auto& pose) {
     return pose.timestamp >= estimate.front().timestamp &&
            pose.timestamp <= estimate.back().timestamp;
   });
-  vo::Trajectory shown = covered;
-  shown.insert(shown.end(), estimate.begin(), estimate.end());
+  return covered;
+}
+
+/// A plane of two world axes, seen against the third: with that towards the viewer the drawing is
+/// not mirrored.
+struct WorldPlane {
+  Eigen::Index right = 0;
+  Eigen::Index up = 1;
+
+  std::string name() const { return vo::concat(kAxes.at(right), "-", kAxes.at(up), " plane"); }
+  std::string title(Eigen::Index axis) const { return vo::concat(kAxes.at(axis), ", m"); }
+
+  static constexpr std::array kAxes{"x", "y", "z"};
+};
+
+/// Returns the plane against whose axis the positions extend least.
+WorldPlane widest_plane(const vo::Trajectory& truth, const vo::Trajectory& estimate) {
   Eigen::AlignedBox3d box;
-  for (const vo::StampedPose& pose : shown) {
-    box.extend(pose.T_world_camera.translation());
+  for (const vo::Trajectory* trajectory : {&truth, &estimate}) {
+    for (const vo::StampedPose& pose : *trajectory) {
+      box.extend(pose.T_world_camera.translation());
+    }
   }
   Eigen::Index least = 0;
   box.sizes().minCoeff(&least);
-  const Eigen::Index right = least == 0 ? 1 : 0;
-  const Eigen::Index up = least == 2 ? 1 : 2;
+  return {(least + 1) % 3, (least + 2) % 3};
+}
+
+/// Returns the positions in a plane of the world.
+PlotPanel positions_panel(const vo::Trajectory& truth, const vo::Trajectory& estimate,
+                          const WorldPlane& plane) {
   const auto series_of = [&](const char* name, int style, PlotMark mark, const auto& trajectory) {
     PlotSeries series{name, style, mark, {}};
     for (const vo::StampedPose& pose : trajectory) {
       const Eigen::Vector3d& p_world = pose.T_world_camera.translation();
-      series.points.push_back({p_world[right], p_world[up]});
+      series.points.push_back({p_world[plane.right], p_world[plane.up]});
     }
     return series;
   };
-  constexpr std::array kTitles{"x, m", "y, m", "z, m"};
-  return {.x = {.title = kTitles.at(static_cast<std::size_t>(right))},
-          .y = {.title = kTitles.at(static_cast<std::size_t>(up))},
-          .series = {series_of("truth", 2, PlotMark::broad_line, covered),
+  return {.x = {.title = plane.title(plane.right)},
+          .y = {.title = plane.title(plane.up)},
+          .series = {series_of("truth", 2, PlotMark::broad_line, truth),
                      series_of("estimate", 0, PlotMark::line, estimate)},
           .has_equal_scales = true,
           .width = kPlotWidth,
@@ -108,23 +130,42 @@ PlotPanel distances_panel(const vo::Trajectory& estimate, const Distances& dista
   return panel;
 }
 
+std::string draw_alone(const vo::Trajectory& estimate) {
+  const WorldPlane plane = widest_plane({}, estimate);
+  PlotPanel positions = positions_panel({}, estimate, plane);
+  positions.series.erase(positions.series.begin());
+  return draw_plot("Trajectory in the " + plane.name() + " of its own world", {positions});
+}
+
+/// Returns how the estimate lies on the truth, for the title.
+std::string placement_text(vo::TrajectoryAlignment alignment, bool has_matches) {
+  if (alignment == vo::TrajectoryAlignment::none) {
+    return alignment_text(alignment);
+  }
+  return has_matches ? alignment_text(alignment) + ", least squares"
+                     : "not aligned: fewer than three poses match";
+}
+
 }  // namespace
 
 std::string draw_trajectory(const vo::Trajectory& truth, const vo::Trajectory& estimate,
                             vo::TrajectoryAlignment alignment) {
   vo::require(!estimate.empty(), "an empty trajectory cannot be drawn");
-  PlotPanel positions = positions_panel(truth, estimate);
-  const Distances distances = distances_from(truth, estimate);
+  const std::optional<vo::Trajectory> aligned =
+      vo::align_trajectory(truth, estimate, {.alignment = alignment});
+  const vo::Trajectory& shown = aligned ? *aligned : estimate;
+  const Distances distances = distances_from(truth, shown);
   if (std::isnan(distances.greatest)) {
-    positions.series.erase(positions.series.begin());
-    return draw_plot("Trajectory", {positions});
+    return draw_alone(estimate);
   }
+  const vo::Trajectory covered = during(estimate, truth);
+  const WorldPlane plane = widest_plane(covered, shown);
+  PlotPanel positions = positions_panel(covered, shown, plane);
   add_colours(distances, positions);
-  const std::string how = alignment == vo::TrajectoryAlignment::none
-                              ? "not aligned to the truth"
-                              : vo::concat("aligned to the truth (", vo::to_string(alignment), ")");
-  return draw_plot("Trajectory, " + how, {positions, distances_panel(estimate, distances)},
-                   PlotLayout::stacked);
+  return draw_plot(
+      vo::concat("Trajectory in the ", plane.name(), " of the truth's world; estimate ",
+                 placement_text(alignment, aligned.has_value())),
+      {positions, distances_panel(shown, distances)}, PlotLayout::stacked);
 }
 
 }  // namespace tools

@@ -28,7 +28,7 @@ void add_series(synth::SensorPreset preset, std::vector<PlotPoint> formula,
 PlotPanel depth_panel(const std::vector<NoiseSample>& samples, double lean_deg) {
   PlotPanel panel;
   panel.x = {.title = "depth, m"};
-  panel.y = {.title = "deviation of depth at " + vo::format_real(lean_deg) + " deg, mm",
+  panel.y = {.title = "std. deviation of depth, mm, seen at " + vo::format_real(lean_deg) + " deg",
              .scale = AxisScale::logarithmic};
   for (const auto& [preset, name] : enum_names(synth::SensorPreset{})) {
     std::vector<PlotPoint> formula;
@@ -46,8 +46,9 @@ PlotPanel depth_panel(const std::vector<NoiseSample>& samples, double lean_deg) 
 
 PlotPanel grey_panel(const std::vector<GreyNoise>& samples) {
   PlotPanel panel;
-  panel.x = {.title = "linear grey", .scale = AxisScale::logarithmic};
-  panel.y = {.title = "deviation of linear green", .scale = AxisScale::logarithmic};
+  panel.x = {.title = "linear grey, 1 = saturated", .scale = AxisScale::logarithmic};
+  panel.y = {.title = "std. deviation of linear green, 1 = saturated",
+             .scale = AxisScale::logarithmic};
   for (const auto& [preset, name] : enum_names(synth::SensorPreset{})) {
     std::vector<PlotPoint> formula;
     std::vector<PlotPoint> measured;

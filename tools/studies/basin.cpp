@@ -103,7 +103,8 @@ Table make_table(const std::vector<BasinCell>& cells) {
 
 PlotPanel make_map(const std::vector<BasinCell>& cells, std::size_t steps,
                    double (*value)(const BasinCell&)) {
-  PlotPanel map{.x = {.title = "offset, mm"}, .y = {.title = "offset, deg"}};
+  PlotPanel map{.x = {.title = "offset of the start, mm"},
+                .y = {.title = "offset of the start, deg"}};
   for (std::size_t i = 0; i < steps; ++i) {
     map.x.categories.push_back(tick_label(std::round(kMmPerM * cells[i].translation)));
     map.y.categories.push_back(tick_label(cells[i * steps].rotation_deg));
@@ -122,7 +123,7 @@ std::string draw(const std::string& title, const std::vector<BasinCell>& cells, 
   PlotPanel error =
       make_map(cells, count, [](const BasinCell& cell) { return median(cell.scores.mm); });
   error.colours = {
-      .title = "median error, mm", .range = {0.1, 100}, .scale = AxisScale::logarithmic};
+      .title = "median position error, mm", .range = {0.1, 100}, .scale = AxisScale::logarithmic};
   error.cells.decimals = 1;
   return draw_plot(title, {converged, error});
 }

@@ -10,6 +10,7 @@
 
 #include "tools/laboratory/student_t.h"
 #include "tools/plot/plot.h"
+#include "tools/scenario/error_titles.h"
 #include "tools/studies/imperfections.h"
 #include "tools/studies/shapley.h"
 #include "vo/core/error.h"
@@ -201,10 +202,13 @@ void add_rows(Table& table, const std::vector<Group>& groups, const Measurements
   table.add_row({metric.name, "all", total.mean, kNone, total.mean, half_width(total), 100.0});
 }
 
-std::string draw(const Table& table, const std::string& title) {
+std::string draw(const Table& table, const ScoreOptions& score, const std::string& title) {
+  const std::array<std::string, kBudgetMetrics.size()> titles{ate_title("mm", score.align),
+                                                              rpe_title("mm", score.interval),
+                                                              rpe_title("deg", score.interval)};
   std::vector<PlotPanel> panels;
   for (const BudgetMetric& metric : kBudgetMetrics) {
-    PlotPanel panel{.y = {.title = metric.name}};
+    PlotPanel panel{.y = {.title = titles.at(panels.size())}};
     PlotSeries alone{.name = "alone", .style = 6, .mark = PlotMark::bar, .points = {}};
     PlotSeries share{.name = "share (Shapley)", .style = 0, .mark = PlotMark::bar, .points = {}};
     for (const std::vector<TableCell>& row : table.rows) {
@@ -289,7 +293,7 @@ StudyReport error_budget(const Scenario& scenario, const BudgetSettings& setting
           "to the whole."),
       .table = table,
       .findings = {finding(groups, measured, settings.run.seeds)},
-      .plot = draw(table, title),
+      .plot = draw(table, scenario.score, title),
       .more = {}};
 }
 

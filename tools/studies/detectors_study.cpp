@@ -1,4 +1,5 @@
 #include "tools/plot/plot.h"
+#include "tools/scenario/error_titles.h"
 #include "tools/studies/study.h"
 #include "vo/core/error.h"
 
@@ -63,7 +64,7 @@ StudyReport study_detectors(const Clip& clip, const StudySettings& settings,
                           {"tracked_percent", 1},
                           {"ms_per_frame", 1}}};
   PlotPanel rpe = detectors_make_panel("RPE, mm/s");
-  PlotPanel ate = detectors_make_panel("ATE, mm");
+  PlotPanel ate = detectors_make_panel(ate_title("mm", vo::TrajectoryAlignment::se3));
   const std::vector<Variant> rows = detectors();
   const std::vector<Variant> modes = references();
   for (std::size_t d = 0; d < rows.size(); ++d) {

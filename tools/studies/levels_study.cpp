@@ -94,7 +94,8 @@ PlotSeries levels_series_of(const Distance& distance, int style,
 std::string levels_draw(const Clip& clip, const std::vector<Distance>& distances) {
   const PlotAxis levels{.title = "pyramid levels", .include = {1, kMaxLevels}};
   PlotPanel converged{.x = levels, .y = {.title = "converged pairs, %", .include = {0, 100}}};
-  PlotPanel error{.x = levels, .y = {.title = "median error, mm", .scale = AxisScale::logarithmic}};
+  PlotPanel error{.x = levels,
+                  .y = {.title = "median position error, mm", .scale = AxisScale::logarithmic}};
   for (std::size_t i = 0; i < distances.size(); ++i) {
     const int style = static_cast<int>(i);
     converged.series.push_back(

@@ -157,10 +157,11 @@ StudyReport study_mono(const Clip& clip, const StudySettings& settings,
               "edge pixels, mapping the median per frame. Bars are in the order of the table."),
           .table = table,
           .findings = {},
-          .plot = draw_plot("Monocular odometry: " + clip.name,
-                            {mono_make_panel(table, 1, "ATE, % of the path"),
-                             mono_make_panel(table, 3, "median depth error, %"),
-                             mono_make_panel(table, 5, "outliers, %")}),
+          .plot = draw_plot(
+              "Monocular odometry: " + clip.name,
+              {mono_make_panel(table, 1, "ATE, % of the path, SE(3); Sim(3) where scale is free"),
+               mono_make_panel(table, 3, "median relative error of inverse depth, %"),
+               mono_make_panel(table, 5, "inverse depths more than 10 % off, %")}),
           .more = {}};
 }
 

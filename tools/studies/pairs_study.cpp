@@ -117,7 +117,8 @@ std::string pairs_draw(const Clip& clip, const std::vector<VariantResult>& resul
                        const std::vector<double>& flows) {
   const PlotAxis flow{.title = "mean flow, px", .include = {0, 45}};
   PlotPanel converged{.x = flow, .y = {.title = "converged pairs, %", .include = {0, 100}}};
-  PlotPanel error{.x = flow, .y = {.title = "median error, mm", .scale = AxisScale::logarithmic}};
+  PlotPanel error{.x = flow,
+                  .y = {.title = "median position error, mm", .scale = AxisScale::logarithmic}};
   for (std::size_t v = 0; v < results.size(); ++v) {
     PlotSeries percent{results[v].name, static_cast<int>(v), PlotMark::line_and_points, {}};
     PlotSeries mm = percent;

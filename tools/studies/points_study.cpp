@@ -3,6 +3,7 @@
 
 #include "tools/plot/plot.h"
 #include "tools/plot/statistics.h"
+#include "tools/scenario/error_titles.h"
 #include "tools/studies/study.h"
 #include "vo/core/error.h"
 
@@ -177,7 +178,8 @@ StudyReport study_points(const Clip& clip, const StudySettings& settings,
           .findings = points_findings(samples),
           .plot = draw_plot("Accuracy and time against number of points: " + clip.name,
                             {points_make_panel(samples, &ClipScore::rpe_mm, "RPE, mm/s"),
-                             points_make_panel(samples, &ClipScore::ate_mm, "ATE, mm"),
+                             points_make_panel(samples, &ClipScore::ate_mm,
+                                               ate_title("mm", vo::TrajectoryAlignment::se3)),
                              points_make_panel(samples, &ClipScore::ms_per_frame,
                                                "processor time per frame, ms")}),
           .more = {}};

@@ -5,6 +5,7 @@
 
 #include "tools/plot/plot.h"
 #include "tools/plot/statistics.h"
+#include "tools/scenario/error_titles.h"
 #include "tools/studies/alterations.h"
 #include "tools/studies/study.h"
 #include "vo/core/error.h"
@@ -122,9 +123,11 @@ StudyReport study_stress(const Clip& clip, const StudySettings& settings,
     x.categories.emplace_back(all[i].name);
     progress(i + 1, all.size());
   }
-  report.plot = draw_plot(
-      report.title,
-      {{.x = x, .y = {.title = "ATE, mm", .scale = AxisScale::logarithmic}, .series = {errors}}});
+  report.plot =
+      draw_plot(report.title, {{.x = x,
+                                .y = {.title = ate_title("mm", vo::TrajectoryAlignment::se3),
+                                      .scale = AxisScale::logarithmic},
+                                .series = {errors}}});
   return report;
 }
 

@@ -9,6 +9,7 @@
 
 #include "tools/plot/plot.h"
 #include "tools/plot/statistics.h"
+#include "tools/scenario/error_titles.h"
 #include "vo/core/error.h"
 
 namespace tools {
@@ -42,6 +43,7 @@ constexpr std::array<SweptMetric, 7> kMapMetrics{
 /// One row: a scenario with one combination of option values.
 struct Combination {
   Assignments values;
+  ScoreOptions score;  ///< how the scenario's errors are taken
   ScenarioResult result;
 
   Estimate estimate(const SweptMetric& swept) const {
@@ -97,7 +99,7 @@ std::vector<Combination> measure(const std::vector<fs::path>& scenarios,
   for (const fs::path& file : scenarios) {
     for (const Assignments& values : combine(settings.options)) {
       const Scenario scenario = load_scenario(file, values);
-      rows.push_back({values, {.name = scenario.name, .why = scenario.why}});
+      rows.push_back({values, scenario.score, {.name = scenario.name, .why = scenario.why}});
       for (int seed = 0; seed < settings.run.seeds; ++seed) {
         jobs.push_back({scenario, seed});
       }
@@ -175,9 +177,9 @@ std::string series_name(const Combination& row) {
 
 /// Plots a metric over the first option, with a line per scenario and combination of the others.
 PlotPanel draw_panel(const std::vector<Combination>& rows, const SweptOption& option,
-                     const SweptMetric& swept) {
+                     const SweptMetric& swept, const std::string& title) {
   const std::vector<double> numbers = as_numbers(option.second);
-  PlotPanel panel{.x = {.title = last_part(option.first)}, .y = {.title = swept.title}};
+  PlotPanel panel{.x = {.title = last_part(option.first)}, .y = {.title = title}};
   if (numbers.empty()) {
     panel.x.categories = option.second;
   }
@@ -198,6 +200,20 @@ PlotPanel draw_panel(const std::vector<Combination>& rows, const SweptOption& op
                               estimate.mean, estimate.high - estimate.mean});
   }
   return panel;
+}
+
+/// Returns the titles of the first three metrics, which are plotted.
+std::array<std::string, 3> plot_titles(const std::vector<Combination>& rows) {
+  const ScoreOptions& first = rows.front().score;
+  const bool is_same = std::all_of(rows.begin(), rows.end(), [&](const Combination& row) {
+    return row.score.align == first.align && row.score.interval == first.interval;
+  });
+  if (!is_same) {
+    return {"ATE, mm, aligned as each scenario says", "RPE, mm, over each scenario's interval",
+            "RPE, deg, over each scenario's interval"};
+  }
+  return {ate_title("mm", first.align), rpe_title("mm", first.interval),
+          rpe_title("deg", first.interval)};
 }
 
 std::vector<std::string> problems_of(const std::vector<Combination>& rows) {
@@ -258,8 +274,9 @@ StudyReport sweep(const std::vector<fs::path>& scenarios, const SweepSettings& s
     title += " " + key;
   }
   std::vector<PlotPanel> panels;
-  for (const SweptMetric& swept : {kSweptMetrics[0], kSweptMetrics[1], kSweptMetrics[2]}) {
-    panels.push_back(draw_panel(rows, settings.options.front(), swept));
+  for (const std::string& axis : plot_titles(rows)) {
+    panels.push_back(
+        draw_panel(rows, settings.options.front(), kSweptMetrics.at(panels.size()), axis));
   }
   std::vector<std::string> findings = problems_of(rows);
   if (scenarios.size() * static_cast<std::size_t>(settings.run.seeds) > 1) {

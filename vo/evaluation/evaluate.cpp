@@ -34,16 +34,22 @@ std::string describe_span(const std::vector<double>& timestamps) {
 }
 
 /// Returns pairs (index in the truth, index in the estimate) of associated poses.
+Matches associated(const Trajectory& truth, const Trajectory& estimate,
+                   const EvaluationOptions& options) {
+  return associate(timestamps(truth, 0), timestamps(estimate, options.time_offset),
+                   options.max_time_difference);
+}
+
+/// Returns the pairs of associated poses. Throws Error when they are fewer than three.
 Matches match(const Trajectory& truth, const Trajectory& estimate,
               const EvaluationOptions& options) {
-  const std::vector<double> truth_stamps = timestamps(truth, 0);
-  const std::vector<double> estimate_stamps = timestamps(estimate, options.time_offset);
-  Matches matches = associate(truth_stamps, estimate_stamps, options.max_time_difference);
+  Matches matches = associated(truth, estimate, options);
   require(matches.size() >= kMinMatches, "cannot evaluate: ", matches.size(), " of ",
           estimate.size(), " poses of the estimate are within ", options.max_time_difference,
           " s of a pose of the truth, expected at least ", kMinMatches, "; the truth ",
-          describe_span(truth_stamps), ", the estimate with an offset of ",
-          format_real(options.time_offset), " s ", describe_span(estimate_stamps));
+          describe_span(timestamps(truth, 0)), ", the estimate with an offset of ",
+          format_real(options.time_offset), " s ",
+          describe_span(timestamps(estimate, options.time_offset)));
   return matches;
 }
 
@@ -150,15 +156,17 @@ double tracked_fraction(std::span<const double> frames, const Trajectory& estima
          static_cast<double>(frames.size());
 }
 
-Trajectory align_trajectory(const Trajectory& truth, const Trajectory& estimate,
-                            const EvaluationOptions& options) {
-  const Matches matches = match(truth, estimate, options);
-  const Similarity fitted =
-      fit(matched_positions(truth, estimate, matches), TrajectoryAlignment::se3);
-  const SE3 T_truth_estimate(Eigen::Quaterniond(fitted.rotation), fitted.translation);
+std::optional<Trajectory> align_trajectory(const Trajectory& truth, const Trajectory& estimate,
+                                           const EvaluationOptions& options) {
+  const Matches matches = associated(truth, estimate, options);
+  if (matches.size() < kMinMatches) {
+    return std::nullopt;
+  }
+  const Similarity fitted = fit(matched_positions(truth, estimate, matches), options.alignment);
+  const Eigen::Quaterniond rotation(fitted.rotation);
   Trajectory aligned = estimate;
-  for (StampedPose& pose : aligned) {
-    pose.T_world_camera = T_truth_estimate * pose.T_world_camera;
+  for (auto& [timestamp, T_world_camera] : aligned) {
+    T_world_camera = {rotation * T_world_camera.rotation(), fitted * T_world_camera.translation()};
   }
   return aligned;
 }

@@ -73,10 +73,11 @@ TrajectoryErrors evaluate(const Trajectory& truth, const Trajectory& estimate,
 /// pose for: one within 0.1 ms, more than rounding and less than a frame.
 double tracked_fraction(std::span<const double> frames, const Trajectory& estimate);
 
-/// Returns the estimate moved rigidly onto the truth, as for the absolute error with SE(3)
-/// alignment. Throws Error when fewer than three poses match.
-Trajectory align_trajectory(const Trajectory& truth, const Trajectory& estimate,
-                            const EvaluationOptions& options = {});
+/// Returns the estimate moved onto the truth as it is before the absolute error is taken: by the
+/// rigid motion or the similarity of least squares over the matched positions, or not at all. There
+/// is no result when fewer than three poses match.
+std::optional<Trajectory> align_trajectory(const Trajectory& truth, const Trajectory& estimate,
+                                           const EvaluationOptions& options = {});
 
 /// Offsets of the estimate's stamps that make an error least, as a diagnostic of the clocks: the
 /// figures at zero offset remain the result.

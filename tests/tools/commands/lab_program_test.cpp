@@ -303,7 +303,7 @@ TEST_F(LabProgram, ABasinIsDeepAtTheTruth) {
   ASSERT_EQ(rows.size(), 10U) << "titles and nine cells";
   EXPECT_EQ(rows[1][2], "100") << "from the truth itself";
   EXPECT_EQ(rows[9][2], "0") << "a metre and 60 deg off";
-  EXPECT_THAT(read("basin/basin.svg"), HasSubstr("median error, mm"));
+  EXPECT_THAT(read("basin/basin.svg"), HasSubstr("median position error, mm"));
 }
 
 TEST_F(LabProgram, ABasinOfAMonocularScenarioIsRefused) {

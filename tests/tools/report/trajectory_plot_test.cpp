@@ -5,6 +5,7 @@
 
 #include "tests/support/example_trajectory.h"
 #include "tests/support/svg_document.h"
+#include "vo/evaluation/evaluate.h"
 
 namespace {
 
@@ -12,6 +13,8 @@ using support::svg_elements;
 using support::svg_texts;
 using support::SvgElement;
 using testing::Contains;
+using testing::EndsWith;
+using testing::MatchesRegex;
 using testing::Not;
 using testing::StartsWith;
 using vo::TrajectoryAlignment;
@@ -30,6 +33,30 @@ std::vector<std::string> strokes(const std::string& svg) {
     }
   }
   return colours;
+}
+
+/// The greatest distance over time as it is drawn, m: the height of the lower panel's line above 0,
+/// measured by the labels of its axis.
+double greatest_distance(const std::string& svg) {
+  constexpr double kHeight = 160;  // px, of the lower panel, where 0 is
+  const SvgElement line = svg_elements(svg, "polyline").back();
+  double top = kHeight;
+  for (const Eigen::Vector2d& point : line.points()) {
+    top = std::min(top, point.y() - line.origin.y());
+  }
+  std::vector<Eigen::Vector2d> labels;  // px above the panel's upper end, and value
+  for (const SvgElement& text : svg_elements(svg, "text")) {
+    const double above = line.origin.y() - text.origin.y();
+    const auto anchor = text.attributes.find("text-anchor");
+    if (above < 0 && anchor != text.attributes.end() && anchor->second == "end") {
+      labels.emplace_back(above, std::stod(text.text));
+    }
+  }
+  const Eigen::Vector2d span = labels.back() - labels.front();
+  const std::vector<std::string> texts = svg_texts(svg);
+  const bool is_in_mm =
+      std::find(texts.begin(), texts.end(), "distance from the truth, mm") != texts.end();
+  return (is_in_mm ? 0.001 : 1) * (kHeight - top) * span.y() / span.x();
 }
 
 TEST(TrajectoryPlot, DrawsASegmentPerPairOfPosesAndNamesTheLargestError) {
@@ -65,14 +92,39 @@ TEST(TrajectoryPlot, DrawsBothWorldAxesInTheSameScale) {
   EXPECT_NEAR(scale.y() / scale.x(), 1, 0.002);
 }
 
-TEST(TrajectoryPlot, SaysInWhichUnitAndWhetherAligned) {
+TEST(TrajectoryPlot, SaysInWhichUnitAndPlaneAndWhetherAligned) {
   const vo::Trajectory truth = support::example_trajectory(20, 30);
   const vo::Trajectory estimate = shifted(truth, 3);
   const std::string svg = tools::draw_trajectory(truth, estimate, TrajectoryAlignment::none);
   EXPECT_THAT(svg_texts(svg), Contains("distance from the truth, m").Times(2));
-  EXPECT_THAT(svg_texts(svg), Contains(testing::EndsWith("not aligned to the truth")));
+  EXPECT_THAT(svg_texts(svg),
+              Contains(MatchesRegex("Trajectory in the (x-y|y-z|z-x) plane of the truth's world; "
+                                    "estimate not aligned")));
   EXPECT_THAT(svg_texts(tools::draw_trajectory(truth, estimate, TrajectoryAlignment::se3)),
-              Contains(testing::EndsWith(", aligned to the truth (se3)")));
+              Contains(EndsWith("estimate aligned by SE(3), least squares")));
+}
+
+TEST(TrajectoryPlot, DrawsTheEstimateAsItIsJudged) {
+  const vo::Trajectory truth = support::example_trajectory(20, 30);
+  vo::Trajectory estimate = shifted(truth, 3);
+  for (vo::StampedPose& pose : estimate) {
+    pose.T_world_camera = {pose.T_world_camera.rotation(), 2 * pose.T_world_camera.translation()};
+  }
+  estimate[7].T_world_camera =
+      estimate[7].T_world_camera * vo::SE3(Eigen::Quaterniond::Identity(), {0.05, 0, 0});
+  for (const TrajectoryAlignment alignment :
+       {TrajectoryAlignment::none, TrajectoryAlignment::se3, TrajectoryAlignment::sim3}) {
+    const double greatest_m = vo::evaluate(truth, estimate, {.alignment = alignment}).ate.max;
+    const std::string svg = tools::draw_trajectory(truth, estimate, alignment);
+    EXPECT_NEAR(greatest_distance(svg), greatest_m, 0.01 * greatest_m) << vo::to_string(alignment);
+  }
+}
+
+TEST(TrajectoryPlot, AnEstimateThatCannotBeAlignedIsDrawnAsItIs) {
+  const vo::Trajectory truth = support::example_trajectory(20, 30);
+  const vo::Trajectory estimate(truth.begin(), truth.begin() + 2);
+  EXPECT_THAT(svg_texts(tools::draw_trajectory(truth, estimate, TrajectoryAlignment::se3)),
+              Contains(EndsWith("estimate not aligned: fewer than three poses match")));
 }
 
 TEST(TrajectoryPlot, ShowsTheTruthDuringTheEstimateAndGreyWhereThereIsNone) {

@@ -65,6 +65,11 @@ class Check:
                              lambda: self.schemas.validate(parsers.load_json(path.read_text("utf-8"))))
         print(f"{count} files read")
 
+    def read_pictures(self, docs):
+        """Parses the plots of the documentation, which commands wrote."""
+        for path in sorted(docs.rglob("*.svg")):
+            self.attempt(path.relative_to(docs), lambda: parsers.parse(path))
+
     def require_every_command(self):
         """A command with --json has a run here whose document was validated, and every schema one."""
         ran = {" ".join(run.words.split()[:2]) for run in commands.RUNS if run.json}
@@ -110,6 +115,7 @@ def main():
     for run in commands.RUNS:
         check.run(run)
     check.read_files()
+    check.read_pictures(source / "docs")
     check.require_every_command()
     print(*check.problems, sep="\n")
     return 1 if check.problems else 0

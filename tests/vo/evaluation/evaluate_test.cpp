@@ -94,6 +94,27 @@ TEST(Evaluate, KeepsTheScaleUnlessAskedToFitIt) {
   EXPECT_GT(errors.ate.rmse, 0.1);
 }
 
+TEST(AlignTrajectory, MovesEveryPositionAsTheAbsoluteErrorTakesIt) {
+  const Trajectory truth = support::example_trajectory(50, 30);
+  Trajectory estimate = truth;
+  for (std::size_t i = 0; i < estimate.size(); ++i) {
+    const auto wave = static_cast<double>(i % 7);
+    SE3& T_world_camera = estimate[i].T_world_camera;
+    T_world_camera = {T_world_camera.rotation(),
+                      1.5 * T_world_camera.translation() + Eigen::Vector3d(0.01 * wave, 2, 3)};
+  }
+  for (const auto& [alignment, name] : enum_names(TrajectoryAlignment{})) {
+    const auto aligned = align_trajectory(truth, estimate, {.alignment = alignment});
+    ASSERT_TRUE(aligned.has_value());
+    const TrajectoryErrors judged = evaluate(truth, estimate, {.alignment = alignment});
+    const TrajectoryErrors moved =
+        evaluate(truth, *aligned, {.alignment = TrajectoryAlignment::none});
+    EXPECT_NEAR(moved.ate.rmse, judged.ate.rmse, 1e-12) << name;
+    EXPECT_NEAR(moved.ate.max, judged.ate.max, 1e-12) << name;
+  }
+  EXPECT_FALSE(align_trajectory(truth, {estimate.begin(), estimate.begin() + 2}).has_value());
+}
+
 TEST(Evaluate, AddsTheOffsetToTheEstimatesStamps) {
   const Trajectory truth = support::example_trajectory(100, 30);
   const TrajectoryErrors errors = evaluate(truth, support::delayed(truth, 2), {.time_offset = -2});
