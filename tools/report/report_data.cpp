@@ -121,7 +121,9 @@ Json tracking_json(const std::vector<vo::TrackingResult>& frames) {
            column(frames, [](const Frame& f) { return rounded(f.alignment.visible_fraction); })},
           {"correlation",
            column(frames, [](const Frame& f) { return rounded(f.alignment.correlation); })},
-          {"cost", column(frames, [](const Frame& f) { return rounded(f.alignment.cost); })}};
+          {"cost", column(frames, [](const Frame& f) { return rounded(f.alignment.cost); })},
+          {"moving_fraction",
+           column(frames, [](const Frame& f) { return rounded(f.moving_fraction); })}};
 }
 
 /// Returns the aligned poses of the frames; all are empty with fewer than three matched poses.

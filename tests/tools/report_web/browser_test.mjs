@@ -147,6 +147,16 @@ test('lost frames are named and can be jumped to', async () => {
   assert.match(await page.locator('.readout .status').textContent(), /lost: /);
 });
 
+test('uncertain frames are counted with their reason, and what moves is drawn over time', async () => {
+  await open({ hash: link(names[0], 110) });
+  const notes = await page.locator('.note').allTextContents();
+  assert.ok(notes.includes('3 of 300 frames are uncertain: two motions 3.'));
+  assert.match(await page.locator('.readout .status').textContent(), /uncertain: two motions/);
+  assert.match(await page.locator('.facts').textContent(), /uncertain becausetwo motions/);
+  await page.locator('.chart select').first().selectOption({ label: 'Moving by itself, % of the view' });
+  assert.equal(await page.locator('.chart .now').first().textContent(), '25.0 % of the view');
+});
+
 test('monocular depth lies beside the truth, and times are marked as diagnostic', async () => {
   await open({ hash: link('monocular', 3) });
   const titles = await page.locator('figcaption b').allTextContents();

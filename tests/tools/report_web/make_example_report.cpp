@@ -18,6 +18,13 @@ tools::ScenarioReport passed() {
                     {"keyframes", 300, {}, true}};
   report.options = {{"odometry.preset", "paper", "default", "where the options start from"},
                     {"odometry.tracker.pyramid.levels", "3", "3", "resolutions"}};
+  for (std::size_t i = 100; i < 120; ++i) {
+    report.frames[i].moving_fraction = 0.25;
+  }
+  for (std::size_t i = 110; i < 113; ++i) {
+    report.frames[i].status = vo::TrackingStatus::uncertain;
+    report.frames[i].reason = vo::TrackingReason::two_motions;
+  }
   report.notes = {"a light of the scene was left out"};
   return report;
 }

@@ -81,6 +81,7 @@ export interface Tracking {
   visible_fraction: number[];
   correlation: number[];
   cost: number[];
+  moving_fraction: number[]; // share of the view that moves by itself; 0 where none is looked for
 }
 
 /** WebP files in base64, all of one size. */

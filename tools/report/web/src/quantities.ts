@@ -19,6 +19,8 @@ export function quantities(scenario: Scenario): Quantity[] {
   const aligned = status?.map((s) => s !== 'initialized') ?? [];
   const whereAligned = (values: number[] | undefined) =>
     (values ?? []).map((value, i) => (aligned[i] ? value : null));
+  const moving = tracking?.moving_fraction ?? [];
+  const whereAnyMoves = moving.some((share) => share > 0) ? whereAligned(moving) : [];
   const all: Quantity[] = [
     { label: 'Position error', unit: 'mm', values: scaled(frames.position_m, 1000), digits: 2 },
     {
@@ -41,6 +43,7 @@ export function quantities(scenario: Scenario): Quantity[] {
       values: scaled(whereAligned(tracking?.visible_fraction), 100),
       digits: 1,
     },
+    { label: 'Moving by itself', unit: '% of the view', values: scaled(whereAnyMoves, 100), digits: 1 },
     { label: 'Points', unit: '', values: whereAligned(tracking?.points), digits: 0 },
     { label: 'Iterations', unit: '', values: whereAligned(tracking?.iterations), digits: 0 },
     { label: 'Cost per point', unit: '', values: whereAligned(tracking?.cost), digits: 3 },

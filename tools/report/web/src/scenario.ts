@@ -5,7 +5,7 @@ import { pictureSection } from './pictures';
 import { Player } from './player';
 import { markedKeyframes, quantities, type Quantity } from './quantities';
 import { SceneView, type ViewMode } from './scene';
-import { badge, commandLine, frameFacts, metricTable, optionTable } from './tables';
+import { badge, commandLine, doubtSummary, frameFacts, metricTable, optionTable } from './tables';
 import { timeline } from './timeline';
 import { TopView } from './top_view';
 
@@ -132,6 +132,7 @@ export function scenarioSection(scenario: Scenario): ScenarioSection {
     h('h3', {}, 'Metrics'),
     metricTable(scenario),
     h('p', { class: 'hint' }, `Absolute errors are taken ${kAlignment[scenario.alignment]}.`),
+    doubtSummary(scenario),
     ...scenario.notes.map((note) => h('p', { class: 'note' }, note)),
     timesNote(scenario),
     commandLine(scenario),

@@ -1,5 +1,5 @@
 import { h } from './dom';
-import type { Metric, ReportData, Scenario } from './data';
+import { isDoubted, type Metric, type ReportData, type Scenario } from './data';
 import { boundText, significant, unitOf, words } from './format';
 import type { Player } from './player';
 import { axisTitle, valueText, type Quantity } from './quantities';
@@ -112,6 +112,23 @@ export function metricTable(scenario: Scenario): HTMLElement {
   );
 }
 
+/** How many frames are lost or uncertain, and why; null where none is. */
+export function doubtSummary(scenario: Scenario): HTMLElement | null {
+  const { status = [], tracking } = scenario.frames;
+  const sentences = (['lost', 'uncertain'] as const).flatMap((kind) => {
+    const counts = new Map<string, number>();
+    status.forEach((s, i) => {
+      const reason = tracking?.reason[i];
+      if (s === kind && reason) counts.set(reason, (counts.get(reason) ?? 0) + 1);
+    });
+    const total = status.filter((s) => s === kind).length;
+    const reasons = [...counts].sort((a, b) => b[1] - a[1]).map(([name, count]) => `${words(name)} ${count}`);
+    const why = reasons.length > 0 ? `: ${reasons.join(', ')}` : '';
+    return total > 0 ? [`${total} of ${status.length} frames are ${kind}${why}.`] : [];
+  });
+  return sentences.length > 0 ? h('p', { class: 'note' }, sentences.join(' ')) : null;
+}
+
 /** All that is known of the frame that is shown. */
 export function frameFacts(scenario: Scenario, player: Player, all: Quantity[]): HTMLElement {
   const { status, tracking } = scenario.frames;
@@ -123,7 +140,9 @@ export function frameFacts(scenario: Scenario, player: Player, all: Quantity[]):
       ...(status ? ([['Status', words(status[frame]!)]] as [string, string][]) : []),
       ...(tracking
         ? ([
-            ['Lost because', words(tracking.reason[frame]!)],
+            ...(status && isDoubted(status[frame]!)
+              ? [[`${words(status[frame]!)} because`, words(tracking.reason[frame]!)]]
+              : []),
             ['Keyframe', tracking.keyframe[frame] ? 'yes' : 'no'],
             ['Alignment ended', words(tracking.termination[frame]!)],
           ] as [string, string][])
