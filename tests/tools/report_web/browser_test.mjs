@@ -147,6 +147,16 @@ test('lost frames are named and can be jumped to', async () => {
   assert.match(await page.locator('.readout .status').textContent(), /lost: /);
 });
 
+test('the path is shown as it is scored, and says so', async () => {
+  await open({ hash: link(names[0]) });
+  assert.ok(await page.getByRole('radio', { name: 'as scored: aligned by SE(3)' }).isChecked());
+  assert.match(await page.locator('.top-view').textContent(), /world from above: [xyz] \u2192 [xyz] [\u2191\u2193]/);
+  const path = () => page.locator('.estimate-path').getAttribute('d');
+  const scored = await path();
+  await page.getByText('as tracked: not aligned').click();
+  assert.notEqual(await path(), scored);
+});
+
 test('uncertain frames are counted with their reason, and what moves is drawn over time', async () => {
   await open({ hash: link(names[0], 110) });
   const notes = await page.locator('.note').allTextContents();

@@ -15,6 +15,8 @@ const kAlignment = {
   sim3: 'after an alignment with scale (Sim(3))',
 };
 
+const kAlignedBy = { none: 'not aligned', se3: 'aligned by SE(3)', sim3: 'aligned by Sim(3)' };
+
 /** One scenario's part of the page. */
 export interface ScenarioSection {
   element: HTMLElement;
@@ -63,16 +65,21 @@ function trajectories(scenario: Scenario, player: Player): { element: HTMLElemen
   const { scene, element } = makeScene(scenario, player);
   const { estimate, aligned } = scenario.frames;
   const modes: ViewMode[] = ['around', 'camera'];
+  const isScored = aligned.some(Boolean);
+  const show = (poses: typeof estimate) => {
+    top.show(poses);
+    scene?.show(poses);
+  };
+  if (isScored) show(aligned);
   const cloudBox = h('input', { type: 'checkbox', checked: true, change: () => scene?.setCloud(cloudBox.checked) });
   const controls = h(
     'div',
     { class: 'bar' },
-    aligned.some(Boolean) &&
-      choice('Estimate', ['as tracked', 'as scored'], (i) => {
-        const shown = i === 0 ? estimate : aligned;
-        top.show(shown);
-        scene?.show(shown);
-      }),
+    isScored
+      ? choice('Estimate', [`as scored: ${kAlignedBy[scenario.alignment]}`, 'as tracked: not aligned'], (i) =>
+          show(i === 0 ? aligned : estimate),
+        )
+      : h('span', {}, 'Estimate as tracked: not aligned'),
     scene && choice('View', ['around', 'through camera'], (i) => scene.setMode(modes[i]!)),
     scene && scenario.cloud && h('label', {}, cloudBox, ' scene'),
     scene && h('button', { click: () => scene.reset() }, 'reset view'),
@@ -101,6 +108,7 @@ function chartSection(scenario: Scenario, player: Player, all: Quantity[]): { el
       'Click to see a frame, drag to zoom, double-click to zoom out. ',
       scenario.frames.tracking && 'Orange ticks are keyframes (none where most frames are). ',
       'Shaded frames are lost or uncertain.',
+      ` Position and rotation errors are taken ${kAlignment[scenario.alignment]}; errors of a step need none.`,
     ),
     ...charts.map((chart) => chart.element),
   );

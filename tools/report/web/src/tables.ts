@@ -144,7 +144,9 @@ export function frameFacts(scenario: Scenario, player: Player, all: Quantity[]):
               ? [[`${words(status[frame]!)} because`, words(tracking.reason[frame]!)]]
               : []),
             ['Keyframe', tracking.keyframe[frame] ? 'yes' : 'no'],
-            ['Alignment ended', words(tracking.termination[frame]!)],
+            ...(tracking.status[frame] === 'initialized'
+              ? []
+              : [['Alignment ended', words(tracking.termination[frame]!)]]),
           ] as [string, string][])
         : []),
       ...all.map((q): [string, string] => [axisTitle(q).replace(/, [^,]*$/, ''), valueText(q, frame)]),

@@ -10,13 +10,20 @@ const kSide = 400; // units of the drawing
 const kMargin = 30;
 
 /** The two axes of the floor so that the drawing is what one sees from above. */
-function floorAxes(scenario: Scenario): { x: number; y: number; flip: number; names: string } {
+function floorAxes(scenario: Scenario): { x: number; y: number; flip: number; names: string; arrows: string } {
   const { axis, sign } = upAxis(scenario.frames.truth, scenario.camera);
   const x = axis === 0 ? 1 : 0;
   const y = axis === 2 ? 1 : 2;
   // Seen from above with x to the right, y runs up the page where (x, y, up) is right-handed.
   const righthanded = (axis - y + 3) % 3 === 1 ? 1 : -1;
-  return { x, y, flip: -righthanded * sign, names: `${'xyz'[x]} to the right, ${'xyz'[y]}` };
+  const flip = -righthanded * sign;
+  return {
+    x,
+    y,
+    flip,
+    names: `${'xyz'[x]} to the right, ${'xyz'[y]}`,
+    arrows: `${'xyz'[x]} \u2192 ${'xyz'[y]} ${flip > 0 ? '\u2193' : '\u2191'}`,
+  };
 }
 
 function roundLength(least: number): number {
@@ -113,6 +120,7 @@ export class TopView {
       { class: 'scale-bar' },
       svg('path', { d: `M12 382V390H${end}V382` }),
       svg('text', { x: end + 6, y: 390 }, label),
+      svg('text', { x: kSide - 12, y: 390, 'text-anchor': 'end' }, `world from above: ${this.axes.arrows}`),
     );
   }
 
