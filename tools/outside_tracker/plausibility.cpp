@@ -43,13 +43,13 @@ double spread(const vo::Trajectory& trajectory) {
 double position_unit(const std::filesystem::path& trajectory) {
   constexpr std::size_t kPositionEnd = 4;  // after the stamp and three coordinates
   std::vector<double> units;
-  for (const vo::TextLine& line : vo::read_text_lines(trajectory)) {
+  vo::TextFile(trajectory).for_each_line([&](const vo::TextLine& line) {
     for (std::size_t i = 1; i < kPositionEnd; ++i) {
       if (vo::parse_number(line, i) != 0) {
         units.push_back(last_digit_unit(line.fields[i]));
       }
     }
-  }
+  });
   return units.empty() ? 0 : vo::upper_median(units);
 }
 

@@ -14,7 +14,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 #include "tools/processes/process_tree.h"
-#include "vo/files/output.h"
+#include "vo/files/input.h"
 
 namespace {
 

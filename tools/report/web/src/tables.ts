@@ -144,7 +144,7 @@ export function frameFacts(scenario: Scenario, player: Player, all: Quantity[]):
               ? [[`${words(status[frame]!)} because`, words(tracking.reason[frame]!)]]
               : []),
             ['Keyframe', tracking.keyframe[frame] ? 'yes' : 'no'],
-            ...(tracking.status[frame] === 'initialized'
+            ...(status?.[frame] === 'initialized'
               ? []
               : [['Alignment ended', words(tracking.termination[frame]!)]]),
           ] as [string, string][])
