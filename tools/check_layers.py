@@ -31,6 +31,7 @@ ONLY_IN = {  # header of a library: the files that may name it
     "webp/": ["tools/pictures/webp.cpp"],
     "CLI/": ["tools/cli/", "tools/commands/", "tools/edvo.cpp"],
     "opencv2/rgbd": ["tools/bench/peers/opencv_peer.cpp"],
+    "boost/": ["tools/statistics/significance.cpp"],
     "ceres/": [],
 }
 

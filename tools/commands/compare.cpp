@@ -1,7 +1,9 @@
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tools/cli/exit_code.h"
@@ -12,9 +14,10 @@
 #include "tools/laboratory/build_test.h"
 #include "tools/laboratory/comparison.h"
 #include "tools/laboratory/comparison_json.h"
+#include "tools/laboratory/comparison_quality.h"
 #include "tools/laboratory/results_json.h"
-#include "tools/laboratory/self_comparison.h"
 #include "tools/laboratory/verdict_table.h"
+#include "tools/plot/table.h"
 #include "vo/core/error.h"
 
 namespace tools {
@@ -27,14 +30,18 @@ constexpr const char* kCompareHelp =
     "significant over all of them and larger than the tolerance.\n"
     "With --halves N a single result is compared with itself, N times one random half of its "
     "seeds\n"
-    "with the other: how often that is an alarm is the rate of false alarms.";
+    "with the other: how often that is an alarm is the rate of false alarms.\n"
+    "With --power it tells what growth of a metric is an alarm in nine of ten comparisons: of one\n"
+    "result, compared with other seeds; of two, with the same seeds and changes that spread as\n"
+    "those between them.";
 
 constexpr const char* kCompareExamples =
     "Examples:\n"
     "  edvo compare before.json after.json\n"
     "  edvo compare before.json after.json --json > changes.json\n"
     "  edvo compare --build-a old/edvo --build-b build/release/edvo --seeds 5 scenarios\n"
-    "  edvo compare results.json --halves 200 --worse-percent 0 --better-percent 0";
+    "  edvo compare results.json --halves 200 --worse-percent 0 --better-percent 0\n"
+    "  edvo compare before.json after.json --power --metric rpe_translation_rmse_m";
 
 struct CompareArguments {
   bool json = false;
@@ -43,6 +50,8 @@ struct CompareArguments {
   std::string build_b;
   int seeds = 1;
   int halves = 0;
+  bool power = false;
+  std::string metric = "ate_rmse_m";
   ComparisonOptions options;
 };
 
@@ -77,8 +86,40 @@ int compare_halves(const CompareArguments& arguments) {
   return exit_code::kOk;
 }
 
+std::string growth_text(double percent) {
+  return std::isfinite(percent) ? "+" + format_decimals(percent, 0) + " %" : "> x100";
+}
+
+int tell_power(const CompareArguments& arguments) {
+  const std::size_t count = arguments.inputs.size();
+  if (count != 1 && count != 2) {
+    vo::fail_as(vo::ErrorKind::usage, "compare: expected one or two results with --power");
+  }
+  const TestResults a = read_results(arguments.inputs[0]);
+  const TestResults b = read_results(arguments.inputs[count - 1]);
+  const Seeds seeds = count == 1 ? Seeds::other : Seeds::same;
+  Table table{.columns = {{"scenario"}, {count == 1 ? "seeds_differ_%" : "changes_differ_%"}}};
+  for (const int number : kPowerSeeds) {
+    table.columns.push_back({vo::concat(number, "_seeds")});
+  }
+  for (const DetectableChange& change :
+       detectable_changes(a, b, arguments.metric, seeds, arguments.options)) {
+    std::vector<TableCell> row{change.scenario, format_decimals(100 * change.deviation, 1)};
+    for (const double percent : change.percent) {
+      row.emplace_back(growth_text(percent));
+    }
+    table.add_row(std::move(row));
+  }
+  std::cout << "growth of " << arguments.metric << " that is an alarm in 90 % of comparisons\n"
+            << as_text(table);
+  return exit_code::kOk;
+}
+
 int compare(const CompareArguments& arguments) {
   check_usage([&] { arguments.options.validate(); });
+  if (arguments.power) {
+    return tell_power(arguments);
+  }
   if (arguments.halves > 0) {
     return compare_halves(arguments);
   }
@@ -116,6 +157,8 @@ void add_compare_command(CLI::App& program, int& exit_code) {
   command.add_option("--halves", arguments->halves, "compare one result with itself so often")
       ->check(CLI::PositiveNumber);
   add_json_flag(command, arguments->json);
+  command.add_flag("--power", arguments->power, "tell what growth of a metric is found");
+  command.add_option("--metric", arguments->metric, "of --power [ate_rmse_m]");
   add_field_options(command, vo::fields_of(arguments->options), "Alarms");
   command.callback([arguments, &exit_code] { exit_code = compare(*arguments); });
 }

@@ -39,11 +39,11 @@ constexpr const char* kTestHelp =
     "means.\n"
     "--bounds says what judges: the scenario's own bounds and the baseline if there is one, the\n"
     "baseline alone (what is done when --tracker and --baseline are given), or nothing.\n"
-    "Against a baseline a change is an alarm when it is significant (Student's or Welch's test "
-    "with\n"
-    "Holm's correction over all metrics and scenarios; a single seed has no chance in it, every\n"
-    "difference counts) and larger than the tolerance, to the worse or, unexplained, to the "
-    "better.";
+    "Against a baseline a change is an alarm when it is significant (a t-test, an exact one of\n"
+    "counts, with Holm's correction over all metrics and scenarios; a single seed has no chance "
+    "in\n"
+    "it, every difference counts) and larger than the tolerance, to the worse or, unexplained, to\n"
+    "the better.";
 
 constexpr const char* kStdout = "-";  // a file's name that means stdout
 

@@ -5,12 +5,16 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
+#include <set>
 #include <utility>
 
-#include "tools/laboratory/student_t.h"
+#include "tools/laboratory/trial_pairs.h"
 #include "tools/plot/statistics.h"
 #include "tools/plot/table.h"
 #include "tools/report/report.h"
+#include "tools/statistics/difference_test.h"
+#include "tools/statistics/significance.h"
 #include "vo/core/error.h"
 
 namespace tools {
@@ -18,76 +22,32 @@ namespace {
 
 enum class Sense { less_is_better, more_is_better, neither };
 
-/// Properties of a metric, derived from its name.
+/// Properties of a metric, derived from its name and the number of frames.
 struct MetricTraits {
   Sense sense = Sense::less_is_better;
-  double negligible = 0;  ///< differences below this are never large
+  Resolution resolution;  ///< differences below `negligible` are never large
 };
 
-MetricTraits traits_of(const std::string& metric) {
+MetricTraits traits_of(const std::string& metric, std::size_t frames) {
   if (metric == "keyframes") {
-    return {Sense::neither, 1};
+    return {Sense::neither, {.step = 1, .negligible = 1}};
   }
   if (metric.starts_with("nees_") || metric == "depth_nees") {
-    return {Sense::neither, 0.2};
+    return {Sense::neither, {.negligible = 0.2}};
+  }
+  if (metric == "tracked_fraction") {
+    const double frame = 1 / std::max(1.0, static_cast<double>(frames));
+    return {Sense::more_is_better, {.step = frame, .negligible = 0.005}};
   }
   if (metric.ends_with("_fraction")) {
-    return {Sense::more_is_better, 0.005};
+    return {Sense::more_is_better, {.negligible = 0.005}};
   }
   if (metric.ends_with("_percent")) {
-    return {Sense::less_is_better, 0.02};
+    return {Sense::less_is_better, {.negligible = 0.02}};
   }
   constexpr double kAngle = 0.005;  // deg
   constexpr double kLength = 5e-5;  // m
-  return {Sense::less_is_better, metric.ends_with("_deg") ? kAngle : kLength};
-}
-
-/// Samples of two results for a significance test; paired values have equal indices.
-struct Samples {
-  std::vector<double> before;
-  std::vector<double> after;
-  bool paired = true;
-};
-
-bool has_seed(const ScenarioResult& scenario, int seed) {
-  return std::any_of(scenario.trials.begin(), scenario.trials.end(),
-                     [&](const TrialResult& t) { return t.seed == seed && t.problem.empty(); });
-}
-
-/// Returns the scenario without the trials whose seed was not measured in the other result.
-ScenarioResult common_trials(const ScenarioResult& scenario, const ScenarioResult& other) {
-  ScenarioResult common = scenario;
-  std::erase_if(common.trials, [&](const TrialResult& t) { return !has_seed(other, t.seed); });
-  return common;
-}
-
-/// A scenario in two results, with the trials that are compared.
-struct Pair {
-  ScenarioResult before;
-  ScenarioResult after;
-  bool paired = true;          ///< trials with equal index have equal seeds
-  bool same_sequences = true;  ///< paired trials tracked identical sequences
-};
-
-bool is_measured(const TrialResult& trial) {
-  return trial.problem.empty();
-}
-
-Pair pair_of(const ScenarioResult& before, const ScenarioResult& after) {
-  Pair pair{common_trials(before, after), common_trials(after, before)};
-  pair.same_sequences = std::equal(
-      pair.before.trials.begin(), pair.before.trials.end(), pair.after.trials.begin(),
-      pair.after.trials.end(),
-      [](const TrialResult& x, const TrialResult& y) { return x.sequence == y.sequence; });
-  const auto count = [](const ScenarioResult& scenario) {
-    return std::count_if(scenario.trials.begin(), scenario.trials.end(), is_measured);
-  };
-  if (count(pair.before) == 0 || count(pair.before) != count(pair.after)) {
-    pair.before = before;
-    pair.after = after;
-    pair.paired = false;
-  }
-  return pair;
+  return {Sense::less_is_better, {.negligible = metric.ends_with("_deg") ? kAngle : kLength}};
 }
 
 Share measured_share(const std::vector<double>& values) {
@@ -104,42 +64,6 @@ double ratio(const Share& share) {
 double mean_of(std::vector<double> values) {
   std::erase_if(values, [](double v) { return !std::isfinite(v); });
   return values.empty() ? std::numeric_limits<double>::quiet_NaN() : spread(values).mean;
-}
-
-/// Returns the finite values; of pairs only those with both values finite.
-Samples measured(const Samples& samples) {
-  Samples kept{.before = {}, .after = {}, .paired = samples.paired};
-  const std::size_t count = std::max(samples.before.size(), samples.after.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool was = i < samples.before.size() && std::isfinite(samples.before[i]);
-    const bool is = i < samples.after.size() && std::isfinite(samples.after[i]);
-    if (was && (is || !samples.paired)) {
-      kept.before.push_back(samples.before[i]);
-    }
-    if (is && (was || !samples.paired)) {
-      kept.after.push_back(samples.after[i]);
-    }
-  }
-  return kept;
-}
-
-bool all_positive(const std::vector<double>& values) {
-  return std::all_of(values.begin(), values.end(), [](double v) { return v > 0; });
-}
-
-/// Returns the p-value of no difference. Errors vary by factors, so positive values are compared by
-/// their logarithms, which are nearer to normal.
-double p_value_of(Samples samples) {
-  if (all_positive(samples.before) && all_positive(samples.after)) {
-    const auto logarithm = [](double v) { return std::log(v); };
-    std::transform(samples.before.begin(), samples.before.end(), samples.before.begin(), logarithm);
-    std::transform(samples.after.begin(), samples.after.end(), samples.after.begin(), logarithm);
-  }
-  const bool is_single = samples.before.size() < 2 || samples.after.size() < 2;
-  if (samples.paired) {
-    return paired_p_value(samples.before, samples.after);
-  }
-  return is_single ? 1 : welch_p_value(samples.before, samples.after);
 }
 
 ChangeKind kind_of(double difference, Sense sense) {
@@ -160,42 +84,136 @@ void judge_size(Change& change, const MetricTraits& traits, const ComparisonOpti
                                       : std::copysign(100.0, difference);
   const double allowed =
       change.kind == ChangeKind::worse ? options.worse_percent : options.better_percent;
-  change.is_large = std::abs(difference) > traits.negligible && std::abs(change.percent) > allowed;
+  change.is_large =
+      std::abs(difference) > traits.resolution.negligible && std::abs(change.percent) > allowed;
 }
 
-/// Judges a metric that is measured in another share of the trials; all against none needs no test.
-void judge_missing(Change& change, const Share& before, const Share& after) {
-  const double was = ratio(before);
-  const double is = ratio(after);
+/// Returns the p-value of a metric's being measured as often as before. That no seed of the later
+/// result has it is a finding, not a matter of chance: nothing is left to compare. Nor is there
+/// chance in a single seed.
+double availability_p_value(const Share& before, const Share& after) {
+  const bool is_lost = after.having == 0 && before.having > 0;
+  return is_lost || (before.of == 1 && after.of == 1) ? 0 : fisher_p_value(before, after);
+}
+
+/// Returns the change of the share of trials in which a metric is measured.
+Change availability_change(const Change& named, const Samples& all) {
+  const Share before = measured_share(all.before);
+  const Share after = measured_share(all.after);
+  Change change = named;
+  change.before = mean_of(all.before);
+  change.after = mean_of(all.after);
+  change.p_value = availability_p_value(before, after);
+  change.kind = ratio(after) < ratio(before) ? ChangeKind::worse : ChangeKind::different;
   change.is_large = true;
-  change.p_value = std::abs(was - is) == 1 ? 0 : fisher_p_value(before, after);
-  change.kind = is < was ? ChangeKind::worse : ChangeKind::different;
   if (before.having == 0 || after.having == 0) {
     change.note = after.having == 0 ? "it can no longer be measured" : "it could not be measured";
   } else {
     change.note = vo::concat("it is measured in ", after.having, " of ", after.of,
                              " seeds, was in ", before.having, " of ", before.of);
   }
+  return change;
 }
 
-Change compare_metric(const Pair& pair, const std::string& metric,
-                      const ComparisonOptions& options) {
-  const Samples all{values_of(pair.before, metric), values_of(pair.after, metric), pair.paired};
-  const Share was = measured_share(all.before);
-  const Share is = measured_share(all.after);
-  const Samples samples = measured(all);
-  Change change{.scenario = pair.after.name, .metric = metric};
-  if (ratio(was) != ratio(is)) {
-    change.before = mean_of(all.before);
-    change.after = mean_of(all.after);
-    judge_missing(change, was, is);
-    return change;
-  }
+/// Returns the change of a metric's mean over the trials that have it.
+Change value_change(const Change& named, const Samples& samples, const MetricTraits& traits,
+                    const ComparisonOptions& options) {
+  Change change = named;
   change.before = mean_of(samples.before);
   change.after = mean_of(samples.after);
+  judge_size(change, traits, options);
+  const DifferenceTest test = test_difference(samples, traits.resolution);
+  change.p_value = test.p_value;
+  change.least_p_value = test.least_p_value;
+  return change;
+}
+
+/// The hypotheses that one metric of one scenario is tested by: its values did not change, and it
+/// is measured as often as before. The second is tested only if the shares differ, the first if
+/// there are values to compare; without either the metric was not measured.
+struct MetricChange {
+  std::optional<Change> value;
+  std::optional<Change> availability;
+};
+
+MetricChange compare_metric(const Change& named, const Samples& all, std::size_t frames,
+                            const ComparisonOptions& options) {
+  MetricChange change;
+  if (ratio(measured_share(all.before)) != ratio(measured_share(all.after))) {
+    change.availability = availability_change(named, all);
+  }
+  const Samples samples = measured(all);
   if (!samples.before.empty() && !samples.after.empty()) {
-    judge_size(change, traits_of(metric), options);
-    change.p_value = p_value_of(samples);
+    change.value = value_change(named, samples, traits_of(named.metric, frames), options);
+  }
+  return change;
+}
+
+/// Returns the metrics of one scenario that both results know and one of them measured.
+std::vector<MetricChange> compare_scenario(const ScenarioResult& before,
+                                           const ScenarioResult& after,
+                                           const std::set<std::string>& unknown,
+                                           const ComparisonOptions& options) {
+  const TrialPairs pairs = pair_trials(before, after);
+  const std::size_t frames = pairs.after.empty() ? 0 : pairs.after.front()->frames;
+  std::vector<MetricChange> changes;
+  for (const auto& [metric, samples] : samples_of(pairs)) {
+    if (unknown.contains(metric)) {
+      continue;
+    }
+    const Change named{.scenario = after.name, .metric = metric};
+    MetricChange change = compare_metric(named, samples, frames, options);
+    if (change.value && !pairs.same_sequences) {
+      change.value->note = "the sequence is another one, too";
+    }
+    if (change.value || change.availability) {
+      changes.push_back(std::move(change));
+    }
+  }
+  return changes;
+}
+
+std::vector<Change*> hypotheses_of(std::vector<MetricChange>& changes) {
+  std::vector<Change*> hypotheses;
+  for (MetricChange& change : changes) {
+    for (std::optional<Change>* tested : {&change.value, &change.availability}) {
+      if (*tested) {
+        hypotheses.push_back(&**tested);
+      }
+    }
+  }
+  return hypotheses;
+}
+
+/// Marks the changes that are significant among all of them, and those that cannot be.
+void judge_significance(const std::vector<Change*>& hypotheses, double level) {
+  std::vector<double> p_values;
+  for (const Change* change : hypotheses) {
+    p_values.push_back(change->p_value);
+  }
+  const std::vector<bool> significant = holm_rejections(p_values, level);
+  for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+    hypotheses[i]->is_significant = significant[i];
+    hypotheses[i]->has_too_few_seeds =
+        hypotheses[i]->least_p_value > level / static_cast<double>(hypotheses.size());
+  }
+}
+
+/// Returns how bad a change is, to choose among those of one metric.
+int severity(const Change& change) {
+  return (change.is_alarm() ? 2 : 0) + (change.kind == ChangeKind::worse ? 1 : 0);
+}
+
+/// Returns the worse of a metric's changes, with the notes of both.
+Change worse_of(const MetricChange& metric) {
+  if (!metric.value || !metric.availability) {
+    return metric.value ? *metric.value : *metric.availability;
+  }
+  const bool is_value = severity(*metric.value) >= severity(*metric.availability);
+  Change change = is_value ? *metric.value : *metric.availability;
+  change.note = metric.availability->note;
+  if (!metric.value->note.empty()) {
+    change.note += "; " + metric.value->note;
   }
   return change;
 }
@@ -231,36 +249,26 @@ std::string describe(const Change& change) {
 
 std::vector<Change> compare_results(const TestResults& before, const TestResults& after,
                                     const ComparisonOptions& options) {
+  std::vector<MetricChange> metrics;
+  for (const auto& [was, now] : common_scenarios(before, after)) {
+    std::vector<MetricChange> found = compare_scenario(*was, *now, before.unknown_metrics, options);
+    std::move(found.begin(), found.end(), std::back_inserter(metrics));
+  }
+  judge_significance(hypotheses_of(metrics), options.level);
   std::vector<Change> changes;
-  for (const ScenarioResult& now : after.scenarios) {
-    const ScenarioResult* was = find_scenario(before, now.name);
-    if (was == nullptr) {
-      continue;
-    }
-    const Pair pair = pair_of(*was, now);
-    for (const auto& [metric, unused] : metric_values({})) {
-      if (before.unknown_metrics.contains(metric)) {
-        continue;
-      }
-      Change change = compare_metric(pair, metric, options);
-      if (std::isnan(change.before) && std::isnan(change.after)) {
-        continue;
-      }
-      if (!pair.same_sequences && change.note.empty()) {
-        change.note = "the sequence is another one, too";
-      }
-      changes.push_back(std::move(change));
-    }
-  }
-  std::vector<double> p_values;
-  for (const Change& change : changes) {
-    p_values.push_back(change.p_value);
-  }
-  const std::vector<bool> significant = holm_rejections(p_values, options.level);
-  for (std::size_t i = 0; i < changes.size(); ++i) {
-    changes[i].is_significant = significant[i];
-  }
+  std::transform(metrics.begin(), metrics.end(), std::back_inserter(changes), worse_of);
   return changes;
+}
+
+std::vector<std::pair<const ScenarioResult*, const ScenarioResult*>> common_scenarios(
+    const TestResults& before, const TestResults& after) {
+  std::vector<std::pair<const ScenarioResult*, const ScenarioResult*>> common;
+  for (const ScenarioResult& now : after.scenarios) {
+    if (const ScenarioResult* was = find_scenario(before, now.name)) {
+      common.emplace_back(was, &now);
+    }
+  }
+  return common;
 }
 
 bool has_alarm(const std::vector<Change>& changes) {

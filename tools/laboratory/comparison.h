@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tools/laboratory/results.h"
@@ -33,12 +34,14 @@ struct Change {
   std::string metric;
   double before = 0;  ///< mean over the seeds of the earlier result; NaN = not measured
   double after = 0;
-  double percent = 0;  ///< relative change from before to after, %
-  double p_value = 1;  ///< p-value of the null hypothesis that nothing changed
+  double percent = 0;        ///< relative change from before to after, %
+  double p_value = 1;        ///< p-value of the null hypothesis that nothing changed
+  double least_p_value = 0;  ///< smallest p-value that so many seeds can have
   ChangeKind kind = ChangeKind::none;
   bool is_significant = false;
   bool is_large = false;
-  std::string note;  ///< further remark, usually empty
+  bool has_too_few_seeds = false;  ///< no difference between so few seeds would be significant
+  std::string note;                ///< further remark, usually empty
 
   bool is_alarm() const { return is_significant && is_large; }
 };
@@ -47,13 +50,19 @@ struct Change {
 /// worse`.
 std::string describe(const Change& change);
 
-/// Compares every metric of the scenarios in both results. Trials with the same seeds are compared
-/// by a paired t-test of the logarithms' differences, others as independent samples by Welch's
-/// t-test; Holm's correction bounds the probability of any false alarm. Metrics that the earlier
-/// results do not know are not compared. A single pair of trials
-/// gives no variance: tracker and sequence are deterministic, so every difference is significant.
+/// Compares every metric of the scenarios in both results, over the seeds that both have or, if
+/// there are none, as independent samples, by `test_difference`. Where another share of the seeds
+/// has a metric, the share is tested as well (Fisher's exact test), and the change reports the
+/// worse of the two; a metric that no seed has any more is significant without a test. Holm's
+/// correction over all these hypotheses bounds the probability of any false alarm. Metrics that the
+/// earlier results do not know are not compared. A single pair of trials gives no variance: tracker
+/// and sequence are taken for deterministic, so every difference is significant.
 std::vector<Change> compare_results(const TestResults& before, const TestResults& after,
                                     const ComparisonOptions& options);
+
+/// Returns the scenarios that both results have, in the order of the later ones.
+std::vector<std::pair<const ScenarioResult*, const ScenarioResult*>> common_scenarios(
+    const TestResults& before, const TestResults& after);
 
 /// Returns whether a change is an alarm.
 bool has_alarm(const std::vector<Change>& changes);

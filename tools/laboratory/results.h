@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "tools/laboratory/student_t.h"
 #include "tools/outside_tracker/problem_kind.h"
 #include "tools/scenario/run_scenario.h"
+#include "tools/statistics/significance.h"
 
 namespace tools {
 

@@ -86,6 +86,16 @@ std::string count_text(const TestResults& results, Verdict verdict, const char* 
   return count == 0 ? "" : vo::concat(", ", count, " ", name);
 }
 
+std::string verdict_of(const Change& change) {
+  if (change.is_alarm()) {
+    return "ALARM: ";
+  }
+  if (change.is_significant) {
+    return "small: ";
+  }
+  return change.has_too_few_seeds ? "too few seeds to tell: " : "chance: ";
+}
+
 }  // namespace
 
 std::string format_verdicts(const TestResults& results, const std::vector<Change>& changes) {
@@ -118,12 +128,9 @@ std::string format_changes(const std::vector<Change>& changes) {
       ++same;
       continue;
     }
-    const char* verdict = change.is_alarm()       ? "ALARM: "
-                          : change.is_significant ? "small: "
-                                                  : "chance: ";
     table.add_row({change.scenario, change.metric, shown_number(change.before),
                    shown_number(change.after), format_decimals(change.percent, 1),
-                   shown_number(change.p_value), verdict + to_text(change.kind)});
+                   shown_number(change.p_value), verdict_of(change) + to_text(change.kind)});
   }
   std::stable_sort(table.rows.begin(), table.rows.end(), [](const auto& a, const auto& b) {
     const auto is_alarm = [](const std::vector<TableCell>& row) {

@@ -8,9 +8,9 @@
 #include <map>
 #include <utility>
 
-#include "tools/laboratory/student_t.h"
 #include "tools/plot/plot.h"
 #include "tools/scenario/error_titles.h"
+#include "tools/statistics/significance.h"
 #include "tools/studies/imperfections.h"
 #include "tools/studies/shapley.h"
 #include "vo/core/error.h"

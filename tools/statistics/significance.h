@@ -1,15 +1,12 @@
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <vector>
 
 namespace tools {
 
-/// Returns P(T <= t) of Student's t-distribution with `freedom` > 0 degrees of freedom.
-double student_cdf(double t, double freedom);
-
-/// Returns P(|T| >= |t|) of Student's t-distribution: the two-sided p-value of t.
+/// Returns P(|T| >= |t|) of Student's t-distribution with `freedom` > 0 degrees of freedom: the
+/// two-sided p-value of t.
 double student_two_sided(double t, double freedom);
 
 /// Returns the quantile t with P(T <= t) = probability, which lies between 0 and 1.
@@ -25,14 +22,17 @@ struct Estimate {
 
 Estimate estimate_mean(std::span<const double> values, double confidence = 0.95);
 
-/// Returns the two-sided p-value of the paired t-test (Student 1908). Without variance to estimate
-/// - a single pair, or differences that are all equal - it is 0 if the mean difference is not zero
-/// and 1 if it is.
-double paired_p_value(std::span<const double> before, std::span<const double> after);
+/// Returns the two-sided p-value of the paired t-test (Student 1908) of two pairs or more. A
+/// standard deviation of the differences below `least_deviation` is taken for that, because a few
+/// values may agree by chance.
+double paired_p_value(std::span<const double> before, std::span<const double> after,
+                      double least_deviation = 0);
 
 /// Returns the two-sided p-value of the t-test for two independent samples of unequal variance
-/// (Welch 1947); each has two values or more.
-double welch_p_value(std::span<const double> before, std::span<const double> after);
+/// (Welch 1947); each has two values or more. A standard deviation of a sample below
+/// `least_deviation` is taken for that.
+double welch_p_value(std::span<const double> before, std::span<const double> after,
+                     double least_deviation = 0);
 
 /// Number of elements of a sample that have a property.
 struct Share {
