@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "vo/core/hash.h"
+#include "vo/core/content_hash.h"
 
 namespace synth {
 namespace {
@@ -143,7 +143,7 @@ void add(vo::ContentHash& hash, const SceneMotion& motion) {
 
 }  // namespace
 
-std::uint64_t content_hash(const Scene& scene) {
+std::string content_hash(const Scene& scene) {
   vo::ContentHash hash;
   add_all(hash, scene.meshes);
   add_all(hash, scene.instances);
@@ -152,7 +152,7 @@ std::uint64_t content_hash(const Scene& scene) {
   add_all(hash, scene.images);
   add_all(hash, scene.lights);
   add(hash, scene.motion);
-  return hash.value();
+  return hash.hex();
 }
 
 }  // namespace synth

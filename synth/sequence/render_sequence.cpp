@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "synth/scene/scene_hash.h"
+#include "vo/core/content_hash.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/core/hash.h"
 #include "vo/core/version.h"
 #include "vo/dataset/camera_file.h"
 #include "vo/dataset/depth_units.h"
@@ -33,8 +33,7 @@ std::string describe_motion(const SequenceRecipe& recipe) {
       hash.add(file.bytes);
     }
     if (!files.empty()) {
-      text += vo::concat("motion_hash.", vo::to_string(channel), " = \"", vo::to_hex(hash.value()),
-                         "\"\n");
+      text += vo::concat("motion_hash.", vo::to_string(channel), " = \"", hash.hex(), "\"\n");
     }
   }
   return text;
@@ -71,9 +70,7 @@ std::string motion_hash(const SequenceRecipe& recipe) {
       around.push_back({pose.timestamp + time, path(pose.timestamp + time)});
     }
   }
-  vo::ContentHash hash;
-  hash.add(vo::format_trajectory(around));
-  return vo::to_hex(hash.value());
+  return vo::content_hash(vo::format_trajectory(around));
 }
 
 /// Returns the manifest: conventions that a reader must know, and the inputs that identify a
@@ -95,7 +92,7 @@ std::string format_manifest(const RenderJob& job, const Scene& scene) {
       "# poses are in groundtruth_depth.txt then.\n";
   text += vo::concat("generator = \"edvo ", vo::version(), "\"\n");
   text += "scene = " + vo::quoted_toml(job.scene.path().filename().string()) + "\n";
-  text += "scene_hash = \"" + vo::to_hex(content_hash(scene)) + "\"\n";
+  text += "scene_hash = \"" + content_hash(scene) + "\"\n";
   return text + format_recipe(job);
 }
 
@@ -156,10 +153,9 @@ std::vector<std::size_t> frames_to_render(const RenderJob& job, const Scene& sce
 }
 
 std::string format_recipe(const RenderJob& job) {
-  vo::ContentHash truth;
-  truth.add(vo::format_trajectory(job.recipe.truth));
   std::string text = vo::concat("frames = ", job.recipe.truth.size(), "\n");
-  text += "trajectory_hash = \"" + vo::to_hex(truth.value()) + "\"\n";
+  text +=
+      "trajectory_hash = \"" + vo::content_hash(vo::format_trajectory(job.recipe.truth)) + "\"\n";
   SequenceRecipe recipe = job.recipe;
   if (moves_between_stamps(recipe.sensor)) {
     text += "shutter_motion_hash = \"" + motion_hash(recipe) + "\"\n";

@@ -15,9 +15,9 @@
 #include "tools/processes/readable_text.h"
 #include "tools/report/scenario_report.h"
 #include "tools/sequence_cache/sequence_cache.h"
+#include "vo/core/content_hash.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/core/hash.h"
 #include "vo/dataset/sequence.h"
 #include "vo/files/input.h"
 #include "vo/files/output.h"
@@ -36,13 +36,10 @@ constexpr double kUnknownMetric = std::numeric_limits<double>::quiet_NaN();
 /// Returns the cache key of edvo's own result on a sequence.
 std::string kept_key(const Scenario& scenario, const std::string& sequence) {
   Scenario copy = scenario;
-  vo::ContentHash hash;
-  hash.add(program_hash());
-  hash.add(sequence);
-  hash.add(vo::format_toml(vo::fields_of(copy.odometry)));
-  hash.add(vo::format_toml(vo::fields_of(copy.score)));
-  hash.add(scenario.expect.contains("repeat_difference_m") ? "twice" : "once");
-  return vo::to_hex(hash.value());
+  const char* runs = scenario.expect.contains("repeat_difference_m") ? "twice" : "once";
+  return vo::content_hash(vo::concat(program_hash(), "\n", sequence, "\n",
+                                     vo::format_toml(vo::fields_of(copy.odometry)), "\n",
+                                     vo::format_toml(vo::fields_of(copy.score)), "\n", runs));
 }
 
 /// Returns the cached result of an earlier run; empty if there is no readable file.
@@ -143,11 +140,7 @@ void measure_trial(const Scenario& scenario, const TrialSettings& settings,
 }  // namespace
 
 const std::string& program_hash() {
-  static const std::string hash = [] {
-    vo::ContentHash content;
-    content.add(vo::read_file("/proc/self/exe"));
-    return vo::to_hex(content.value());
-  }();
+  static const std::string hash = vo::content_hash(vo::read_file("/proc/self/exe"));
   return hash;
 }
 

@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/report/repeat_command.h"
 #include "tools/json/document.h"
+#include "tools/report/repeat_command.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/core/version.h"

@@ -6,8 +6,8 @@
 #include <system_error>
 #include <vector>
 
+#include "vo/core/content_hash.h"
 #include "vo/core/error.h"
-#include "vo/core/hash.h"
 #include "vo/files/input.h"
 
 namespace tools {
@@ -17,15 +17,18 @@ namespace fs = std::filesystem;
 
 std::string line_of(const fs::path& folder, const std::string& name) {
   const std::string bytes = vo::read_file(folder / name);
-  vo::ContentHash hash;
-  hash.add(bytes);
-  return vo::concat(vo::to_hex(hash.value()), " ", bytes.size(), " ", name);
+  return vo::concat(vo::content_hash(bytes), " ", bytes.size(), " ", name);
 }
 
 std::string name_in(std::string_view line) {
   const std::size_t first = line.find(' ');
   const std::size_t second = first == std::string_view::npos ? first : line.find(' ', first + 1);
   return second == std::string_view::npos ? "" : std::string(line.substr(second + 1));
+}
+
+/// Returns whether a line has a hash as ContentHash writes it, and not the shorter one of before.
+bool is_of_this_kind(const std::string& line) {
+  return line.find(' ') == vo::content_hash("").size();
 }
 
 std::vector<std::string> file_names(const fs::path& folder) {
@@ -58,6 +61,9 @@ std::string find_difference(const fs::path& folder, const std::string& listed) {
   std::size_t count = 0;
   for (std::string line; std::getline(lines, line); ++count) {
     const std::string name = name_in(line);
+    if (!is_of_this_kind(line)) {
+      return "its list of files is an earlier edvo's";
+    }
     if (name.empty() || !fs::is_regular_file(folder / name, error)) {
       return name + " is missing";
     }

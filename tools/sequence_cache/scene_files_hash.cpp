@@ -6,14 +6,14 @@
 
 #include "synth/gltf_document/gltf_file.h"
 #include "synth/gltf_document/uri.h"
+#include "vo/core/content_hash.h"
 #include "vo/core/error.h"
-#include "vo/core/hash.h"
 #include "vo/files/input.h"
 
 namespace tools {
 namespace {
 
-/// Adds the files that the elements of an array such as "buffers" refer to.
+/// Adds the hashes of the files that the elements of an array such as "buffers" refer to.
 void add_named_files(const synth::GltfFile& file, const char* array, vo::ContentHash& hash) {
   const auto elements = file.json.find(array);
   if (elements == file.json.end() || !elements->is_array()) {
@@ -28,19 +28,19 @@ void add_named_files(const synth::GltfFile& file, const char* array, vo::Content
     const std::string place = file.path.string() + ": " + array;
     const std::filesystem::path named =
         synth::resolve_uri(file.path.parent_path(), uri->get<std::string>(), place);
-    hash.add(vo::read_file(named));
+    hash.add(vo::content_hash(vo::read_file(named)));
   }
 }
 
 }  // namespace
 
-std::uint64_t scene_files_hash(const std::filesystem::path& gltf) {
+std::string scene_files_hash(const std::filesystem::path& gltf) {
   const synth::GltfFile file = synth::read_gltf_file(gltf);
   vo::ContentHash hash;
-  hash.add(vo::read_file(gltf));
+  hash.add(vo::content_hash(vo::read_file(gltf)));
   add_named_files(file, "buffers", hash);
   add_named_files(file, "images", hash);
-  return hash.value();
+  return hash.hex();
 }
 
 }  // namespace tools

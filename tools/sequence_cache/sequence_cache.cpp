@@ -11,9 +11,9 @@
 #include "tools/sequence_cache/folder_hash.h"
 #include "tools/sequence_cache/generator_hash.h"
 #include "tools/sequence_cache/scene_files_hash.h"
+#include "vo/core/content_hash.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/core/hash.h"
 #include "vo/files/input.h"
 #include "vo/files/output.h"
 #include "vo/files/result_files.h"
@@ -35,20 +35,15 @@ EntryPlaces places_of(const fs::path& cache, const std::string& key) {
 }
 
 std::string key_of(const synth::RenderJob& job) {
-  vo::ContentHash hash;
-  hash.add(generator_hash());
-  hash.add(vo::to_hex(scene_files_hash(job.scene.path())));
   synth::GltfOptions parts = job.scene.options();
-  hash.add(vo::format_toml(vo::fields_of(parts)));
-  hash.add(synth::format_recipe(job));
-  return vo::to_hex(hash.value());
+  return vo::content_hash(vo::concat(generator_hash(), "\n", scene_files_hash(job.scene.path()),
+                                     "\n", vo::format_toml(vo::fields_of(parts)), "\n",
+                                     synth::format_recipe(job)));
 }
 
 /// Returns the hash of all files of an entry.
 std::string content_of(const EntryPlaces& places) {
-  vo::ContentHash hash;
-  hash.add(vo::read_file(places.files));
-  return vo::to_hex(hash.value());
+  return vo::content_hash(vo::read_file(places.files));
 }
 
 /// Returns what is wrong with an existing entry; empty when nothing is.

@@ -12,8 +12,8 @@
 namespace tools {
 
 /// An entry of the cache, a folder of rendered sequences whose keys are hashes of all that
-/// determines them: the scene's files, the recipe and the generator's sources. Any number of
-/// processes may use one cache at once.
+/// determines them: the scene's files, the recipe, the generator's sources with every header that
+/// they include, its compiler and libraries. Any number of processes may use one cache at once.
 ///     sequences/<key>/         the sequence
 ///     sequences/<key>.part/    the sequence while it is rendered
 ///     sequences/<key>.files    size and hash of each file of the sequence

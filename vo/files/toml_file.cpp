@@ -7,9 +7,9 @@
 #include <toml++/toml.h>
 
 #include "vo/core/error.h"
+#include "vo/core/utf8.h"
 #include "vo/files/input.h"
 #include "vo/files/toml_nesting.h"
-#include "vo/core/utf8.h"
 
 namespace vo {
 namespace {
