@@ -7,6 +7,7 @@
 
 #include "tools/source_hash/source_hash.h"
 #include "vo/core/error.h"
+#include "vo/files/input.h"
 #include "vo/files/output.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include "tools/source_hash/source_text.h"
 #include "vo/core/content_hash.h"
 #include "vo/core/error.h"
-#include "vo/files/output.h"
+#include "vo/files/input.h"
 
 namespace tools {
 namespace {

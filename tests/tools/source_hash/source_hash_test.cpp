@@ -9,7 +9,7 @@
 
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
-#include "vo/files/output.h"
+#include "vo/files/input.h"
 
 namespace {
 
