@@ -10,7 +10,7 @@
 #include <tiny_gltf.h>
 
 #include "vo/core/error.h"
-#include "vo/files/jpeg_codec.h"
+#include "vo/image_files/jpeg_codec.h"
 
 namespace synth {
 namespace {

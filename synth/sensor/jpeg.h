@@ -1,7 +1,7 @@
 #pragma once
 
 #include "vo/core/image.h"
-#include "vo/files/jpeg_codec.h"
+#include "vo/image_files/jpeg_codec.h"
 
 namespace synth {
 

@@ -10,9 +10,9 @@
 #include "synth/path/camera_path.h"
 #include "synth/truth/edge_labels.h"
 #include "synth/truth/imu.h"
-#include "vo/files/float_image.h"
 #include "vo/files/output.h"
 #include "vo/geometry/trajectory.h"
+#include "vo/image_files/float_image.h"
 
 namespace synth {
 

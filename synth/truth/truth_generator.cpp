@@ -11,8 +11,8 @@
 #include "synth/truth/motion_truth.h"
 #include "synth/truth/pixel_truth.h"
 #include "vo/core/fields.h"
-#include "vo/files/flow_file.h"
-#include "vo/files/png.h"
+#include "vo/image_files/flow_file.h"
+#include "vo/image_files/png.h"
 
 namespace synth {
 

@@ -7,7 +7,7 @@
 #include "tests/support/temp_folder.h"
 #include "tools/scenario/run_scenario.h"
 #include "vo/evaluation/evaluate.h"
-#include "vo/files/png.h"
+#include "vo/image_files/png.h"
 #include "vo/odometry/rgbd_odometry.h"
 #include "vo/tracking/tracker.h"
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "tools/cli/options.h"
-#include "tools/laboratory/test_run.h"
 #include "tools/studies/study.h"
+#include "tools/trials/test_run.h"
 
 namespace tools {
 

@@ -17,10 +17,10 @@
 #include "tools/laboratory/junit.h"
 #include "tools/laboratory/results_json.h"
 #include "tools/laboratory/test_report.h"
-#include "tools/laboratory/test_run.h"
 #include "tools/laboratory/verdict_table.h"
 #include "tools/report/html_report.h"
 #include "tools/sequence_cache/sequence_cache.h"
+#include "tools/trials/test_run.h"
 #include "vo/core/error.h"
 #include "vo/files/output.h"
 

@@ -16,7 +16,7 @@
 #include "tools/train_edges/forest_trainer.h"
 #include "vo/core/error.h"
 #include "vo/files/gzip.h"
-#include "vo/files/png.h"
+#include "vo/image_files/png.h"
 #include "vo/structured_forest/structured_forest_file.h"
 
 namespace tools {

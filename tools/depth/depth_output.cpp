@@ -8,7 +8,7 @@
 #include "tools/depth/depth_table.h"
 #include "tools/depth/mono_run.h"
 #include "tools/plot/table.h"
-#include "vo/files/png.h"
+#include "vo/image_files/png.h"
 
 namespace tools {
 namespace {

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "vo/core/error.h"
-#include "vo/files/png.h"
+#include "vo/image_files/png.h"
 
 namespace tools {
 

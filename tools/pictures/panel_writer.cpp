@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "tools/pictures/panels.h"
-#include "vo/files/png.h"
+#include "vo/image_files/png.h"
 
 namespace tools {
 

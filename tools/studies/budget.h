@@ -1,7 +1,7 @@
 #pragma once
 
-#include "tools/laboratory/test_run.h"
 #include "tools/studies/study.h"
+#include "tools/trials/test_run.h"
 
 namespace tools {
 

@@ -12,7 +12,7 @@
 #include "tools/studies/study.h"
 #include "vo/alignment/align.h"
 #include "vo/core/error.h"
-#include "vo/files/png.h"
+#include "vo/image_files/png.h"
 #include "vo/residuals/linearize.h"
 
 namespace tools {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "tools/laboratory/test_run.h"
 #include "tools/studies/study.h"
+#include "tools/trials/test_run.h"
 
 namespace tools {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "vo/core/error.h"
-#include "vo/files/png.h"
+#include "vo/image_files/png.h"
 
 namespace vo {
 namespace {

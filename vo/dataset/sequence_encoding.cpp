@@ -6,8 +6,8 @@
 #include "vo/dataset/depth_units.h"
 #include "vo/dataset/sequence.h"
 #include "vo/dataset/trajectory_file.h"
-#include "vo/files/npy.h"
-#include "vo/files/png.h"
+#include "vo/image_files/npy.h"
+#include "vo/image_files/png.h"
 
 namespace vo {
 namespace {

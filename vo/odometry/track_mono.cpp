@@ -8,7 +8,7 @@
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/dataset/depth_units.h"
-#include "vo/files/npy.h"
+#include "vo/image_files/npy.h"
 
 namespace vo {
 namespace {

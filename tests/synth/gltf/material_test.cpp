@@ -12,7 +12,7 @@
 #include "synth/gltf/gltf.h"
 #include "tests/support/gltf_document.h"
 #include "tests/support/temp_folder.h"
-#include "vo/files/png.h"
+#include "vo/image_files/png.h"
 
 namespace synth {
 namespace {

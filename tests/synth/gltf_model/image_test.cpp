@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "vo/core/error.h"
-#include "vo/files/jpeg_codec.h"
+#include "vo/image_files/jpeg_codec.h"
 
 namespace {
 

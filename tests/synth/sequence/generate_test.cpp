@@ -16,8 +16,8 @@
 #include "tests/support/temp_folder.h"
 #include "vo/dataset/trajectory_file.h"
 #include "vo/files/input.h"
-#include "vo/files/npy.h"
-#include "vo/files/png.h"
+#include "vo/image_files/npy.h"
+#include "vo/image_files/png.h"
 
 namespace synth {
 namespace {

@@ -9,7 +9,7 @@
 #include "vo/core/fields.h"
 #include "vo/dataset/trajectory_file.h"
 #include "vo/files/input.h"
-#include "vo/files/png.h"
+#include "vo/image_files/png.h"
 
 namespace {
 

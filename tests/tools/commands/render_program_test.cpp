@@ -6,8 +6,8 @@
 #include "tests/support/program_test.h"
 #include "vo/dataset/sequence.h"
 #include "vo/files/input.h"
-#include "vo/files/npy.h"
-#include "vo/files/png.h"
+#include "vo/image_files/npy.h"
+#include "vo/image_files/png.h"
 
 namespace {
 

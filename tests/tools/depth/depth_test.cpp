@@ -6,9 +6,9 @@
 #include "tests/support/plane_sequence.h"
 #include "tests/support/program.h"
 #include "tools/depth/depth_errors.h"
-#include "vo/files/npy.h"
 #include "vo/files/output.h"
-#include "vo/files/png.h"
+#include "vo/image_files/npy.h"
+#include "vo/image_files/png.h"
 
 namespace {
 

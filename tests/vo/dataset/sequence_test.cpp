@@ -9,9 +9,9 @@
 #include "tests/support/temp_folder.h"
 #include "vo/dataset/camera_file.h"
 #include "vo/files/input.h"
-#include "vo/files/npy.h"
 #include "vo/files/output.h"
-#include "vo/files/png.h"
+#include "vo/image_files/npy.h"
+#include "vo/image_files/png.h"
 
 namespace {
 

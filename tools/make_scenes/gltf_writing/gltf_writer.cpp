@@ -16,7 +16,7 @@
 #include "tools/make_scenes/gltf_writing/json_text.h"
 #include "vo/core/error.h"
 #include "vo/files/output.h"
-#include "vo/files/png.h"
+#include "vo/image_files/png.h"
 
 namespace scenes {
 namespace {

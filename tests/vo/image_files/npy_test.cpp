@@ -1,4 +1,4 @@
-#include "vo/files/npy.h"
+#include "vo/image_files/npy.h"
 
 #include <limits>
 

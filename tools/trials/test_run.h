@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tools/laboratory/results.h"
-#include "tools/laboratory/trial.h"
+#include "tools/trials/trial.h"
 #include "vo/core/progress.h"
 
 namespace tools {

@@ -1,4 +1,4 @@
-#include "vo/files/new_image.h"
+#include "vo/image_files/new_image.h"
 
 #include "vo/core/error.h"
 

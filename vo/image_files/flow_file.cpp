@@ -1,4 +1,4 @@
-#include "vo/files/flow_file.h"
+#include "vo/image_files/flow_file.h"
 
 #include <array>
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 #include "vo/core/error.h"
 #include "vo/files/input.h"
-#include "vo/files/new_image.h"
+#include "vo/image_files/new_image.h"
 
 namespace vo {
 namespace {

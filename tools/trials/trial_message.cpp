@@ -1,4 +1,4 @@
-#include "tools/laboratory/trial_message.h"
+#include "tools/trials/trial_message.h"
 
 #include <csignal>
 #include <limits>

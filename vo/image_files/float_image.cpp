@@ -1,9 +1,9 @@
-#include "vo/files/float_image.h"
+#include "vo/image_files/float_image.h"
 
 #include "vo/core/error.h"
-#include "vo/files/float_tiff.h"
-#include "vo/files/npy.h"
-#include "vo/files/pfm.h"
+#include "vo/image_files/float_tiff.h"
+#include "vo/image_files/npy.h"
+#include "vo/image_files/pfm.h"
 
 namespace vo {
 

@@ -1,4 +1,4 @@
-#include "tools/laboratory/test_run.h"
+#include "tools/trials/test_run.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -6,10 +6,10 @@
 
 #include <tbb/global_control.h>
 
-#include "tools/laboratory/trial_message.h"
 #include "tools/processes/forked_jobs.h"
 #include "tools/processes/readable_text.h"
 #include "tools/processes/scratch_folder.h"
+#include "tools/trials/trial_message.h"
 #include "vo/core/error.h"
 #include "vo/core/version.h"
 #include "vo/files/toml_file.h"

@@ -1,4 +1,4 @@
-#include "vo/files/png.h"
+#include "vo/image_files/png.h"
 
 #include <array>
 #include <csetjmp>
@@ -10,7 +10,7 @@
 
 #include "vo/core/error.h"
 #include "vo/files/input.h"
-#include "vo/files/new_image.h"
+#include "vo/image_files/new_image.h"
 
 namespace vo {
 namespace {

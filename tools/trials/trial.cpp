@@ -1,4 +1,4 @@
-#include "tools/laboratory/trial.h"
+#include "tools/trials/trial.h"
 
 #include <chrono>
 #include <exception>

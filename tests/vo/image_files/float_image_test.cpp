@@ -1,4 +1,4 @@
-#include "vo/files/float_image.h"
+#include "vo/image_files/float_image.h"
 
 #include <limits>
 
@@ -7,7 +7,7 @@
 
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
-#include "vo/files/flow_file.h"
+#include "vo/image_files/flow_file.h"
 
 namespace {
 

@@ -1,11 +1,11 @@
-#include "vo/files/npy.h"
+#include "vo/image_files/npy.h"
 
 #include <cstdio>
 #include <cstring>
 
 #include "vo/core/error.h"
 #include "vo/files/input.h"
-#include "vo/files/new_image.h"
+#include "vo/image_files/new_image.h"
 
 namespace vo {
 namespace {

@@ -1,4 +1,4 @@
-#include "vo/files/png.h"
+#include "vo/image_files/png.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

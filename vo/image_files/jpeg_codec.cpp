@@ -1,4 +1,4 @@
-#include "vo/files/jpeg_codec.h"
+#include "vo/image_files/jpeg_codec.h"
 
 #include <memory>
 
