@@ -218,9 +218,10 @@ OutsideRun track_outside(const OutsideTracker& tracker, const fs::path& folder,
                          vo::SequenceContent content, const vo::SequenceReader& sequence,
                          const WaitObserver& waiting) {
   const ScratchFolder scratch;
-  const StagedSequence staged(folder, content, scratch.path() / "sequence", waiting);
-  const TrackerPlaces places{.sequence = staged.folder(),
-                             .camera = staged.folder() / "camera.toml",
+  const fs::path staged = scratch.path() / "sequence";
+  stage_sequence(folder, content, staged, waiting);
+  const TrackerPlaces places{.sequence = staged,
+                             .camera = staged / "camera.toml",
                              .output = scratch.path() / "work" / "trajectory.txt",
                              .scratch = scratch.path() / "work",
                              .withheld = tracker.withheld};

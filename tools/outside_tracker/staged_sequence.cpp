@@ -60,20 +60,15 @@ void copy_read_only(const fs::path& from, const fs::path& to) {
   }
 }
 
-void set_folder_permissions(const fs::path& folder, fs::perms change, fs::perm_options how) {
-  std::error_code ignored;
-  fs::permissions(folder, change, how, ignored);
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    if (entry.is_directory(ignored)) {
-      fs::permissions(entry.path(), change, how, ignored);
+/// Takes the permission to write from the folder and those directly in it.
+void make_read_only(const fs::path& folder) {
+  constexpr auto kWrite = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.is_directory()) {
+      fs::permissions(entry.path(), kWrite, fs::perm_options::remove);
     }
   }
-}
-
-void remove_read_only(const fs::path& folder) {
-  std::error_code ignored;
-  set_folder_permissions(folder, fs::perms::owner_write, fs::perm_options::add);
-  fs::remove_all(folder, ignored);
+  fs::permissions(folder, kWrite, fs::perm_options::remove);
 }
 
 /// Copies the regular files that lie directly in a folder.
@@ -91,8 +86,10 @@ void copy_folder(const fs::path& from, const fs::path& to, const WaitObserver& w
   }
 }
 
-void copy_known(const fs::path& sequence, vo::SequenceContent content, const fs::path& folder,
-                const WaitObserver& waiting) {
+}  // namespace
+
+void stage_sequence(const fs::path& sequence, vo::SequenceContent content, const fs::path& folder,
+                    const WaitObserver& waiting) {
   std::vector<std::string> files{"rgb.txt", "camera.toml", "imu.csv", "imu.toml"};
   copy_folder(sequence / "rgb", folder / "rgb", waiting);
   if (content == vo::SequenceContent::colour_and_depth) {
@@ -104,25 +101,7 @@ void copy_known(const fs::path& sequence, vo::SequenceContent content, const fs:
       copy_read_only(sequence / file, folder / file);
     }
   }
-}
-
-}  // namespace
-
-StagedSequence::StagedSequence(const fs::path& sequence, vo::SequenceContent content,
-                               const fs::path& folder, const WaitObserver& waiting)
-    : folder_(folder) {
-  constexpr auto kWrite = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
-  try {
-    copy_known(sequence, content, folder, waiting);
-  } catch (...) {
-    remove_read_only(folder);
-    throw;
-  }
-  set_folder_permissions(folder, kWrite, fs::perm_options::remove);
-}
-
-StagedSequence::~StagedSequence() {
-  remove_read_only(folder_);
+  make_read_only(folder);
 }
 
 }  // namespace tools

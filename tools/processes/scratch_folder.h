@@ -4,7 +4,8 @@
 
 namespace tools {
 
-/// A temporary folder that is removed with its contents by the destructor.
+/// A temporary folder that is removed by the destructor with its contents, read-only folders
+/// included.
 class ScratchFolder {
  public:
   ScratchFolder();  ///< throws vo::Error if the folder cannot be made

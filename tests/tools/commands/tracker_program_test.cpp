@@ -11,6 +11,7 @@
 
 #include "tests/support/folder_contents.h"
 #include "tests/support/program_test.h"
+#include "tools/processes/scratch_folder.h"
 #include "tools/processes/shell_words.h"
 
 namespace {
@@ -143,8 +144,9 @@ TEST_F(TrackerProgram, EndsWithItsDaemonWhenEdvoIsKilled) {
       tools::shell_quoted("sh -c 'python3 " EDVO_SOURCE_DIR
                           "/tests/peers/misbehaving.py forks_daemon \"$0\"; sleep 600' " +
                           path("daemon"));
+  const tools::ScratchFolder scratch;  // for what edvo cannot remove
   test(path("scenarios/a.toml") + " --tracker " + hang,
-       "timeout --preserve-status --signal KILL 3 ");
+       "TMPDIR='" + scratch.path().string() + "' timeout --preserve-status --signal KILL 3 ");
   ASSERT_TRUE(exists("daemon"));
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
   while (::kill(std::stoi(read("daemon")), 0) == 0 && std::chrono::steady_clock::now() < end) {
