@@ -142,7 +142,9 @@ MetricChange compare_metric(const Change& named, const Samples& all, std::size_t
   if (ratio(measured_share(all.before)) != ratio(measured_share(all.after))) {
     change.availability = availability_change(named, all);
   }
-  const Samples samples = measured(all);
+  Samples samples = measured(all);
+  const bool is_one_of_several = samples.before.size() == 1 && all.before.size() > 1;
+  samples.paired = samples.paired && !is_one_of_several;  // a sample of one, which says nothing
   if (!samples.before.empty() && !samples.after.empty()) {
     change.value = value_change(named, samples, traits_of(named.metric, frames), options);
   }

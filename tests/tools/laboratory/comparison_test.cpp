@@ -158,6 +158,14 @@ TEST(Comparison, OfAGainAndFewerMeasuredSeedsTheLatterIsReported) {
   EXPECT_THAT(found[0].note, HasSubstr("measured in 3 of 12 seeds"));
 }
 
+TEST(Comparison, OneSeedThatIsLeftOfSeveralSaysNothing) {
+  const std::vector<Change> changes =
+      tools::compare_results(results_of({0.010, 0.012}), results_of({0.015, kUnknown}), {});
+  EXPECT_FALSE(tools::has_alarm(changes));
+  EXPECT_EQ(changes.front().p_value, 1);
+  EXPECT_TRUE(changes.front().has_too_few_seeds);
+}
+
 TEST(Comparison, WhatNoSeedHasAnyMoreIsAnAlarmHoweverFewTheyAre) {
   const std::vector<Change> found =
       alarms(results_of({0.010, 0.012, 0.011}), results_of({kUnknown, kUnknown, kUnknown}));
