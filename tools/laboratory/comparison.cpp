@@ -5,10 +5,12 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "tools/laboratory/metric_traits.h"
 #include "tools/laboratory/trial_pairs.h"
 #include "tools/plot/statistics.h"
 #include "tools/plot/table.h"
@@ -20,35 +22,8 @@
 namespace tools {
 namespace {
 
-enum class Sense { less_is_better, more_is_better, neither };
-
-/// Properties of a metric, derived from its name and the number of frames.
-struct MetricTraits {
-  Sense sense = Sense::less_is_better;
-  Resolution resolution;  ///< differences below `negligible` are never large
-};
-
-MetricTraits traits_of(const std::string& metric, std::size_t frames) {
-  if (metric == "keyframes") {
-    return {Sense::neither, {.step = 1, .negligible = 1}};
-  }
-  if (metric.starts_with("nees_") || metric == "depth_nees") {
-    return {Sense::neither, {.negligible = 0.2}};
-  }
-  if (metric == "tracked_fraction") {
-    const double frame = 1 / std::max(1.0, static_cast<double>(frames));
-    return {Sense::more_is_better, {.step = frame, .negligible = 0.005}};
-  }
-  if (metric.ends_with("_fraction")) {
-    return {Sense::more_is_better, {.negligible = 0.005}};
-  }
-  if (metric.ends_with("_percent")) {
-    return {Sense::less_is_better, {.negligible = 0.02}};
-  }
-  constexpr double kAngle = 0.005;  // deg
-  constexpr double kLength = 5e-5;  // m
-  return {Sense::less_is_better, {.negligible = metric.ends_with("_deg") ? kAngle : kLength}};
-}
+/// Standard deviation below which logarithms of ratios are not believed to agree.
+constexpr double kLeastLogDeviation = 1e-6;
 
 Share measured_share(const std::vector<double>& values) {
   const auto count =
@@ -220,6 +195,74 @@ Change worse_of(const MetricChange& metric) {
   return change;
 }
 
+/// Adds the pairs of one scenario that say something of its errors. A value below what is
+/// negligible is taken for that; where both are, nothing can be said.
+void add_pairs(const Samples& samples, double negligible, Samples& pooled) {
+  for (std::size_t i = 0; i < samples.before.size(); ++i) {
+    if (std::max(samples.before[i], samples.after[i]) > negligible) {
+      pooled.before.push_back(std::max(samples.before[i], negligible));
+      pooled.after.push_back(std::max(samples.after[i], negligible));
+    }
+  }
+}
+
+/// Returns the pairs of each error metric over all scenarios. Only scenarios of several seeds have
+/// chance in them.
+std::map<std::string, Samples> pooled_samples(const TestResults& before, const TestResults& after) {
+  std::map<std::string, Samples> pooled;
+  for (const auto& [was, now] : common_scenarios(before, after)) {
+    const TrialPairs pairs = pair_trials(*was, *now);
+    if (!pairs.paired || pairs.before.size() < 2) {
+      continue;
+    }
+    for (const auto& [metric, samples] : samples_of(pairs)) {
+      const MetricTraits traits = traits_of(metric, 0);
+      if (traits.sense == Sense::less_is_better && !before.unknown_metrics.contains(metric)) {
+        add_pairs(measured(samples), traits.resolution.negligible, pooled[metric]);
+      }
+    }
+  }
+  return pooled;
+}
+
+/// Returns the logarithms of positive values.
+std::vector<double> logarithms(std::vector<double> values) {
+  std::transform(values.begin(), values.end(), values.begin(),
+                 [](double value) { return std::log(value); });
+  return values;
+}
+
+/// Returns the change of one metric's geometric mean over the trials of all scenarios.
+MetricChange pooled_change(const std::string& metric, const Samples& samples,
+                           const ComparisonOptions& options) {
+  const std::vector<double> before = logarithms(samples.before);
+  const std::vector<double> after = logarithms(samples.after);
+  Change change{.scenario = kAllScenarios, .metric = metric};
+  change.before = std::exp(mean_of(before));
+  change.after = std::exp(mean_of(after));
+  judge_size(change, traits_of(metric, 0), options);
+  change.p_value = paired_p_value(before, after, kLeastLogDeviation);
+  change.note = vo::concat("geometric means over ", before.size(), " trials");
+  return {.value = change, .availability = {}};
+}
+
+/// Compares the error metrics over the trials of all scenarios together, if there are several:
+/// what makes each trial a little worse shows there first.
+std::vector<MetricChange> compare_pooled(const TestResults& before, const TestResults& after,
+                                         const ComparisonOptions& options) {
+  constexpr std::size_t kFewest = 6;
+  std::vector<MetricChange> changes;
+  if (common_scenarios(before, after).size() < 2) {
+    return changes;
+  }
+  for (const auto& [metric, samples] : pooled_samples(before, after)) {
+    if (samples.before.size() >= kFewest) {
+      changes.push_back(pooled_change(metric, samples, options));
+    }
+  }
+  return changes;
+}
+
 const ScenarioResult* find_scenario(const TestResults& results, const std::string& name) {
   const auto found = std::find_if(results.scenarios.begin(), results.scenarios.end(),
                                   [&](const ScenarioResult& s) { return s.name == name; });
@@ -256,6 +299,8 @@ std::vector<Change> compare_results(const TestResults& before, const TestResults
     std::vector<MetricChange> found = compare_scenario(*was, *now, before.unknown_metrics, options);
     std::move(found.begin(), found.end(), std::back_inserter(metrics));
   }
+  std::vector<MetricChange> pooled = compare_pooled(before, after, options);
+  std::move(pooled.begin(), pooled.end(), std::back_inserter(metrics));
   judge_significance(hypotheses_of(metrics), options.level);
   std::vector<Change> changes;
   std::transform(metrics.begin(), metrics.end(), std::back_inserter(changes), worse_of);
@@ -271,6 +316,17 @@ std::vector<std::pair<const ScenarioResult*, const ScenarioResult*>> common_scen
     }
   }
   return common;
+}
+
+std::vector<std::string> alarms_of(const std::string& scenario,
+                                   const std::vector<Change>& changes) {
+  std::vector<std::string> sentences;
+  for (const Change& change : changes) {
+    if (change.is_alarm() && change.scenario == scenario) {
+      sentences.push_back(describe(change));
+    }
+  }
+  return sentences;
 }
 
 bool has_alarm(const std::vector<Change>& changes) {

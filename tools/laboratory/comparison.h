@@ -28,9 +28,12 @@ enum class ChangeKind { none, worse, better, different };
 
 std::string to_text(ChangeKind kind);
 
-/// One metric of one scenario, compared between two results.
+/// Stands for the name of a scenario where all are compared together.
+inline constexpr const char* kAllScenarios = "all scenarios";
+
+/// One metric of one scenario, or of all together, compared between two results.
 struct Change {
-  std::string scenario;
+  std::string scenario;  ///< its name, or kAllScenarios
   std::string metric;
   double before = 0;  ///< mean over the seeds of the earlier result; NaN = not measured
   double after = 0;
@@ -53,16 +56,21 @@ std::string describe(const Change& change);
 /// Compares every metric of the scenarios in both results, over the seeds that both have or, if
 /// there are none, as independent samples, by `test_difference`. Where another share of the seeds
 /// has a metric, the share is tested as well (Fisher's exact test), and the change reports the
-/// worse of the two; a metric that no seed has any more is significant without a test. Holm's
-/// correction over all these hypotheses bounds the probability of any false alarm. Metrics that the
-/// earlier results do not know are not compared. A single pair of trials gives no variance: tracker
-/// and sequence are taken for deterministic, so every difference is significant.
+/// worse of the two; a metric that no seed has any more is significant without a test. Error
+/// metrics are compared over the paired trials of all scenarios together as well, by their
+/// logarithms: scenarios of several seeds that both results have. Holm's correction over all these
+/// hypotheses bounds the probability of any false alarm. Metrics that the earlier results do not
+/// know are not compared. A single pair of trials gives no variance: tracker and sequence are taken
+/// for deterministic, so every difference is significant.
 std::vector<Change> compare_results(const TestResults& before, const TestResults& after,
                                     const ComparisonOptions& options);
 
 /// Returns the scenarios that both results have, in the order of the later ones.
 std::vector<std::pair<const ScenarioResult*, const ScenarioResult*>> common_scenarios(
     const TestResults& before, const TestResults& after);
+
+/// Returns a sentence on each alarm of a scenario, or of all together (kAllScenarios).
+std::vector<std::string> alarms_of(const std::string& scenario, const std::vector<Change>& changes);
 
 /// Returns whether a change is an alarm.
 bool has_alarm(const std::vector<Change>& changes);

@@ -1,5 +1,6 @@
 #include "tools/laboratory/junit.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "tools/plot/escaped_markup.h"
@@ -14,25 +15,6 @@ namespace {
 /// Returns the text in a form fit for an XML attribute value.
 std::string escaped(const std::string& text) {
   return escaped_markup(readable_text(text));
-}
-
-std::vector<std::string> alarms_of(const std::string& scenario,
-                                   const std::vector<Change>& changes) {
-  std::vector<std::string> sentences;
-  for (const Change& change : changes) {
-    if (change.is_alarm() && change.scenario == scenario) {
-      sentences.push_back(describe(change));
-    }
-  }
-  return sentences;
-}
-
-std::string joined(const std::vector<std::string>& sentences) {
-  std::string text;
-  for (const std::string& sentence : sentences) {
-    text += (text.empty() ? "" : "; ") + sentence;
-  }
-  return text;
 }
 
 /// Returns the kind of problem that a reader must know of first: the scenario's own, then the
@@ -76,6 +58,17 @@ std::string property(const char* name, const std::string& value) {
   return vo::concat("      <property name=\"", name, "\" value=\"", escaped(value), "\"/>\n");
 }
 
+/// Returns the scenarios, and after them one without trials that stands for all together if the
+/// changes have something of it.
+std::vector<ScenarioResult> tested(const TestResults& results, const std::vector<Change>& changes) {
+  std::vector<ScenarioResult> scenarios = results.scenarios;
+  if (std::any_of(changes.begin(), changes.end(),
+                  [](const Change& change) { return change.scenario == kAllScenarios; })) {
+    scenarios.push_back({.name = kAllScenarios, .why = "", .trials = {}, .checks = {}});
+  }
+  return scenarios;
+}
+
 std::string test_case(const ScenarioResult& scenario, const CaseOutcome& outcome) {
   const char* name = outcome.kind == CaseOutcome::Kind::error ? "error" : "failure";
   return vo::concat("    <testcase classname=\"edvo.scenarios\" name=\"", escaped(scenario.name),
@@ -93,7 +86,8 @@ std::string format_junit(const TestResults& results, const std::vector<Change>& 
   std::size_t failures = 0;
   double time = 0;
   std::string cases;
-  for (const ScenarioResult& scenario : results.scenarios) {
+  const std::vector<ScenarioResult> scenarios = tested(results, changes);
+  for (const ScenarioResult& scenario : scenarios) {
     const CaseOutcome outcome = outcome_of(scenario, changes);
     errors += outcome.kind == CaseOutcome::Kind::error ? 1 : 0;
     failures += outcome.kind == CaseOutcome::Kind::failure ? 1 : 0;
@@ -101,8 +95,8 @@ std::string format_junit(const TestResults& results, const std::vector<Change>& 
     cases += test_case(scenario, outcome);
   }
   const std::string counts =
-      vo::concat(" tests=\"", results.scenarios.size(), "\" failures=\"", failures, "\" errors=\"",
-                 errors, "\" time=\"", format_decimals(time, 3), "\"");
+      vo::concat(" tests=\"", scenarios.size(), "\" failures=\"", failures, "\" errors=\"", errors,
+                 "\" time=\"", format_decimals(time, 3), "\"");
   const std::string properties = vo::concat(
       "    <properties>\n", property("edvo", results.edvo), property("tracker", results.tracker),
       property("bounds", std::string(vo::to_string(results.bounds))), "    </properties>\n");

@@ -106,4 +106,12 @@ std::vector<std::string> complaints(const ScenarioResult& scenario) {
   return sentences;
 }
 
+std::string joined(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) {
+    text += (text.empty() ? "" : "; ") + sentence;
+  }
+  return text;
+}
+
 }  // namespace tools

@@ -87,4 +87,7 @@ std::string violation_text(const BoundCheck& check);
 /// Returns every problem and every bound violation of a scenario, one sentence each.
 std::vector<std::string> complaints(const ScenarioResult& scenario);
 
+/// Returns the sentences as one, with semicolons between.
+std::string joined(const std::vector<std::string>& sentences);
+
 }  // namespace tools

@@ -35,16 +35,9 @@ std::string problems_of(const ScenarioResult& result, const std::vector<Change>&
       sentences.push_back(trial.problem);
     }
   }
-  for (const Change& change : changes) {
-    if (change.is_alarm() && change.scenario == result.name) {
-      sentences.push_back(describe(change));
-    }
-  }
-  std::string text;
-  for (const std::string& sentence : sentences) {
-    text += (text.empty() ? "" : "; ") + sentence;
-  }
-  return text;
+  const std::vector<std::string> alarms = alarms_of(result.name, changes);
+  sentences.insert(sentences.end(), alarms.begin(), alarms.end());
+  return joined(sentences);
 }
 
 ScenarioReport report_of(const ScenarioResult& result, const std::vector<Change>& changes) {
@@ -82,6 +75,12 @@ std::vector<ScenarioReport> test_reports(const TestResults& results,
   std::vector<ScenarioReport> reports;
   for (const ScenarioResult& result : results.scenarios) {
     reports.push_back(report_of(result, changes));
+  }
+  const std::string together = joined(alarms_of(kAllScenarios, changes));
+  if (!together.empty()) {
+    ScenarioReport& report = reports.emplace_back();
+    report.name = kAllScenarios;
+    report.problem = together;
   }
   return reports;
 }

@@ -298,4 +298,44 @@ TEST(Comparison, HalvesNeedSeeds) {
               HasSubstr("orbit: has 3 seeds, expected 4 to split"));
 }
 
+/// Four scenarios of five seeds, whose errors are a factor that varies a little times the same.
+TestResults several_scenarios(double factor, std::uint64_t seed) {
+  vo::Random random(seed);
+  TestResults results{.tracker = "edvo"};
+  for (int i = 0; i < 4; ++i) {
+    ScenarioResult scenario = results_of({0.01, 0.02, 0.015, 0.012, 0.03}).scenarios.front();
+    scenario.name = "scenario" + std::to_string(i);
+    for (tools::TrialResult& trial : scenario.trials) {
+      trial.metrics.ate_rmse_m *= factor * std::exp(0.1 * random.normal());
+    }
+    results.scenarios.push_back(scenario);
+  }
+  return results;
+}
+
+TEST(Comparison, WhatMakesEveryTrialALittleWorseIsFoundOverAllScenariosTogether) {
+  const TestResults before = several_scenarios(1, 1);
+  const std::vector<Change> found = alarms(before, several_scenarios(1.2, 2));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].scenario, tools::kAllScenarios);
+  EXPECT_EQ(found[0].metric, "ate_rmse_m");
+  EXPECT_EQ(found[0].kind, tools::ChangeKind::worse);
+  EXPECT_NEAR(found[0].percent, 20, 8) << "four deviations of a mean of 20 pairs";
+  EXPECT_THAT(found[0].note, HasSubstr("geometric means over 20 trials"));
+}
+
+TEST(Comparison, AllScenariosTogetherRaiseNoMoreFalseAlarmsThanStated) {
+  constexpr std::uint64_t kComparisons = 400;
+  constexpr int kMost = 36;  // three and a half standard deviations above a count of 20
+  int count = 0;
+  for (std::uint64_t i = 0; i < kComparisons; ++i) {
+    const std::vector<Change> changes =
+        tools::compare_results(several_scenarios(1, 2 * i + 1), several_scenarios(1, 2 * i + 2),
+                               {.level = 0.05, .worse_percent = 0, .better_percent = 0});
+    count += tools::has_alarm(changes) ? 1 : 0;
+  }
+  EXPECT_LE(count, kMost);
+  EXPECT_GE(count, 1) << "a level of 5 % is used";
+}
+
 }  // namespace

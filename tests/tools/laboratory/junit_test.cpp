@@ -155,6 +155,18 @@ TEST(Junit, TellsWhatEndedATrackerApart) {
       << "one element, whatever the other seeds say";
 }
 
+TEST(Junit, AllScenariosTogetherAreACaseOfTheirOwn) {
+  const tools::ScenarioResult still{.name = "still", .why = "", .trials = {{.time = 1}}};
+  const tools::Change change{.scenario = tools::kAllScenarios,
+                             .metric = "ate_rmse_m",
+                             .is_significant = true,
+                             .is_large = true};
+  const std::string xml = tools::format_junit({.scenarios = {still}}, {change});
+  EXPECT_THAT(xml, testing::HasSubstr("tests=\"2\" failures=\"1\" errors=\"0\""));
+  EXPECT_THAT(xml, testing::HasSubstr("name=\"all scenarios\" time=\"0.000\">\n"
+                                      "      <failure type=\"baseline\""));
+}
+
 TEST(Junit, FollowsTheCommonSchemaWhateverTheTextsHold) {
   const std::string odd = "a \"b\" 'c' <d> & \x01\n\t \xff \u20ac ]]>";
   tools::TestResults results{.edvo = "1", .tracker = "vo --in {sequence} && " + odd};
