@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,8 +68,9 @@ constexpr const char* kFooter =
     "  edvo test scenarios --tracker 'my_vo --in {sequence} --camera {camera} --out {output}'\n"
     "  edvo test scenarios --tracker 'edvo track {sequence} --preset paper --out {output}'\n"
     "  edvo test scenarios --tracker 'sh -c \"my_vo < $EDVO_SEQUENCE/rgb.txt > $EDVO_OUTPUT\"'\n\n"
-    "Exit codes: 0 all hold, 3 a scenario or scene cannot be used, 4 a bound or the baseline is\n"
-    "violated or the outside tracker failed, 75 a disk was full; the other scenarios still run.";
+    "Exit codes: 0 all hold, 1 edvo crashed in a scenario, 3 a scenario or scene cannot be used,\n"
+    "4 a bound or the baseline is violated or the outside tracker failed, 75 a disk was full; the "
+    "other scenarios still run.";
 
 struct TestArguments {
   std::vector<std::string> paths{"scenarios"};
@@ -143,26 +145,42 @@ void write_asked(const std::string& file, const std::string& bytes) {
   }
 }
 
-int worst_code(const TestResults& results, const std::vector<Change>& changes) {
-  bool is_violated = has_alarm(changes);
-  bool is_unusable = false;
+/// Returns the exit code of a trial that was not measured. A crash of edvo's own is its defect, one
+/// of an outside tracker is what the test was to find.
+int code_of(ProblemKind kind, bool is_outside) {
+  switch (kind) {
+    case ProblemKind::temporary:
+      return exit_code::kTemporary;
+    case ProblemKind::unusable:
+      return exit_code::kUnusableInput;
+    case ProblemKind::crash:
+      return is_outside ? exit_code::kBoundViolated : exit_code::kInternalError;
+    default:
+      return exit_code::kBoundViolated;
+  }
+}
+
+/// Returns the exit code that a user must know of first.
+int worst_code(const TestResults& results, const std::vector<Change>& changes, bool is_outside) {
+  const bool is_changed = has_alarm(changes);
+  std::set<int> codes;
   for (const ScenarioResult& scenario : results.scenarios) {
-    is_violated = is_violated || scenario.verdict() == Verdict::failed;
+    if (is_changed || scenario.verdict() == Verdict::failed) {
+      codes.insert(exit_code::kBoundViolated);
+    }
     for (const TrialResult& trial : scenario.trials) {
-      if (trial.problem.empty()) {
-        continue;
+      if (!trial.problem.empty()) {
+        codes.insert(code_of(trial.kind, is_outside));
       }
-      if (trial.kind == ProblemKind::temporary) {
-        return exit_code::kTemporary;
-      }
-      is_unusable = is_unusable || trial.kind == ProblemKind::unusable;
-      is_violated = is_violated || trial.kind != ProblemKind::unusable;
     }
   }
-  if (is_unusable) {
-    return exit_code::kUnusableInput;
+  for (const int code : {exit_code::kTemporary, exit_code::kInternalError,
+                         exit_code::kUnusableInput, exit_code::kBoundViolated}) {
+    if (codes.contains(code)) {
+      return code;
+    }
   }
-  return is_violated ? exit_code::kBoundViolated : exit_code::kOk;
+  return exit_code::kOk;
 }
 
 /// Reads the results that the user named as the baseline, if any.
@@ -220,7 +238,7 @@ int test(TestArguments& arguments) {
   const std::vector<Change> changes =
       baseline ? changes_from(*baseline, results, arguments.comparison) : std::vector<Change>();
   write_results(arguments, results, changes);
-  return worst_code(results, changes);
+  return worst_code(results, changes, arguments.run.trial.tracker.has_value());
 }
 
 void add_run_options(CLI::App& command, TestArguments& arguments) {
