@@ -11,7 +11,7 @@ namespace tools {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kMinPoses = 3;
+constexpr std::size_t kMinPosesOfLength = 3;
 
 /// Returns the length of the true path within the estimate's time span, m.
 double tracked_length(const vo::Trajectory& truth, const vo::Trajectory& estimate) {
@@ -36,7 +36,7 @@ void measure_trajectory(const Scenario& scenario, const vo::Trajectory& truth,
     metrics = without_nees(metrics);
     metrics.drift_percent = kUnknown;
   }
-  const double length = estimate.size() < kMinPoses ? 0 : tracked_length(truth, estimate);
+  const double length = estimate.size() < kMinPosesOfLength ? 0 : tracked_length(truth, estimate);
   if (length == 0) {
     return;
   }

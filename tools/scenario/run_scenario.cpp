@@ -62,9 +62,9 @@ bool Outcome::passed() const {
 
 Metrics measure(const vo::Trajectory& truth, const vo::SequenceResult& tracking,
                 const ScoreOptions& score) {
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
   constexpr std::size_t kMinPoses = 3;
-  Metrics metrics = make_metrics([](const std::string&) { return kUnknown; });
+  Metrics metrics = make_metrics([](const std::string&) { return kNotMeasured; });
   metrics.tracked_fraction = tracking.tracked_fraction();
   metrics.keyframes = static_cast<double>(tracking.keyframes());
   const Nees relative = relative_nees(truth, tracking.frames);

@@ -8,7 +8,7 @@ namespace vo {
 
 ViewAgreement view_agreement(const PointView& view, const PointTerms& terms,
                              const ResidualModel& model) {
-  constexpr double kEnoughPoints = 12;
+  constexpr double kEnoughInCell = 12;
   constexpr double kAgreeing = 0.3;
   const ViewCells cells(view.image.camera);
   std::array<IntensityMoments, ViewCells::kCount> moments;
@@ -24,7 +24,7 @@ ViewAgreement view_agreement(const PointView& view, const PointTerms& terms,
   double disagreeing = 0;
   for (std::size_t k = 0; k < moments.size(); ++k) {
     const IntensityMoments& cell = moments.at(k);
-    result.disagreeing[k] = cell.n >= kEnoughPoints && cell.correlation() < kAgreeing;
+    result.disagreeing[k] = cell.n >= kEnoughInCell && cell.correlation() < kAgreeing;
     if (result.disagreeing[k]) {
       disagreeing += cell.n;
     } else {
