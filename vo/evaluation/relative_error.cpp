@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <vector>
 
 namespace vo {
@@ -21,19 +22,19 @@ struct Interval {
 
 /// Returns the index of the nearest stamp. Which of two equally near ones is taken follows from the
 /// order in which evaluate_rpe.py's bisection visits them.
-std::size_t nearest_by_bisection(const Trajectory& trajectory, double timestamp) {
+std::size_t nearest_by_bisection(std::span<const double> stamps, double timestamp) {
   std::size_t low = 0;
-  std::size_t high = trajectory.size();
+  std::size_t high = stamps.size();
   std::size_t nearest = 0;
-  double least_difference = std::abs(trajectory.front().timestamp - timestamp);
+  double least_difference = std::abs(stamps.front() - timestamp);
   while (low < high) {
     const std::size_t middle = (low + high) / 2;
-    const double difference = std::abs(trajectory[middle].timestamp - timestamp);
+    const double difference = std::abs(stamps[middle] - timestamp);
     if (difference < least_difference) {
       least_difference = difference;
       nearest = middle;
     }
-    if (trajectory[middle].timestamp > timestamp) {
+    if (stamps[middle] > timestamp) {
       high = middle;
     } else {
       low = middle + 1;
@@ -56,23 +57,31 @@ std::size_t nearest_earlier(const Trajectory& trajectory, double timestamp) {
   return static_cast<std::size_t>((before_is_nearer ? before : after) - trajectory.begin());
 }
 
-double median_interval(const Trajectory& trajectory) {
+std::vector<double> stamps_of(const Trajectory& trajectory) {
+  std::vector<double> stamps(trajectory.size());
+  std::transform(trajectory.begin(), trajectory.end(), stamps.begin(),
+                 [](const StampedPose& pose) { return pose.timestamp; });
+  return stamps;
+}
+
+double median_interval(std::span<const double> stamps) {
   std::vector<double> intervals;
-  for (std::size_t i = 1; i < trajectory.size(); ++i) {
-    intervals.push_back(trajectory[i].timestamp - trajectory[i - 1].timestamp);
+  for (std::size_t i = 1; i < stamps.size(); ++i) {
+    intervals.push_back(stamps[i] - stamps[i - 1]);
   }
   return summarize(intervals).median;
 }
 
 /// Returns the intervals of evaluate_rpe.py, which leaves out those that end at the last pose.
-std::vector<Interval> intervals_before_last(const Trajectory& trajectory,
+std::vector<Interval> intervals_before_last(std::span<const double> stamps,
                                             const RpeInterval& interval) {
   std::vector<Interval> result;
-  for (std::size_t i = 0; i < trajectory.size(); ++i) {
-    const std::size_t last = trajectory.size() - 1;
+  result.reserve(stamps.size());
+  for (std::size_t i = 0; i < stamps.size(); ++i) {
+    const std::size_t last = stamps.size() - 1;
     const std::size_t j =
         interval.unit == IntervalUnit::seconds
-            ? nearest_by_bisection(trajectory, trajectory[i].timestamp + interval.length)
+            ? nearest_by_bisection(stamps, stamps[i] + interval.length)
             : static_cast<std::size_t>(
                   std::min(static_cast<double>(i) + interval.length, static_cast<double>(last)));
     if (j != last) {
@@ -100,20 +109,25 @@ Motions motions(const Trajectory& truth, const Interval& of_truth, const Traject
   return {motion(estimate, of_estimate), motion(truth, of_truth)};
 }
 
-RelativeErrors summarize_motions(const std::vector<SE3>& errors) {
-  std::vector<double> translations;
-  std::vector<double> rotations_deg;
-  for (const SE3& error : errors) {
+/// The errors of motions over intervals, one element for each in both.
+struct MotionErrors {
+  std::vector<double> translations;   ///< m
+  std::vector<double> rotations_deg;  ///< deg
+
+  void add(const SE3& error) {
     translations.push_back(error.translation().norm());
     rotations_deg.push_back(error.angle() * 180 / std::numbers::pi);
   }
-  return {summarize(translations), summarize(rotations_deg), errors.size()};
-}
 
-/// The poses that evo associates, partners at equal indices of both trajectories.
+  RelativeErrors summarized() const {
+    return {summarize(translations), summarize(rotations_deg), translations.size()};
+  }
+};
+
+/// The poses that evo associates: partners have equal indices.
 struct AssociatedPoses {
-  Trajectory truth;
-  Trajectory estimate;
+  std::vector<std::size_t> truth;     ///< indices of the true poses
+  std::vector<std::size_t> estimate;  ///< indices of the estimated poses
 };
 
 AssociatedPoses associated_poses(const Trajectory& truth, const Trajectory& estimate,
@@ -123,12 +137,12 @@ AssociatedPoses associated_poses(const Trajectory& truth, const Trajectory& esti
   const Trajectory& longer = estimate_is_shorter ? truth : estimate;
   const double offset = estimate_is_shorter ? options.time_offset : -options.time_offset;
   AssociatedPoses result;
-  for (const StampedPose& pose : shorter) {
-    const double timestamp = pose.timestamp + offset;
-    const StampedPose& partner = longer[nearest_earlier(longer, timestamp)];
-    if (std::abs(partner.timestamp - timestamp) <= options.max_time_difference) {
-      result.truth.push_back(estimate_is_shorter ? partner : pose);
-      result.estimate.push_back(estimate_is_shorter ? pose : partner);
+  for (std::size_t i = 0; i < shorter.size(); ++i) {
+    const double timestamp = shorter[i].timestamp + offset;
+    const std::size_t partner = nearest_earlier(longer, timestamp);
+    if (std::abs(longer[partner].timestamp - timestamp) <= options.max_time_difference) {
+      result.truth.push_back(estimate_is_shorter ? partner : i);
+      result.estimate.push_back(estimate_is_shorter ? i : partner);
     }
   }
   return result;
@@ -138,35 +152,41 @@ AssociatedPoses associated_poses(const Trajectory& truth, const Trajectory& esti
 
 RelativeErrors relative_errors_tum(const Trajectory& truth, const Trajectory& estimate,
                                    const EvaluationOptions& options) {
-  const double max_difference = 2 * median_interval(truth);
-  std::vector<SE3> errors;
-  for (const Interval& interval : intervals_before_last(estimate, options.interval)) {
+  const std::vector<double> true_stamps = stamps_of(truth);
+  const double max_difference = 2 * median_interval(true_stamps);
+  MotionErrors errors;
+  for (const Interval& interval : intervals_before_last(stamps_of(estimate), options.interval)) {
     const double begin = estimate[interval.begin].timestamp + options.time_offset;
     const double end = estimate[interval.end].timestamp + options.time_offset;
-    const Interval of_truth = {nearest_by_bisection(truth, begin),
-                               nearest_by_bisection(truth, end)};
+    const Interval of_truth = {nearest_by_bisection(true_stamps, begin),
+                               nearest_by_bisection(true_stamps, end)};
     if (std::abs(truth[of_truth.begin].timestamp - begin) <= max_difference &&
         std::abs(truth[of_truth.end].timestamp - end) <= max_difference) {
       const auto [P, Q] = motions(truth, of_truth, estimate, interval);
-      errors.push_back(P * Q.inverse());
+      errors.add(P * Q.inverse());
     }
   }
-  return summarize_motions(errors);
+  return errors.summarized();
 }
 
 RelativeErrors relative_errors_evo(const Trajectory& truth, const Trajectory& estimate,
                                    const EvaluationOptions& options) {
   const AssociatedPoses poses = associated_poses(truth, estimate, options);
+  std::vector<double> stamps;
+  for (const std::size_t i : poses.estimate) {
+    stamps.push_back(estimate[i].timestamp);
+  }
   const std::vector<Interval> intervals =
       options.interval.unit == IntervalUnit::seconds
-          ? intervals_before_last(poses.estimate, options.interval)
-          : all_frame_intervals(poses.estimate.size(), options.interval.length);
-  std::vector<SE3> errors;
-  for (const Interval& interval : intervals) {
-    const auto [P, Q] = motions(poses.truth, interval, poses.estimate, interval);
-    errors.push_back(Q.inverse() * P);
+          ? intervals_before_last(stamps, options.interval)
+          : all_frame_intervals(stamps.size(), options.interval.length);
+  MotionErrors errors;
+  for (const auto& [begin, end] : intervals) {
+    const auto [P, Q] = motions(truth, {poses.truth[begin], poses.truth[end]}, estimate,
+                                {poses.estimate[begin], poses.estimate[end]});
+    errors.add(Q.inverse() * P);
   }
-  return summarize_motions(errors);
+  return errors.summarized();
 }
 
 }  // namespace vo
