@@ -49,7 +49,7 @@ Samples samples_of_metric(const ScenarioResult& before, const ScenarioResult& af
   constexpr std::size_t kMinSeeds = 3;
   const TrialPairs pairs = pair_trials(before, after);
   for (const auto& [name, all] : samples_of(pairs)) {
-    const Samples samples = measured(all);
+    Samples samples = measured(all);
     const bool has_spread = samples.paired && samples.before.size() >= kMinSeeds;
     if (name == metric && has_spread && all_positive(samples)) {
       return samples;

@@ -87,11 +87,13 @@ std::optional<OutsideRun> bad_end(const ChildEnd& end, const TrackerLimits& limi
     return failed_run(is_timeout ? ProblemKind::timeout : ProblemKind::tracker,
                       limit_sentence(end.exceeded, limits) + said);
   }
-  if (const int signal = signal_of(end); signal == SIGXFSZ) {
+  const int signal = signal_of(end);
+  if (signal == SIGXFSZ) {
     return failed_run(ProblemKind::tracker,
                       vo::concat("the tracker wrote a file of more than ", limits.file_limit,
                                  " MB (--file-limit)", said));
-  } else if (signal != 0) {
+  }
+  if (signal != 0) {
     return failed_run(ProblemKind::crash,
                       vo::concat("the tracker crashed (signal ", signal, ")", said));
   }

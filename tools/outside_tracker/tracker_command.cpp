@@ -98,7 +98,7 @@ std::vector<std::string> tracker_environment(const TrackerPlaces& places) {
   }
   for (const auto& [name, value] : own) {
     if (!tells_of(places.withheld, name, value)) {
-      environment.push_back(name + "=" + value);
+      environment.push_back(vo::concat(name, "=", value));
     }
   }
   return environment;

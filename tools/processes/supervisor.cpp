@@ -54,7 +54,7 @@ void restore_signals() {
   }
   sigset_t none;
   sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);  // NOLINT(concurrency-mt-unsafe): one thread
 }
 
 /// Becomes the program. Writes errno to `failure`, which a successful exec closes, and ends
@@ -139,7 +139,7 @@ class Supervision {
     sigset_t child;
     sigemptyset(&child);
     sigaddset(&child, SIGCHLD);
-    ::sigprocmask(SIG_BLOCK, &child, nullptr);
+    ::sigprocmask(SIG_BLOCK, &child, nullptr);  // NOLINT(concurrency-mt-unsafe): one thread
     return ::signalfd(-1, &child, SFD_CLOEXEC | SFD_NONBLOCK);
   }
 

@@ -121,8 +121,8 @@ cv::Mat read_float_tiff(const std::filesystem::path& path) {
          (channels == 1 || channels == 3));
   const std::size_t size = std::size_t{cols} * rows * channels * sizeof(float);
   expect(fields == kPixelsAt + size + size_of_triples(channels));
-  const cv::Mat image = new_image({static_cast<int>(cols), static_cast<int>(rows)},
-                                  channels == 1 ? CV_32FC1 : CV_32FC3, path);
+  cv::Mat image = new_image({static_cast<int>(cols), static_cast<int>(rows)},
+                            channels == 1 ? CV_32FC1 : CV_32FC3, path);
   expect(directory(image, static_cast<std::uint32_t>(size)) == bytes.substr(kPixelsAt + size));
   std::memcpy(image.data, bytes.data() + kPixelsAt, size);
   return image;

@@ -41,7 +41,7 @@ cv::Mat_<cv::Vec2f> read_flow(const std::filesystem::path& path) {
       static_cast<std::size_t>(cols) * static_cast<std::size_t>(rows) * sizeof(cv::Vec2f);
   require(bytes.size() == kHeaderBytes + pixels, path.string(), ": expected ",
           kHeaderBytes + pixels, " bytes for ", cols, "x", rows, " px, got ", bytes.size());
-  const cv::Mat_<cv::Vec2f> flow = new_image({cols, rows}, CV_32FC2, path);
+  cv::Mat_<cv::Vec2f> flow = new_image({cols, rows}, CV_32FC2, path);
   std::memcpy(flow.data, bytes.data() + kHeaderBytes, pixels);
   return flow;
 }

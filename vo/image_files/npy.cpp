@@ -59,7 +59,7 @@ cv::Mat read_npy(const std::filesystem::path& path) {
       static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols) * CV_ELEM_SIZE(type);
   require(bytes.size() == start + size, path.string(), ": expected ", start + size, " bytes for ",
           cols, "x", rows, " px, got ", bytes.size());
-  const cv::Mat image = new_image({cols, rows}, type, path);
+  cv::Mat image = new_image({cols, rows}, type, path);
   std::memcpy(image.data, bytes.data() + start, size);
   return image;
 }

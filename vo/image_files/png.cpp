@@ -56,7 +56,8 @@ void append_bytes(png_structp png, png_bytep bytes, std::size_t count) {
 void flush_nothing(png_structp /*png*/) {}
 
 png_voidp allocate(png_structp png, png_alloc_size_t size) {
-  void* memory = std::malloc(size);  // NOLINT(cppcoreguidelines-no-malloc): libpng frees it
+  // NOLINTNEXTLINE(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory): libpng's own
+  void* memory = std::malloc(size);
   if (memory == nullptr) {
     static_cast<PngError*>(png_get_mem_ptr(png))->is_out_of_memory = true;
   }
@@ -64,7 +65,8 @@ png_voidp allocate(png_structp png, png_alloc_size_t size) {
 }
 
 void release(png_structp /*png*/, png_voidp memory) {
-  std::free(memory);  // NOLINT(cppcoreguidelines-no-malloc): as it was allocated
+  // NOLINTNEXTLINE(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory): as allocated
+  std::free(memory);
 }
 
 /// Throws Error unless libpng has succeeded.

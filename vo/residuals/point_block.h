@@ -247,8 +247,9 @@ EDVO_INLINE void sample_block(const GrayImage& image, Block& block) {
 EDVO_INLINE void test_depth(const DepthImage& depth, float max_ratio, std::size_t count,
                             Block& block) {
   for (std::size_t i = 0; i < count; ++i) {
-    const float measured =
-        depth(static_cast<int>(block.v[i] + 0.5F), static_cast<int>(block.u[i] + 0.5F));
+    const auto u = static_cast<int>(block.u[i] + 0.5F);  // NOLINT(bugprone-incorrect-roundings)
+    const auto v = static_cast<int>(block.v[i] + 0.5F);  // NOLINT(bugprone-incorrect-roundings)
+    const float measured = depth(v, u);
     const bool hidden = has_depth(measured) &&
                         (block.z[i] > measured * max_ratio || block.z[i] * max_ratio < measured);
     block.seen[i] = hidden ? 0 : block.seen[i];
