@@ -165,7 +165,7 @@ TEST_F(TrackerProgram, NeedsNoShell) {
 TEST_F(TrackerProgram, ThatCrashesEdvoCostsOneRow) {
   const ProgramResult result = misbehave("kills_edvo");
   EXPECT_EQ(result.exit_code, 4);
-  EXPECT_THAT(result.out, HasSubstr("a: edvo crashed on it (signal 11)"));
+  EXPECT_THAT(result.out, HasSubstr("a: edvo crashed on it (signal 6)"));
   EXPECT_THAT(read("r.xml"), HasSubstr("type=\"crash\""));
   EXPECT_EQ(kind_of(2), "crash");
 }
