@@ -146,7 +146,9 @@ TEST_F(TrackerProgram, EndsWithItsDaemonWhenEdvoIsKilled) {
                           path("daemon"));
   const tools::ScratchFolder scratch;  // for what edvo cannot remove
   test(path("scenarios/a.toml") + " --tracker " + hang,
-       "TMPDIR='" + scratch.path().string() + "' timeout --preserve-status --signal KILL 3 ");
+       "TMPDIR='" + scratch.path().string() +
+           "' sh -c '\"$@\" & edvo=$!; for i in $(seq 600); do [ -s \"" + file("daemon").string() +
+           "\" ] && break; sleep 0.05; done; kill -KILL $edvo; wait' sh ");
   ASSERT_TRUE(exists("daemon"));
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
   while (::kill(std::stoi(read("daemon")), 0) == 0 && std::chrono::steady_clock::now() < end) {
