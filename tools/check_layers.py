@@ -27,7 +27,7 @@ ONLY_IN = {  # header of a library: the files that may name it
     "toml++/": ["vo/files/toml_file.cpp"],
     "png.h": ["vo/image_files/png.cpp"],
     "turbojpeg.h": ["vo/image_files/jpeg_codec.cpp"],
-    "xxhash.h": ["vo/core/content_hash.cpp"],
+    "xxhash.h": ["vo/hashing/content_hash.cpp"],
     "zlib.h": ["vo/files/gzip.cpp"],
     "webp/": ["tools/pictures/webp.cpp"],
     "CLI/": ["tools/cli/", "tools/commands/", "tools/edvo.cpp"],

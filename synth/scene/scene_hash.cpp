@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "vo/core/content_hash.h"
+#include "vo/hashing/content_hash.h"
 
 namespace synth {
 namespace {

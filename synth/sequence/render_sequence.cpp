@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "synth/scene/scene_hash.h"
-#include "vo/core/content_hash.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/core/version.h"
@@ -12,6 +11,7 @@
 #include "vo/dataset/trajectory_file.h"
 #include "vo/files/input.h"
 #include "vo/files/toml_file.h"
+#include "vo/hashing/content_hash.h"
 
 namespace synth {
 namespace {

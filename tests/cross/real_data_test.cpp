@@ -12,7 +12,7 @@
 #include "vo/evaluation/evaluate.h"
 #include "vo/odometry/mono_odometry.h"
 #include "vo/odometry/rgbd_odometry.h"
-#include "vo/odometry/track_mono.h"
+#include "vo/sequence_odometry/track_mono.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include "vo/core/error.h"
 #include "vo/evaluation/evaluate.h"
-#include "vo/odometry/track_sequence.h"
+#include "vo/sequence_odometry/track_sequence.h"
 
 namespace tools {
 namespace {

@@ -27,8 +27,8 @@
 #include "vo/dataset/trajectory_file.h"
 #include "vo/evaluation/evaluate.h"
 #include "vo/files/output.h"
-#include "vo/odometry/track_mono.h"
-#include "vo/odometry/track_sequence.h"
+#include "vo/sequence_odometry/track_mono.h"
+#include "vo/sequence_odometry/track_sequence.h"
 
 namespace tools {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "tools/depth/true_depth.h"
-#include "vo/odometry/track_sequence.h"
+#include "vo/sequence_odometry/track_sequence.h"
 
 namespace tools {
 namespace {

@@ -7,7 +7,7 @@
 #include "vo/core/error.h"
 #include "vo/core/hash.h"
 #include "vo/core/stopwatch.h"
-#include "vo/odometry/track_sequence.h"
+#include "vo/sequence_odometry/track_sequence.h"
 
 namespace tools {
 namespace {

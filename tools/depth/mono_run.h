@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tools/depth/mapping_run.h"
-#include "vo/odometry/track_mono.h"
+#include "vo/sequence_odometry/track_mono.h"
 
 namespace tools {
 

@@ -8,7 +8,7 @@
 #include "tools/processes/file_lock.h"
 #include "tools/scenario/scenario.h"
 #include "vo/dataset/sequence.h"
-#include "vo/odometry/track_sequence.h"
+#include "vo/sequence_odometry/track_sequence.h"
 
 namespace tools {
 

@@ -9,7 +9,7 @@
 
 #include "tools/pictures/scene_view.h"
 #include "vo/core/image.h"
-#include "vo/odometry/track_sequence.h"
+#include "vo/sequence_odometry/track_sequence.h"
 
 namespace tools {
 

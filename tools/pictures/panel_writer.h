@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "vo/files/output.h"
-#include "vo/odometry/track_sequence.h"
+#include "vo/sequence_odometry/track_sequence.h"
 
 namespace tools {
 

@@ -5,7 +5,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "vo/odometry/track_sequence.h"
+#include "vo/sequence_odometry/track_sequence.h"
 
 namespace tools {
 namespace {

@@ -11,7 +11,7 @@
 #include "vo/core/progress.h"
 #include "vo/dataset/sequence.h"
 #include "vo/files/output.h"
-#include "vo/odometry/track_sequence.h"
+#include "vo/sequence_odometry/track_sequence.h"
 
 namespace tools {
 

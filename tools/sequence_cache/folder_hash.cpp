@@ -6,9 +6,9 @@
 #include <system_error>
 #include <vector>
 
-#include "vo/core/content_hash.h"
 #include "vo/core/error.h"
 #include "vo/files/input.h"
+#include "vo/hashing/content_hash.h"
 
 namespace tools {
 namespace {

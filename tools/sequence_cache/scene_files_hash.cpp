@@ -6,9 +6,9 @@
 
 #include "synth/gltf_document/gltf_file.h"
 #include "synth/gltf_document/uri.h"
-#include "vo/core/content_hash.h"
 #include "vo/core/error.h"
 #include "vo/files/input.h"
+#include "vo/hashing/content_hash.h"
 
 namespace tools {
 namespace {

@@ -11,13 +11,13 @@
 #include "tools/sequence_cache/folder_hash.h"
 #include "tools/sequence_cache/generator_hash.h"
 #include "tools/sequence_cache/scene_files_hash.h"
-#include "vo/core/content_hash.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/files/input.h"
 #include "vo/files/output.h"
 #include "vo/files/result_files.h"
 #include "vo/files/toml_file.h"
+#include "vo/hashing/content_hash.h"
 
 namespace tools {
 namespace {

@@ -5,9 +5,9 @@
 #include <sstream>
 
 #include "tools/source_hash/source_text.h"
-#include "vo/core/content_hash.h"
 #include "vo/core/error.h"
 #include "vo/files/input.h"
+#include "vo/hashing/content_hash.h"
 
 namespace tools {
 namespace {

@@ -10,7 +10,7 @@
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/evaluation/evaluate.h"
-#include "vo/odometry/track_mono.h"
+#include "vo/sequence_odometry/track_mono.h"
 
 namespace tools {
 namespace {

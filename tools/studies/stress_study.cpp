@@ -10,7 +10,7 @@
 #include "tools/studies/study.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/odometry/track_sequence.h"
+#include "vo/sequence_odometry/track_sequence.h"
 
 namespace tools {
 namespace {

@@ -15,7 +15,6 @@
 #include "tools/processes/readable_text.h"
 #include "tools/report/scenario_report.h"
 #include "tools/sequence_cache/sequence_cache.h"
-#include "vo/core/content_hash.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/dataset/sequence.h"
@@ -23,6 +22,7 @@
 #include "vo/files/output.h"
 #include "vo/files/result_files.h"
 #include "vo/files/toml_file.h"
+#include "vo/hashing/content_hash.h"
 
 namespace tools {
 namespace {

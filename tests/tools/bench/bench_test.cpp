@@ -15,7 +15,7 @@
 #include "tools/bench/summary.h"
 #include "tools/plot/linear_fit.h"
 #include "vo/files/input.h"
-#include "vo/odometry/track_sequence.h"
+#include "vo/sequence_odometry/track_sequence.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include "vo/core/progress.h"
 #include "vo/dataset/sequence.h"
 #include "vo/odometry/mono_odometry.h"
-#include "vo/odometry/track_sequence.h"
+#include "vo/sequence_odometry/track_sequence.h"
 
 namespace vo {
 

@@ -1,4 +1,4 @@
-#include "vo/odometry/track_sequence.h"
+#include "vo/sequence_odometry/track_sequence.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "vo/core/content_hash.h"
+#include "vo/hashing/content_hash.h"
 
 #include <string>
 #include <vector>
@@ -32,12 +32,6 @@ TEST(ContentHash, PlainValuesAreTheirBytes) {
   vo::ContentHash hash;
   hash.add_values(std::span<const std::uint32_t>(values));
   EXPECT_EQ(hash.hex(), vo::content_hash("\1\2\3\4\5\6\7\10"));
-}
-
-TEST(ContentHash, AContinuedHashTellsWhatCameBefore) {
-  const std::uint64_t first = vo::continued_hash("first", 0);
-  EXPECT_EQ(vo::continued_hash("second", first), vo::continued_hash("second", first));
-  EXPECT_NE(vo::continued_hash("second", first), vo::continued_hash("second", 0));
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -38,9 +37,5 @@ class ContentHash {
 
 /// Returns the ContentHash of the bytes as 32 hexadecimal digits.
 std::string content_hash(std::string_view bytes);
-
-/// Returns a hash of 64 bits (XXH3) of the bytes that continues `seed`, the hash of those before
-/// them. It allocates nothing.
-std::uint64_t continued_hash(std::string_view bytes, std::uint64_t seed);
 
 }  // namespace vo

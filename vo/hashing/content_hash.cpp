@@ -1,4 +1,4 @@
-#include "vo/core/content_hash.h"
+#include "vo/hashing/content_hash.h"
 
 #include <new>
 
@@ -37,10 +37,6 @@ std::string content_hash(std::string_view bytes) {
   ContentHash hash;
   hash.add(bytes);
   return hash.hex();
-}
-
-std::uint64_t continued_hash(std::string_view bytes, std::uint64_t seed) {
-  return XXH3_64bits_withSeed(bytes.data(), bytes.size(), seed);
 }
 
 }  // namespace vo

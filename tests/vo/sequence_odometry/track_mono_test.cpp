@@ -1,4 +1,4 @@
-#include "vo/odometry/track_mono.h"
+#include "vo/sequence_odometry/track_mono.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
