@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace vo {
 
@@ -14,6 +16,13 @@ enum class ErrorKind {
   temporary,      ///< the same call may succeed later (disk full, terminated)
   interrupted,    ///< the user stopped the operation
 };
+
+constexpr auto enum_names(ErrorKind) {
+  return std::array{std::pair{ErrorKind::usage, "usage"}, std::pair{ErrorKind::input, "input"},
+                    std::pair{ErrorKind::output_exists, "output_exists"},
+                    std::pair{ErrorKind::temporary, "temporary"},
+                    std::pair{ErrorKind::interrupted, "interrupted"}};
+}
 
 /// The only exception this project throws. Losing track is a value (`TrackingStatus`), a broken
 /// invariant is an `assert`. The message is one sentence: where, what is wrong, what was expected.

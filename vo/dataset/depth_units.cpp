@@ -25,6 +25,13 @@ cv::Mat_<std::uint16_t> to_depth_units(const DepthImage& depth, double units_per
   return units;
 }
 
+DepthImage from_depth_units(const cv::Mat_<std::uint16_t>& units, double units_per_m) {
+  DepthImage depth;
+  units.convertTo(depth, CV_32F, 1 / units_per_m);
+  depth.setTo(0, units == kSaturatedDepth);
+  return depth;
+}
+
 double farthest_in_16_bit(double units_per_m) {
   return kMaxUnits / units_per_m;
 }
@@ -36,19 +43,12 @@ std::size_t count_beyond_16_bit(const DepthImage& depth, double units_per_m) {
 }
 
 DepthImage read_depth_png(const std::filesystem::path& path, const RgbdCamera& camera) {
-  cv::Mat_<std::uint16_t> raw;
-  {
-    const cv::Mat image = read_png(path);
-    require_size(image, camera.pinhole, path);
-    require(image.type() == CV_16UC1, path.string(),
-            ": expected depth of 16 bits in one channel, got ",
-            image.channels() == 3 ? "colour" : "8 bits");
-    raw = image;
-  }
-  raw.setTo(0, raw == kSaturatedDepth);
-  DepthImage depth;
-  raw.convertTo(depth, CV_32F, 1 / camera.depth_units_per_m);
-  return depth;
+  const cv::Mat image = read_png(path);
+  require_size(image, camera.pinhole, path);
+  require(image.type() == CV_16UC1, path.string(),
+          ": expected depth of 16 bits in one channel, got ",
+          image.channels() == 3 ? "colour" : "8 bits");
+  return from_depth_units(image, camera.depth_units_per_m);
 }
 
 void require_size(const cv::Mat& image, const PinholeCamera& camera,

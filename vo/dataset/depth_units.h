@@ -14,6 +14,9 @@ namespace vo {
 /// Returns depth, m, in 16-bit units; what they cannot hold becomes 0, which is no measurement.
 cv::Mat_<std::uint16_t> to_depth_units(const DepthImage& depth, double units_per_m);
 
+/// Returns depth, m, of 16-bit units; 0 and 65535 become 0, which is no measurement.
+DepthImage from_depth_units(const cv::Mat_<std::uint16_t>& units, double units_per_m);
+
 /// Returns the greatest depth that 16-bit units hold, m.
 double farthest_in_16_bit(double units_per_m);
 

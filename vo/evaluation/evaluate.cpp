@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "vo/core/error.h"
@@ -80,12 +81,12 @@ Similarity fit(const Positions& positions, TrajectoryAlignment alignment) {
   return {};
 }
 
-Statistics absolute_error(const Positions& positions, const Similarity& alignment) {
+std::vector<double> absolute_errors(const Positions& positions, const Similarity& alignment) {
   std::vector<double> errors;
   for (std::size_t i = 0; i < positions.truth.size(); ++i) {
     errors.push_back((alignment * positions.estimate[i] - positions.truth[i]).norm());
   }
-  return summarize(errors);
+  return errors;
 }
 
 Trajectory scaled(Trajectory trajectory, double scale) {
@@ -136,7 +137,7 @@ TrajectoryErrors evaluate(const Trajectory& truth, const Trajectory& estimate,
   {
     const Positions positions = matched_positions(truth, estimate, matches);
     const Similarity alignment = fit(positions, options.alignment);
-    errors.ate = absolute_error(positions, alignment);
+    errors.ate = summarize(absolute_errors(positions, alignment));
     errors.scale = alignment.scale;
   }
   const bool is_scaled = errors.scale != 1;
@@ -147,6 +148,24 @@ TrajectoryErrors evaluate(const Trajectory& truth, const Trajectory& estimate,
   errors.matched = matches.size();
   errors.matched_fraction =
       static_cast<double>(matches.size()) / static_cast<double>(estimate.size());
+  return errors;
+}
+
+ErrorsOverTime errors_over_time(const Trajectory& truth, const Trajectory& estimate,
+                                const EvaluationOptions& options) {
+  options.validate();
+  const Matches matches = match(truth, estimate, options);
+  const Positions positions = matched_positions(truth, estimate, matches);
+  const Similarity alignment = fit(positions, options.alignment);
+  IntervalErrors relative = interval_errors_tum(truth, scaled(estimate, alignment.scale), options);
+  ErrorsOverTime errors{.timestamps = {},
+                        .ate = absolute_errors(positions, alignment),
+                        .rpe_timestamps = std::move(relative.timestamps),
+                        .rpe_translation = std::move(relative.translations),
+                        .rpe_rotation_deg = std::move(relative.rotations_deg)};
+  for (const auto& [truth_index, estimate_index] : matches) {
+    errors.timestamps.push_back(estimate[estimate_index].timestamp);
+  }
   return errors;
 }
 

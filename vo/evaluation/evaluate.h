@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "vo/geometry/trajectory.h"
 
@@ -68,6 +69,20 @@ struct TrajectoryErrors {
 /// invalid or fewer than three poses match.
 TrajectoryErrors evaluate(const Trajectory& truth, const Trajectory& estimate,
                           const EvaluationOptions& options = {});
+
+/// The errors of which TrajectoryErrors has the statistics: `ate` of each matched pose, `rpe` of
+/// each interval.
+struct ErrorsOverTime {
+  std::vector<double> timestamps;        ///< s, of the estimate's matched poses
+  std::vector<double> ate;               ///< m
+  std::vector<double> rpe_timestamps;    ///< s, of the poses where the intervals begin
+  std::vector<double> rpe_translation;   ///< m
+  std::vector<double> rpe_rotation_deg;  ///< deg
+};
+
+/// Returns the errors as `evaluate` takes them, and throws as it does.
+ErrorsOverTime errors_over_time(const Trajectory& truth, const Trajectory& estimate,
+                                const EvaluationOptions& options = {});
 
 /// Returns the share of a sequence's frames, given by their stamps in s, that the estimate has a
 /// pose for: one within 0.1 ms, more than rounding and less than a frame.

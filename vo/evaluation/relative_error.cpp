@@ -109,20 +109,16 @@ Motions motions(const Trajectory& truth, const Interval& of_truth, const Traject
   return {motion(estimate, of_estimate), motion(truth, of_truth)};
 }
 
-/// The errors of motions over intervals, one element for each in both.
-struct MotionErrors {
-  std::vector<double> translations;   ///< m
-  std::vector<double> rotations_deg;  ///< deg
+void add(IntervalErrors& errors, double begin, const SE3& error) {
+  errors.timestamps.push_back(begin);
+  errors.translations.push_back(error.translation().norm());
+  errors.rotations_deg.push_back(error.angle() * 180 / std::numbers::pi);
+}
 
-  void add(const SE3& error) {
-    translations.push_back(error.translation().norm());
-    rotations_deg.push_back(error.angle() * 180 / std::numbers::pi);
-  }
-
-  RelativeErrors summarized() const {
-    return {summarize(translations), summarize(rotations_deg), translations.size()};
-  }
-};
+RelativeErrors summarized(const IntervalErrors& errors) {
+  return {summarize(errors.translations), summarize(errors.rotations_deg),
+          errors.translations.size()};
+}
 
 /// The poses that evo associates: partners have equal indices.
 struct AssociatedPoses {
@@ -150,11 +146,11 @@ AssociatedPoses associated_poses(const Trajectory& truth, const Trajectory& esti
 
 }  // namespace
 
-RelativeErrors relative_errors_tum(const Trajectory& truth, const Trajectory& estimate,
+IntervalErrors interval_errors_tum(const Trajectory& truth, const Trajectory& estimate,
                                    const EvaluationOptions& options) {
   const std::vector<double> true_stamps = stamps_of(truth);
   const double max_difference = 2 * median_interval(true_stamps);
-  MotionErrors errors;
+  IntervalErrors errors;
   for (const Interval& interval : intervals_before_last(stamps_of(estimate), options.interval)) {
     const double begin = estimate[interval.begin].timestamp + options.time_offset;
     const double end = estimate[interval.end].timestamp + options.time_offset;
@@ -163,10 +159,15 @@ RelativeErrors relative_errors_tum(const Trajectory& truth, const Trajectory& es
     if (std::abs(truth[of_truth.begin].timestamp - begin) <= max_difference &&
         std::abs(truth[of_truth.end].timestamp - end) <= max_difference) {
       const auto [P, Q] = motions(truth, of_truth, estimate, interval);
-      errors.add(P * Q.inverse());
+      add(errors, estimate[interval.begin].timestamp, P * Q.inverse());
     }
   }
-  return errors.summarized();
+  return errors;
+}
+
+RelativeErrors relative_errors_tum(const Trajectory& truth, const Trajectory& estimate,
+                                   const EvaluationOptions& options) {
+  return summarized(interval_errors_tum(truth, estimate, options));
 }
 
 RelativeErrors relative_errors_evo(const Trajectory& truth, const Trajectory& estimate,
@@ -180,13 +181,13 @@ RelativeErrors relative_errors_evo(const Trajectory& truth, const Trajectory& es
       options.interval.unit == IntervalUnit::seconds
           ? intervals_before_last(stamps, options.interval)
           : all_frame_intervals(stamps.size(), options.interval.length);
-  MotionErrors errors;
+  IntervalErrors errors;
   for (const auto& [begin, end] : intervals) {
     const auto [P, Q] = motions(truth, {poses.truth[begin], poses.truth[end]}, estimate,
                                 {poses.estimate[begin], poses.estimate[end]});
-    errors.add(Q.inverse() * P);
+    add(errors, stamps[begin], Q.inverse() * P);
   }
-  return errors.summarized();
+  return summarized(errors);
 }
 
 }  // namespace vo

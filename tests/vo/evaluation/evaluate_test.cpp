@@ -47,6 +47,25 @@ TEST(Summarize, KnowsNothingOfNothing) {
   EXPECT_TRUE(std::isnan(nothing.median));
 }
 
+TEST(ErrorsOverTime, HaveTheStatisticsOfTheEvaluation) {
+  const Trajectory truth = support::example_trajectory(100, 30);
+  Trajectory estimate = scaled(truth, 1.1);
+  for (std::size_t i = 0; i < estimate.size(); i += 3) {
+    estimate[i].T_world_camera = estimate[i].T_world_camera * SE3::exp(0.01 * Vector6d::Ones());
+  }
+  for (const TrajectoryAlignment alignment :
+       {TrajectoryAlignment::none, TrajectoryAlignment::se3, TrajectoryAlignment::sim3}) {
+    const EvaluationOptions options{.alignment = alignment};
+    const TrajectoryErrors errors = evaluate(truth, estimate, options);
+    const ErrorsOverTime over_time = errors_over_time(truth, estimate, options);
+    EXPECT_DOUBLE_EQ(vo::summarize(over_time.ate).rmse, errors.ate.rmse);
+    EXPECT_DOUBLE_EQ(vo::summarize(over_time.rpe_translation).rmse, errors.rpe.translation.rmse);
+    EXPECT_DOUBLE_EQ(vo::summarize(over_time.rpe_rotation_deg).max, errors.rpe.rotation_deg.max);
+    EXPECT_EQ(over_time.timestamps.size(), errors.matched);
+    EXPECT_EQ(over_time.rpe_timestamps.size(), errors.rpe.pairs);
+  }
+}
+
 TEST(Evaluate, FindsNoErrorInTheTruth) {
   const Trajectory truth = support::example_trajectory(100, 30);
   const TrajectoryErrors errors = evaluate(truth, truth);
