@@ -1,0 +1,20 @@
+cmake_policy(VERSION 3.25)
+
+# edvo_included_headers(root result header...) lists headers of the project, relative to its root, and all
+# headers of the project that they include.
+function(edvo_included_headers root result)
+  set(open ${ARGN})
+  set(seen)
+  while(open)
+    list(POP_FRONT open header)
+    if(header IN_LIST seen OR NOT EXISTS ${root}/${header})
+      continue()
+    endif()
+    list(APPEND seen ${header})
+    file(STRINGS ${root}/${header} includes REGEX "^#include \"(vo|synth)/")
+    list(TRANSFORM includes REPLACE "^#include \"(.*)\".*$" "\\1")
+    list(APPEND open ${includes})
+  endwhile()
+  list(SORT seen)
+  set(${result} ${seen} PARENT_SCOPE)
+endfunction()
