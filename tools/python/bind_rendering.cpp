@@ -1,0 +1,135 @@
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include "synth/camera/make_renderer.h"
+#include "synth/camera/metering.h"
+#include "synth/gltf/gltf.h"
+#include "synth/rendering/renderer.h"
+#include "synth/sensor/sensor.h"
+#include "tools/python/arrays.h"
+#include "tools/python/bindings.h"
+#include "tools/python/options.h"
+#include "vo/core/error.h"
+
+namespace python {
+
+namespace py = pybind11;
+
+namespace {
+
+/// A scene with what was left out of its file.
+struct PyScene {
+  synth::Scene scene;
+  synth::Notes notes;
+};
+
+/// A renderer, the scene that it shows, and what a camera makes of it.
+struct PyRenderer {
+  std::shared_ptr<const PyScene> scene;
+  synth::SensorOptions sensor;
+  std::unique_ptr<const synth::Renderer> renderer;
+};
+
+std::shared_ptr<PyScene> load_scene(const std::string& path) {
+  const py::gil_scoped_release no_gil;
+  auto loaded = std::make_shared<PyScene>();
+  loaded->scene = synth::load_gltf(path, &loaded->notes);
+  return loaded;
+}
+
+PyRenderer make_renderer(const std::shared_ptr<PyScene>& scene,
+                         const std::optional<synth::RenderOptions>& options, double exposure) {
+  const py::gil_scoped_release no_gil;
+  synth::SensorOptions sensor;
+  sensor.exposure = exposure;
+  sensor.validate();
+  return {scene, sensor,
+          synth::make_renderer(scene->scene, options ? *options : synth::RenderOptions{})};
+}
+
+synth::Channels channels_of(const std::vector<std::string>& names) {
+  synth::Channels channels{.color = false, .depth = false};
+  for (const std::string& name : names) {
+    switch (vo::parse_choice(name, {"image", "depth", "normal", "ids"})) {
+      case 0:
+        channels.color = true;
+        break;
+      case 1:
+        channels.depth = true;
+        break;
+      case 2:
+        channels.normal = true;
+        break;
+      default:
+        channels.ids = true;
+    }
+  }
+  return channels;
+}
+
+/// Renders a camera at rest. The image has the sensor's exposure or, where that is 0, is metered.
+py::dict render(const PyRenderer& self, const vo::RgbdCamera& camera,
+                const Eigen::Matrix4d& T_world_camera, const std::vector<std::string>& names) {
+  synth::Capture capture = synth::still(camera.pinhole, motion_of(T_world_camera));
+  capture.channels = channels_of(names);
+  synth::RenderedFrame frame;
+  cv::Mat image;
+  {
+    const py::gil_scoped_release no_gil;
+    frame = self.renderer->render(capture);
+    if (capture.channels.color) {
+      synth::FrameSetting setting;
+      setting.exposure =
+          self.sensor.exposure > 0
+              ? self.sensor.exposure
+              : synth::meter(*self.renderer, camera.pinhole, motion_of(T_world_camera)).exposure;
+      image = synth::develop(frame.radiance, camera.pinhole, self.sensor, setting);
+    }
+  }
+  py::dict result;
+  result["image"] = shared_array(image);
+  result["radiance"] = shared_array(frame.radiance);
+  result["depth"] = shared_array(frame.depth);
+  result["normal"] = shared_array(frame.normal);
+  result["instance"] = shared_array(frame.instance);
+  result["material"] = shared_array(frame.material);
+  return result;
+}
+
+}  // namespace
+
+void bind_rendering(py::module_& module) {
+  py::class_<PyScene, std::shared_ptr<PyScene>>(module, "Scene", "A glTF 2.0 scene.")
+      .def(py::init(&load_scene), py::arg("path"))
+      .def_readonly("notes", &PyScene::notes, "what was left out of the file")
+      .def_property_readonly("meshes", [](const PyScene& s) { return s.scene.meshes.size(); })
+      .def_property_readonly(
+          "cameras",
+          [](const PyScene& s) {
+            py::dict cameras;
+            for (const synth::SceneCamera& camera : s.scene.cameras) {
+              cameras[py::str(camera.name)] = matrix_of(camera.T_world_camera);
+            }
+            return cameras;
+          },
+          "T_world_camera of the file's cameras by name");
+  py::class_<synth::RenderOptions> options(module, "RenderOptions", "How a scene is rendered.");
+  options.def(py::init<>());
+  bind_fields(options);
+  py::class_<PyRenderer>(module, "Renderer", "Renders a scene at rest with exact depth.")
+      .def(py::init(&make_renderer), py::arg("scene"), py::arg("options") = py::none(),
+           py::arg("exposure") = 0.0, "exposure: gain from radiance to 0..1; 0 meters each picture")
+      .def("render", &render, py::arg("camera"), py::arg("T_world_camera"),
+           py::arg("channels") = std::vector<std::string>{"image", "depth"},
+           "Return a dict of arrays: image, radiance, depth (m), normal, instance, material; None "
+           "for\n"
+           "what `channels` (image, depth, normal, ids) does not ask for.");
+}
+
+}  // namespace python
