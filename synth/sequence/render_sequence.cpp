@@ -10,8 +10,8 @@
 #include "vo/dataset/depth_units.h"
 #include "vo/dataset/trajectory_file.h"
 #include "vo/files/input.h"
-#include "vo/files/toml_file.h"
 #include "vo/hashing/content_hash.h"
+#include "vo/text_files/toml_file.h"
 
 namespace synth {
 namespace {

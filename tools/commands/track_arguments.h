@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tools/cli/options.h"
-#include "vo/files/toml_file.h"
+#include "vo/text_files/toml_file.h"
 
 namespace tools {
 

@@ -9,7 +9,7 @@
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/core/median.h"
-#include "vo/files/text_lines.h"
+#include "vo/text_files/text_lines.h"
 
 namespace tools {
 namespace {

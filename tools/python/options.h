@@ -8,7 +8,7 @@
 #include <pybind11/stl.h>
 
 #include "vo/core/fields.h"
-#include "vo/files/toml_file.h"
+#include "vo/text_files/toml_file.h"
 
 namespace python {
 

@@ -7,7 +7,7 @@
 #include "synth/sensor/preset.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/files/toml_file.h"
+#include "vo/text_files/toml_file.h"
 
 namespace tools {
 namespace {

@@ -12,7 +12,7 @@
 #include "tools/trials/trial_message.h"
 #include "vo/core/error.h"
 #include "vo/core/version.h"
-#include "vo/files/toml_file.h"
+#include "vo/text_files/toml_file.h"
 
 namespace tools {
 namespace {

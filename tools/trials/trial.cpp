@@ -21,8 +21,8 @@
 #include "vo/files/input.h"
 #include "vo/files/output.h"
 #include "vo/files/result_files.h"
-#include "vo/files/toml_file.h"
 #include "vo/hashing/content_hash.h"
+#include "vo/text_files/toml_file.h"
 
 namespace tools {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/files/toml_file.h"
+#include "vo/text_files/toml_file.h"
 
 namespace vo {
 namespace {

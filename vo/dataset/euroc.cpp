@@ -12,8 +12,8 @@
 #include "vo/dataset/imu_file.h"
 #include "vo/dataset/trajectory_file.h"
 #include "vo/files/input.h"
-#include "vo/files/text_lines.h"
 #include "vo/image_files/png.h"
+#include "vo/text_files/text_lines.h"
 
 namespace vo {
 namespace {

@@ -7,8 +7,8 @@
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/dataset/trajectory_file.h"
-#include "vo/files/text_lines.h"
-#include "vo/files/toml_file.h"
+#include "vo/text_files/text_lines.h"
+#include "vo/text_files/toml_file.h"
 
 namespace vo {
 namespace {

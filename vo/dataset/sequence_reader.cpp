@@ -8,9 +8,9 @@
 #include "vo/dataset/sequence_source.h"
 #include "vo/dataset/trajectory_file.h"
 #include "vo/files/input.h"
-#include "vo/files/text_lines.h"
 #include "vo/geometry/associate.h"
 #include "vo/image_files/png.h"
+#include "vo/text_files/text_lines.h"
 
 namespace vo {
 namespace {

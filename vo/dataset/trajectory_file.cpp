@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "vo/core/error.h"
-#include "vo/files/text_lines.h"
+#include "vo/text_files/text_lines.h"
 
 namespace vo {
 namespace {

@@ -10,9 +10,9 @@
 #include "tests/support/temp_folder.h"
 #include "vo/dataset/sequence.h"
 #include "vo/files/input.h"
-#include "vo/files/toml_file.h"
 #include "vo/image_files/float_image.h"
 #include "vo/image_files/flow_file.h"
+#include "vo/text_files/toml_file.h"
 
 namespace {
 

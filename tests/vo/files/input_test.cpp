@@ -9,13 +9,11 @@
 
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
-#include "vo/files/text_lines.h"
 
 namespace {
 
 using support::error_text;
 using support::TempFolder;
-using testing::ElementsAre;
 using testing::HasSubstr;
 
 TEST(ReadFile, ReturnsEveryByte) {
@@ -60,33 +58,6 @@ TEST(PathIn, StaysInTheFolder) {
     EXPECT_THAT(error_text([&] { vo::path_in("seq", name, "rgb.txt:7"); }),
                 HasSubstr("rgb.txt:7: '" + std::string(name) + "' leads out of seq"));
   }
-}
-
-TEST(TextFile, VisitsTheLinesThatHoldSomething) {
-  const TempFolder folder;
-  folder.write("list", "# head\r\n1 a,b\r\n\n  \t\n2\tc # comment\n#\n3");
-  std::vector<std::string> seen;
-  vo::TextFile(folder.path() / "list").for_each_line([&](const vo::TextLine& line) {
-    std::string text = std::to_string(line.number) + ":";
-    for (const std::string_view field : line.fields) {
-      text += " " + std::string(field);
-    }
-    seen.push_back(text);
-  });
-  EXPECT_THAT(seen, ElementsAre("2: 1 a b", "5: 2 c", "7: 3"));
-}
-
-TEST(TextFile, NamesTheLineOfAValueThatIsNoNumber) {
-  const TempFolder folder;
-  folder.write("list", "1\n\ntwo\n");
-  double sum = 0;
-  EXPECT_THAT(error_text([&] {
-                vo::TextFile(folder.path() / "list").for_each_line([&](const vo::TextLine& line) {
-                  sum += vo::parse_number(line, 0);
-                });
-              }),
-              HasSubstr("list:3: expected a number, got 'two' as value 1"));
-  EXPECT_EQ(sum, 1);
 }
 
 }  // namespace

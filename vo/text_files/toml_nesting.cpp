@@ -1,4 +1,4 @@
-#include "vo/files/toml_nesting.h"
+#include "vo/text_files/toml_nesting.h"
 
 #include <algorithm>
 #include <cstddef>

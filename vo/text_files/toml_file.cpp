@@ -1,4 +1,4 @@
-#include "vo/files/toml_file.h"
+#include "vo/text_files/toml_file.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include "vo/core/error.h"
 #include "vo/core/utf8.h"
 #include "vo/files/input.h"
-#include "vo/files/toml_nesting.h"
+#include "vo/text_files/toml_nesting.h"
 
 namespace vo {
 namespace {

@@ -1,4 +1,4 @@
-#include "vo/files/text_lines.h"
+#include "vo/text_files/text_lines.h"
 
 #include <algorithm>
 #include <utility>

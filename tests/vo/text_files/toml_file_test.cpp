@@ -1,4 +1,4 @@
-#include "vo/files/toml_file.h"
+#include "vo/text_files/toml_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

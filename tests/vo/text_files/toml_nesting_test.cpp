@@ -5,7 +5,7 @@
 
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
-#include "vo/files/toml_file.h"
+#include "vo/text_files/toml_file.h"
 
 namespace {
 
