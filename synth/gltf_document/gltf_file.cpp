@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "vo/core/error.h"
+#include "vo/text_files/json_limits.h"
 
 namespace synth {
 namespace {
@@ -19,9 +20,6 @@ constexpr std::size_t kGlbHeader = 12;   // bytes: magic, version, length
 constexpr std::size_t kChunkHeader = 8;  // bytes: length, type
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
 constexpr std::uint32_t kBinaryChunk = 0x004E4942;
-
-/// The limit of JSON nesting, for recursive readers: glTF is a few levels deep, extras maybe more.
-constexpr int kDeepestNesting = 100;
 
 /// Returns the message of a JSON exception without its leading "[json.exception...] ".
 std::string without_tag(const std::string& message) {
@@ -39,9 +37,8 @@ void make_whole(json& value) {
 }
 
 json parse_json(std::string_view text, const std::string& place) {
-  const auto on_event = [&](int depth, json::parse_event_t event, json& parsed) {
-    require(depth <= kDeepestNesting, place, ": its JSON is nested more than ", kDeepestNesting,
-            " levels deep, expected a glTF document");
+  vo::require_json_within_limits(text, place);
+  const auto on_event = [&](int /*depth*/, json::parse_event_t event, json& parsed) {
     if (event == json::parse_event_t::value && parsed.is_number_float()) {
       make_whole(parsed);
     }

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "vo/core/error.h"
+#include "vo/files/input.h"
 
 namespace synth {
 namespace {
@@ -129,6 +130,8 @@ fs::path resolve_uri(const fs::path& folder, const std::string& uri, const std::
       relative.is_absolute() || *relative.begin() == ".." || name.find('\\') != std::string::npos;
   require(!leaves, place, ": uri \"", uri,
           "\" leads out of the scene's folder, expected a file in it");
+  require(!vo::leads_out(folder, relative), place, ": uri \"", uri,
+          "\" leads by a symbolic link out of the scene's folder, expected a file in it");
   return folder / relative;
 }
 

@@ -20,7 +20,8 @@ struct UriData {
 UriData decode_data_uri(const std::string& uri, const std::string& place);
 
 /// Returns the path below `folder` that a percent-encoded URI names. Opens nothing. Throws
-/// vo::Error beginning with `place` if the URI leads out of the folder or has a scheme.
+/// vo::Error beginning with `place` if the URI leads out of the folder, by itself or by a symbolic
+/// link, or has a scheme.
 std::filesystem::path resolve_uri(const std::filesystem::path& folder, const std::string& uri,
                                   const std::string& place);
 

@@ -9,6 +9,7 @@
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/files/input.h"
+#include "vo/text_files/json_limits.h"
 
 namespace tools {
 namespace {
@@ -128,7 +129,8 @@ Json results_json(const TestResults& results) {
 }
 
 TestResults read_results(const std::filesystem::path& file) {
-  const std::string text = vo::read_file(file);
+  const std::string text = vo::read_file(file, vo::kMaxDocumentBytes);
+  vo::require_json_within_limits(text, file.string());
   try {
     const Json json = Json::parse(text);
     vo::require(json.value("schema", std::string()) == vo::concat("edvo.", kSchema.name),

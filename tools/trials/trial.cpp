@@ -22,6 +22,7 @@
 #include "vo/files/output.h"
 #include "vo/files/result_files.h"
 #include "vo/hashing/content_hash.h"
+#include "vo/text_files/json_limits.h"
 #include "vo/text_files/toml_file.h"
 
 namespace tools {
@@ -48,7 +49,9 @@ std::optional<TrialResult> read_kept(const fs::path& file) {
     return {};
   }
   try {
-    return trial_from_json(nlohmann::ordered_json::parse(vo::read_file(file)));
+    const std::string text = vo::read_file(file, vo::kMaxDocumentBytes);
+    vo::require_json_within_limits(text, file.string());
+    return trial_from_json(nlohmann::ordered_json::parse(text));
   } catch (const nlohmann::json::exception&) {
     return {};
   } catch (const vo::Error&) {

@@ -1,5 +1,6 @@
 #include "vo/files/input.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <new>
 #include <string_view>
@@ -72,6 +73,11 @@ class OpenFile {
   int descriptor_;
 };
 
+bool is_within(const fs::path& folder, const fs::path& path) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
+         folder.end();
+}
+
 }  // namespace
 
 std::string read_file(const fs::path& path, std::uintmax_t max_bytes) {
@@ -89,10 +95,26 @@ std::string read_file(const fs::path& path, std::uintmax_t max_bytes) {
   return bytes;
 }
 
+bool leads_out(const fs::path& folder, const fs::path& relative) {
+  fs::path path = folder;
+  std::error_code error;
+  for (const fs::path& part : relative) {
+    path /= part;
+    if (fs::symlink_status(path, error).type() == fs::file_type::symlink) {
+      const fs::path home = fs::canonical(folder.empty() ? "." : folder, error);
+      const fs::path target = fs::weakly_canonical(path, error);
+      return !is_within(home, target);
+    }
+  }
+  return false;
+}
+
 fs::path path_in(const fs::path& folder, const std::string& name, const std::string& place) {
   const fs::path relative = fs::path(name).lexically_normal();
   require(!relative.is_absolute() && *relative.begin() != "..", place, ": '", name,
           "' leads out of ", folder.string(), ", expected a file in it");
+  require(!leads_out(folder, relative), place, ": '", name, "' leads by a symbolic link out of ",
+          folder.string(), ", expected a file in it");
   return folder / relative;
 }
 

@@ -9,6 +9,7 @@ namespace vo {
 /// The greatest sizes of files that come from outside, bytes; what is larger is not read.
 inline constexpr std::uintmax_t kMaxFileBytes = 4'000'000'000;
 inline constexpr std::uintmax_t kMaxListBytes = 1'000'000'000;
+inline constexpr std::uintmax_t kMaxDocumentBytes = 200'000'000;
 inline constexpr std::uintmax_t kMaxConfigurationBytes = 16'000'000;
 
 /// Returns the whole file as bytes. Throws Error naming the path: `input` if it is no regular file
@@ -16,8 +17,12 @@ inline constexpr std::uintmax_t kMaxConfigurationBytes = 16'000'000;
 /// is not enough memory for it. It never waits for a pipe's other end.
 std::string read_file(const std::filesystem::path& path, std::uintmax_t max_bytes = kMaxFileBytes);
 
+/// Returns whether a symbolic link on the way from `folder` to `relative`, a path without "..",
+/// leads to a place outside the folder.
+bool leads_out(const std::filesystem::path& folder, const std::filesystem::path& relative);
+
 /// Returns the path of a file that a list in `folder` names. Throws Error beginning with `place`,
-/// the line of the list, if the name leads out of the folder.
+/// the line of the list, if the name leads out of the folder, by itself or by a symbolic link.
 std::filesystem::path path_in(const std::filesystem::path& folder, const std::string& name,
                               const std::string& place);
 

@@ -1,15 +1,26 @@
 #include "vo/structured_forest/structured_forest_file.h"
 
 #include <array>
+#include <charconv>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include <opencv2/core/persistence.hpp>
 
 #include "vo/core/error.h"
+#include "vo/files/gzip.h"
+#include "vo/files/input.h"
+#include "vo/structured_forest/forest_text.h"
 
 namespace vo {
 namespace {
+
+constexpr std::size_t kMaxForestBytes = 500'000'000;
 
 struct ParameterKey {
   const char* key;
@@ -31,49 +42,89 @@ constexpr std::array kParameterKeys = {
     ParameterKey{"numberOfTreesToEvaluate", &ForestParameters::trees_to_evaluate},
 };
 
-ForestParameters read_parameters(const cv::FileNode& options) {
-  require(options.isMap(), "options: expected a map");
-  ForestParameters parameters;
-  for (const auto& [key, value] : kParameterKeys) {
-    const cv::FileNode node = options[key];
-    require(node.isInt(), "options.", key, ": expected a whole number");
-    parameters.*value = static_cast<int>(node);
+/// The values of a model, read one after the other.
+class ForestReader {
+ public:
+  ForestReader() {
+    for (const auto& [key, value] : kParameterKeys) {
+      const std::string name = concat("options.", key);
+      add(key, [this, name, value = value](std::string_view text) {
+        parameters_.*value = parse<int>(text, name, "a whole number");
+      });
+    }
+    add_list("childs", nodes_.children);
+    add_list("featureIds", nodes_.feature_ids);
+    add_list("thresholds", nodes_.thresholds);
+    add_list("edgeBoundaries", nodes_.edge_boundaries);
+    add_list("edgeBins", nodes_.edge_bins);
   }
-  return parameters;
-}
+  ForestReader(const ForestReader&) = delete;
+  ForestReader& operator=(const ForestReader&) = delete;
+  ForestReader(ForestReader&&) = delete;
+  ForestReader& operator=(ForestReader&&) = delete;
+  ~ForestReader() = default;
 
-bool has_type(const cv::FileNode& node, int /*type*/) {
-  return node.isInt();
-}
-
-bool has_type(const cv::FileNode& node, float /*type*/) {
-  return node.isInt() || node.isReal();
-}
-
-/// Reads a sequence of sequences of numbers, one for each tree, and joins them.
-template <typename Number>
-std::vector<Number> read_numbers(const cv::FileStorage& file, const char* key) {
-  const cv::FileNode trees = file[key];
-  require(trees.isSeq(), key, ": expected a sequence of sequences of numbers");
-  std::vector<Number> numbers;
-  for (const cv::FileNode& tree : trees) {
-    require(tree.isSeq(), key, ": expected a sequence of sequences of numbers");
-    for (const cv::FileNode& node : tree) {
-      require(has_type(node, Number{}), key, "[", numbers.size(), "]: expected a number");
-      numbers.push_back(static_cast<Number>(node));
+  /// Takes a value; one of an unknown key is left out.
+  void read(std::string_view key, std::string_view text) {
+    const auto member = members_.find(key);
+    if (member != members_.end()) {
+      ++member->second.values;
+      member->second.read(text);
     }
   }
-  return numbers;
-}
 
-StructuredForest read_forest(const cv::FileStorage& file) {
-  const ForestParameters parameters = read_parameters(file["options"]);
-  return {parameters,
-          {.children = read_numbers<int>(file, "childs"),
-           .feature_ids = read_numbers<int>(file, "featureIds"),
-           .thresholds = read_numbers<float>(file, "thresholds"),
-           .edge_boundaries = read_numbers<int>(file, "edgeBoundaries"),
-           .edge_bins = read_numbers<int>(file, "edgeBins")}};
+  StructuredForest forest() {
+    for (const auto& [key, value] : kParameterKeys) {
+      require(members_.at(key).values == 1, "options.", key, ": expected a whole number");
+    }
+    for (const auto& [key, member] : members_) {
+      require(member.values > 0, key, ": expected a sequence of sequences of numbers");
+    }
+    return {parameters_, std::move(nodes_)};
+  }
+
+ private:
+  struct Member {
+    std::function<void(std::string_view text)> read;
+    std::size_t values = 0;  ///< that have been read
+  };
+
+  template <typename Number>
+  static Number parse(std::string_view text, const std::string& name, const char* expected) {
+    Number number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    require(error == std::errc() && end == text.data() + text.size(), name, ": expected ", expected,
+            ", got '", text.substr(0, 40), "'");
+    return number;
+  }
+
+  void add(std::string_view key, std::function<void(std::string_view text)> read) {
+    members_.emplace(key, Member{std::move(read)});
+  }
+
+  void add_list(const char* key, std::vector<int>& list) {
+    add(key, [key, &list](std::string_view text) {
+      list.push_back(parse<int>(text, concat(key, "[", list.size(), "]"), "a number"));
+    });
+  }
+
+  void add_list(const char* key, std::vector<float>& list) {
+    add(key, [key, &list](std::string_view text) {
+      const auto number = parse<double>(text, concat(key, "[", list.size(), "]"), "a number");
+      list.push_back(static_cast<float>(number));
+    });
+  }
+
+  ForestParameters parameters_;
+  ForestNodes nodes_;
+  std::map<std::string_view, Member> members_;
+};
+
+StructuredForest read_forest(std::string_view text) {
+  ForestReader reader;
+  for_each_forest_value(
+      text, [&](std::string_view key, std::string_view value) { reader.read(key, value); });
+  return reader.forest();
 }
 
 /// Writes one sequence for each tree; the last one also takes the numbers beyond the number of
@@ -95,15 +146,13 @@ void write_numbers(cv::FileStorage& file, const char* key, const std::vector<Num
 }  // namespace
 
 StructuredForest read_structured_forest(const std::filesystem::path& path) {
-  require(std::filesystem::is_regular_file(path), path.string(), ": no such file");
+  const std::string bytes = read_file(path, kMaxForestBytes);
   try {
-    const cv::FileStorage file(path.string(), cv::FileStorage::READ);
-    require(file.isOpened(), "expected a structured forest as .yml or .yml.gz");
-    return read_forest(file);
-  } catch (const cv::Exception& error) {
-    fail(path.string(), ": expected a structured forest as .yml or .yml.gz: ", error.err);
+    return read_forest(is_gzip(bytes) ? gunzip(bytes, kMaxForestBytes) : bytes);
   } catch (const Error& error) {
-    throw Error(path.string() + ": " + error.what(), error.kind());
+    throw Error(
+        concat(path.string(), ": expected a structured forest as .yml or .yml.gz: ", error.what()),
+        error.kind());
   }
 }
 

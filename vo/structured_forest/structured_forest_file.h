@@ -8,7 +8,8 @@
 namespace vo {
 
 /// Reads a model in the format of OpenCV's ximgproc::createStructuredEdgeDetection: .yml, .xml or
-/// .json, and each with .gz. Throws Error naming the file, the element and what was expected.
+/// .json, and each with .gz, told apart by content. Throws Error naming the file, the element and
+/// what was expected; files of more than 500 MB, packed or not, are refused.
 StructuredForest read_structured_forest(const std::filesystem::path& path);
 
 /// Returns a forest as the text of a .yml file that `read_structured_forest` reads.

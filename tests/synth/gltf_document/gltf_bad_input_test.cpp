@@ -110,6 +110,22 @@ TEST(BadGltf, UriWithAScheme) {
   }
 }
 
+TEST(BadGltf, SymbolicLinkOutOfTheScenesFolder) {
+  const TempFolder folder;
+  folder.write("outside.bin", std::string(1000, 'x'));
+  GltfDocument document = triangle_document();
+  document.json["buffers"] = {{{"uri", "link.bin"}, {"byteLength", document.bytes.size()}}};
+  const auto scene = folder.write("scene/scene.gltf", document.json.dump());
+  std::filesystem::create_symlink("../outside.bin", folder.path() / "scene/link.bin");
+  EXPECT_THAT(error_of(scene),
+              HasSubstr("buffers[0]: uri \"link.bin\" leads by a symbolic link out "
+                        "of the scene's folder"));
+  folder.write("scene/inside.bin", document.bytes);
+  std::filesystem::remove(folder.path() / "scene/link.bin");
+  std::filesystem::create_symlink("inside.bin", folder.path() / "scene/link.bin");
+  EXPECT_EQ(error_of(scene), "");
+}
+
 TEST(BadGltf, UriThatIsNoFileName) {
   for (const char* uri : {"", "a%00b", "a%zz", "100%"}) {
     EXPECT_NE(error_with_buffer_uri(uri), "");

@@ -1,8 +1,10 @@
 #include "tools/laboratory/results_json.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 #include "vo/files/output.h"
 
@@ -43,6 +45,13 @@ TEST(ResultsJson, KnowsWhichMetricsAFileDoesNotName) {
   }
   vo::write_file(file, json.dump());
   EXPECT_EQ(tools::read_results(file).unknown_metrics, std::set<std::string>{"nees_p90"});
+}
+
+TEST(ResultsJson, IsRefusedWhereItIsNestedTooDeep) {
+  const support::TempFolder folder;
+  const auto file = folder.write("results.json", R"({"schema": )" + std::string(15'000, '['));
+  EXPECT_THAT(support::error_text([&] { tools::read_results(file); }),
+              testing::HasSubstr("results.json: its JSON is nested more than 100 levels deep"));
 }
 
 }  // namespace

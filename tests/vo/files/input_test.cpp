@@ -51,6 +51,25 @@ TEST(ReadFile, ReadsNothingThatIsTooLarge) {
               HasSubstr("expected at most 10"));
 }
 
+TEST(PathIn, FollowsNoSymbolicLinkOutOfTheFolder) {
+  const TempFolder folder;
+  folder.write("outside/1.png", "");
+  folder.write("seq/rgb/1.png", "");
+  const std::filesystem::path seq = folder.path() / "seq";
+  std::filesystem::create_symlink("rgb/1.png", seq / "inner.png");
+  std::filesystem::create_symlink("../outside/1.png", seq / "outer.png");
+  std::filesystem::create_directory_symlink("../outside", seq / "depth");
+  std::filesystem::create_directory_symlink("seq", folder.path() / "alias");
+  EXPECT_EQ(vo::path_in(seq, "inner.png", "rgb.txt:1"), seq / "inner.png");
+  EXPECT_EQ(vo::path_in(folder.path() / "alias", "rgb/1.png", "rgb.txt:1"),
+            folder.path() / "alias/rgb/1.png");
+  for (const char* name : {"outer.png", "depth/1.png", "depth/none.png"}) {
+    EXPECT_THAT(
+        error_text([&] { vo::path_in(seq, name, "rgb.txt:7"); }),
+        HasSubstr("rgb.txt:7: '" + std::string(name) + "' leads by a symbolic link out of"));
+  }
+}
+
 TEST(PathIn, StaysInTheFolder) {
   EXPECT_EQ(vo::path_in("seq", "rgb/./1.png", "rgb.txt:1"), "seq/rgb/1.png");
   EXPECT_EQ(vo::path_in("seq", "rgb/../depth/1.png", "rgb.txt:1"), "seq/depth/1.png");

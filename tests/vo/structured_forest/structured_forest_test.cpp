@@ -5,11 +5,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <opencv2/core/persistence.hpp>
 
 #include "tests/support/error_text.h"
 #include "tests/support/small_forest.h"
 #include "tests/support/temp_folder.h"
 #include "vo/files/gzip.h"
+#include "vo/files/input.h"
 #include "vo/structured_forest/luv.h"
 #include "vo/structured_forest/structured_forest_file.h"
 
@@ -85,6 +87,47 @@ TEST(StructuredForestFile, ReadsWhatWasWritten) {
   }
 }
 
+/// A forest as FileStorage writes it in the format of this extension.
+std::string as_storage(const vo::StructuredForest& forest, const std::string& extension) {
+  cv::FileStorage out(extension, cv::FileStorage::WRITE | cv::FileStorage::MEMORY);
+  cv::FileStorage in(structured_forest_yaml(forest),
+                     cv::FileStorage::READ | cv::FileStorage::MEMORY);
+  out << "options"
+      << "{";
+  for (const cv::FileNode& option : in["options"]) {
+    out << option.name() << static_cast<int>(option);
+  }
+  out << "}";
+  const vo::ForestNodes& nodes = forest.nodes();
+  out << "childs"
+      << "[" << nodes.children << "]"
+      << "featureIds"
+      << "[" << nodes.feature_ids << "]"
+      << "thresholds"
+      << "[" << nodes.thresholds << "]"
+      << "edgeBoundaries"
+      << "[" << nodes.edge_boundaries << "]"
+      << "edgeBins"
+      << "[" << nodes.edge_bins << "]";
+  return out.releaseAndGetString();
+}
+
+TEST(StructuredForestFile, ReadsWhatOpenCvWritesInEachOfItsFormats) {
+  const TempFolder folder;
+  const auto forest = small_forest(kLightnessInMiddle, 0.1234F, {1, 20, 255});
+  for (const char* extension : {".yml", ".xml", ".json"}) {
+    const auto read =
+        vo::read_structured_forest(folder.write("model", as_storage(forest, extension)));
+    EXPECT_EQ(structured_forest_yaml(read), structured_forest_yaml(forest)) << extension;
+  }
+}
+
+TEST(StructuredForestFile, TheShippedModelIsWrittenAsItWasRead) {
+  const std::string model = EDVO_SOURCE_DIR "/assets/edges/structured_forest.yml.gz";
+  EXPECT_EQ(structured_forest_yaml(vo::read_structured_forest(model)),
+            vo::gunzip(vo::read_file(model), 100'000'000));
+}
+
 /// What reading a model says in which `from` has become `to`.
 std::string error_with(const std::string& from, const std::string& to) {
   const TempFolder folder;
@@ -98,8 +141,10 @@ std::string error_with(const std::string& from, const std::string& to) {
 
 TEST(StructuredForestFile, NamesTheElementThatIsWrong) {
   EXPECT_THAT(error_with("stride: 2", "strife: 2"),
-              HasSubstr("model.yml: options.stride: expected a whole number"));
-  EXPECT_THAT(error_with("stride: 2", "stride: many"), HasSubstr("options.stride"));
+              HasSubstr("options.stride: expected a whole number"));
+  EXPECT_THAT(error_with("stride: 2", "stride: many"),
+              HasSubstr("options.stride: expected a whole number, got 'many'"));
+  EXPECT_THAT(error_with("stride: 2", "stride: 2\n   stride: 2"), HasSubstr("options.stride"));
   EXPECT_THAT(error_with("stride: 2", "stride: -2"), HasSubstr("stride: expected 1 to 16, got -2"));
   EXPECT_THAT(error_with("patchSize: 32", "patchSize: 31"), HasSubstr("patchSize"));
   EXPECT_THAT(error_with("numberOfTrees: 2", "numberOfTrees: 4"), HasSubstr("childs: expected"));
@@ -125,7 +170,10 @@ TEST(StructuredForestFile, RefusesWhatIsNoModel) {
   const std::string gz = vo::gzip(structured_forest_yaml(small_forest(7, 0.5F, all_bins())));
   for (const auto& path :
        {folder.write("empty.yml", ""), folder.write("noise.yml.gz", "\x1f\x8b\x08 not a model"),
-        folder.write("text.yml", "hello"), folder.write("broken.yml", "%YAML:1.0\n---\na: [1,"),
+        folder.write("text.yml", "hello"), folder.write("tag.xml", "<?xml"),
+        folder.write("deep.yml", std::string(100'000, '[')),
+        folder.write("string.yml", "options: \"stride"),
+        folder.write("broken.yml", "%YAML:1.0\n---\na: [1,"),
         folder.write("cut.yml.gz", gz.substr(0, gz.size() / 2)), folder.path() / "missing.yml"}) {
     EXPECT_THAT(error_text([&] { vo::read_structured_forest(path); }), HasSubstr(path.string()));
   }
