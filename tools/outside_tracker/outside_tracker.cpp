@@ -15,6 +15,7 @@
 #include "tools/processes/child_process.h"
 #include "tools/processes/scratch_folder.h"
 #include "vo/core/error.h"
+#include "vo/dataset/timestamp.h"
 #include "vo/dataset/trajectory_file.h"
 #include "vo/files/input.h"
 #include "vo/files/output.h"

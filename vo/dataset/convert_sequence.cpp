@@ -10,6 +10,7 @@
 #include "vo/dataset/icl_nuim.h"
 #include "vo/dataset/imu_file.h"
 #include "vo/dataset/sequence.h"
+#include "vo/dataset/timestamp.h"
 #include "vo/dataset/trajectory_file.h"
 
 namespace vo {
@@ -100,6 +101,9 @@ ConvertOutcome convert_sequence(const ConvertJob& job, ExistingOutput existing,
   ConvertOutcome outcome;
   outcome.from = job.from ? *job.from : detect_format(job.in);
   const SequenceSource source = open_sequence(job.in, outcome.from, job.camera);
+  if (job.to == SequenceFormat::euroc) {
+    require_nanoseconds_apart(source.timestamps);
+  }
   OutputFolder output(job.out, marker_of(job.to), existing);
   bool has_depth = false;
   for (std::size_t i = 0; i < source.timestamps.size(); ++i) {

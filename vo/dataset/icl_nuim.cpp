@@ -9,6 +9,7 @@
 #include "vo/core/fields.h"
 #include "vo/dataset/camera_file.h"
 #include "vo/dataset/depth_units.h"
+#include "vo/dataset/timestamp.h"
 #include "vo/dataset/trajectory_file.h"
 #include "vo/files/input.h"
 #include "vo/image_files/png.h"
@@ -186,7 +187,7 @@ SequenceSource open_icl_tum(const fs::path& folder, const std::optional<RgbdCame
     require(line.fields.size() == 4, line.place(),
             ": expected `number depth/number.png number rgb/number.png`, got ", line.fields.size(),
             " values");
-    const double timestamp = time_of(parse_number(line, 0));
+    const double timestamp = time_of(parse_timestamp(line, 0, 1));
     require(source.timestamps.empty() || timestamp > source.timestamps.back(), line.place(),
             ": expected a frame after the one before it, got ", line.fields[0]);
     source.timestamps.push_back(timestamp);

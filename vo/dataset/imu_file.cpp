@@ -6,6 +6,7 @@
 
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
+#include "vo/dataset/timestamp.h"
 #include "vo/dataset/trajectory_file.h"
 #include "vo/text_files/text_lines.h"
 #include "vo/text_files/toml_file.h"
@@ -23,7 +24,8 @@ void add_values(std::string& line, const Eigen::Vector3d& values) {
   line += text.data();
 }
 
-/// Returns the numbers of a line, its stamp converted from ns to s.
+/// Returns the numbers of a line, its stamp converted from ns to s. Throws Error for a stamp beyond
+/// what `parse_timestamp` takes.
 std::vector<double> parse_line(const TextLine& line, std::size_t count) {
   require(line.fields.size() == count, line.place(), ": expected ", count, " values, got ",
           line.fields.size());
@@ -31,7 +33,7 @@ std::vector<double> parse_line(const TextLine& line, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     values.push_back(parse_number(line, i));
   }
-  values[0] *= kNanosecond;
+  values[0] = parse_timestamp(line, 0, kNanosecond);
   return values;
 }
 

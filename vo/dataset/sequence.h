@@ -109,7 +109,4 @@ std::vector<NamedBytes> encode_frame(const SequenceLayout& layout, std::size_t i
 /// Encodes the lists, groundtruth.txt and camera.toml for frames 0 to truth.size() - 1.
 std::vector<NamedBytes> encode_lists(const SequenceLayout& layout, const Trajectory& truth);
 
-/// Returns a stamp, s, as every list of a sequence writes it: `0.033333`.
-std::string format_timestamp(double timestamp);
-
 }  // namespace vo

@@ -5,6 +5,7 @@
 #include "vo/dataset/camera_file.h"
 #include "vo/dataset/depth_units.h"
 #include "vo/dataset/sequence.h"
+#include "vo/dataset/timestamp.h"
 #include "vo/dataset/trajectory_file.h"
 #include "vo/image_files/npy.h"
 #include "vo/image_files/png.h"
@@ -14,21 +15,19 @@ namespace {
 
 std::string format_list(const char* title, const char* folder, const char* extension,
                         const Trajectory& truth, double delay) {
+  std::vector<double> timestamps;
+  for (const StampedPose& pose : truth) {
+    timestamps.push_back(pose.timestamp + delay);
+  }
+  const std::vector<std::string> stamps = format_timestamps(timestamps);
   std::string text = concat("# ", title, "\n# timestamp filename\n");
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    text += format_timestamp(truth[i].timestamp + delay) + " " + frame_file(folder, i, extension) +
-            "\n";
+  for (std::size_t i = 0; i < stamps.size(); ++i) {
+    text += stamps[i] + " " + frame_file(folder, i, extension) + "\n";
   }
   return text;
 }
 
 }  // namespace
-
-std::string format_timestamp(double timestamp) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.6f", timestamp);
-  return text.data();
-}
 
 std::string frame_file(const std::string& folder, std::size_t index, const std::string& extension) {
   std::array<char, 32> number{};

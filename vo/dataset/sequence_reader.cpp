@@ -6,6 +6,7 @@
 #include "vo/dataset/depth_units.h"
 #include "vo/dataset/sequence.h"
 #include "vo/dataset/sequence_source.h"
+#include "vo/dataset/timestamp.h"
 #include "vo/dataset/trajectory_file.h"
 #include "vo/files/input.h"
 #include "vo/geometry/associate.h"
@@ -31,7 +32,7 @@ ImageList read_image_list(const fs::path& folder, const char* name) {
   file.for_each_line([&](const TextLine& line) {
     require(line.fields.size() == 2, line.place(), ": expected `timestamp path`, got ",
             line.fields.size(), " values");
-    const double timestamp = parse_number(line, 0);
+    const double timestamp = parse_timestamp(line, 0, 1);
     require(list.timestamps.empty() || timestamp > list.timestamps.back(), line.place(),
             ": expected a stamp after the one before it, got ", line.fields[0]);
     list.timestamps.push_back(timestamp);

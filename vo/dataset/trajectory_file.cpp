@@ -4,15 +4,16 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 #include "vo/core/error.h"
+#include "vo/dataset/timestamp.h"
 #include "vo/text_files/text_lines.h"
 
 namespace vo {
 namespace {
 
 constexpr std::size_t kValues = 8;
-constexpr double kMaxSeconds = 1e12;
 constexpr double kMaxMetres = 1e9;
 constexpr double kUnitTolerance = 0.01;  // of a quaternion's norm from 1; files carry 4 decimals
 
@@ -29,9 +30,7 @@ Values first_values(const TextLine& line) {
 /// Returns the pose of a stamp in units of `unit_s` seconds, a position and a quaternion, w last.
 /// Throws Error if one of them is out of range.
 StampedPose checked_pose(const TextLine& line, const Values& v, double unit_s) {
-  const double timestamp = v[0] * unit_s;
-  require(std::abs(timestamp) < kMaxSeconds, line.place(), ": expected seconds below 1e12, got ",
-          timestamp);
+  const double timestamp = parse_timestamp(line, 0, unit_s);
   require(std::max({std::abs(v[1]), std::abs(v[2]), std::abs(v[3])}) < kMaxMetres, line.place(),
           ": expected a position within 1e9 m of the origin");
   const Eigen::Quaterniond rotation(v[7], v[4], v[5], v[6]);
@@ -90,14 +89,22 @@ std::string format_euroc_pose(const StampedPose& pose) {
 }
 
 std::string format_trajectory(const Trajectory& trajectory) {
-  std::string text = "# timestamp tx ty tz qx qy qz qw\n";
+  std::vector<double> timestamps;
   for (const StampedPose& pose : trajectory) {
-    const Eigen::Vector3d& t = pose.T_world_camera.translation();
-    const Eigen::Quaterniond& q = pose.T_world_camera.rotation();
-    std::array<char, 256> line{};
-    std::snprintf(line.data(), line.size(), "%.6f %.9f %.9f %.9f %.9f %.9f %.9f %.9f\n",
-                  pose.timestamp, t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w());
-    text += line.data();
+    timestamps.push_back(pose.timestamp);
+  }
+  const std::vector<std::string> stamps = format_timestamps(timestamps);
+  std::string text = "# timestamp tx ty tz qx qy qz qw\n";
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    const Eigen::Vector3d& t = trajectory[i].T_world_camera.translation();
+    const Eigen::Quaterniond& q = trajectory[i].T_world_camera.rotation();
+    text += stamps[i];
+    for (const double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) {
+      std::array<char, 400> number{};  // the greatest double has 309 digits
+      std::snprintf(number.data(), number.size(), " %.9f", value);
+      text += number.data();
+    }
+    text += "\n";
   }
   return text;
 }

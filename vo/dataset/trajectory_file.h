@@ -20,7 +20,8 @@ Trajectory read_euroc_trajectory(const std::filesystem::path& path);
 /// newline.
 std::string format_euroc_pose(const StampedPose& pose);
 
-/// Returns a trajectory in the TUM format, with 6 decimals of a second and 9 decimals of a pose.
+/// Returns a trajectory in the TUM format, its stamps as `format_timestamps` has them and 9
+/// decimals of a pose.
 std::string format_trajectory(const Trajectory& trajectory);
 
 }  // namespace vo

@@ -8,6 +8,7 @@
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/dataset/depth_units.h"
+#include "vo/dataset/timestamp.h"
 #include "vo/image_files/npy.h"
 
 namespace vo {

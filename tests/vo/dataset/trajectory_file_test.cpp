@@ -1,5 +1,8 @@
 #include "vo/dataset/trajectory_file.h"
 
+#include <algorithm>
+#include <string>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -82,6 +85,34 @@ TEST(TrajectoryFile, ErrorsNameTheLine) {
               EndsWith("t.txt:2: expected a stamp after the one before it, got 1"));
   EXPECT_THAT(error_of("2 0 0 0 0 0 0 1\n2 0 0 0 0 0 0 1\n"), HasSubstr("t.txt:2: "));
   EXPECT_THAT(error_of("# nothing\n"), EndsWith("t.txt: holds no poses"));
+}
+
+TEST(TrajectoryFile, PosesThatAreATenthOfAMicrosecondApartAreReadAsTheyWere) {
+  const TempFolder folder;
+  vo::Trajectory trajectory = support::example_trajectory(3, 30, 1305031102.0);
+  trajectory[1].timestamp = trajectory[0].timestamp + 1e-6;
+  trajectory[2].timestamp = trajectory[1].timestamp + 3e-7;
+  vo::write_file(folder.path() / "t.txt", vo::format_trajectory(trajectory));
+  const vo::Trajectory copy = vo::read_trajectory(folder.path() / "t.txt");
+  ASSERT_EQ(copy.size(), 3U);
+  for (std::size_t i = 0; i < copy.size(); ++i) {
+    EXPECT_EQ(copy[i].timestamp, trajectory[i].timestamp);
+  }
+}
+
+TEST(TrajectoryFile, NoNumberCutsALine) {
+  const vo::Trajectory trajectory = {
+      {1e300, vo::SE3(Eigen::Quaterniond::Identity(), {1e300, -1e300, 1e300})},
+      {1.1e300, vo::SE3()}};
+  const std::string text = vo::format_trajectory(trajectory);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
+  EXPECT_THAT(text, testing::ContainsRegex(" 0\\.0+ 0\\.0+ 0\\.0+ 1\\.0+\n"));
+}
+
+TEST(TrajectoryFile, RefusesStampsThatNanosecondsCannotHold) {
+  EXPECT_THAT(error_of("9.1e9 0 0 0 0 0 0 1\n"),
+              EndsWith("t.txt:1: expected a stamp within 9e+09 s of 0, got 9.1e+09 s"));
+  EXPECT_THAT(error_of("-1e300 0 0 0 0 0 0 1\n"), HasSubstr("t.txt:1: expected a stamp within"));
 }
 
 }  // namespace

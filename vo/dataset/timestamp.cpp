@@ -1,0 +1,58 @@
+#include "vo/dataset/timestamp.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include "vo/core/error.h"
+#include "vo/dataset/imu_file.h"
+#include "vo/text_files/text_lines.h"
+
+namespace vo {
+namespace {
+
+constexpr double kMaxTimestamp = 9e9;  // s
+
+/// Returns the shortest text without an exponent that reads back as the same number.
+std::string exact_timestamp(double timestamp) {
+  std::array<char, 512> text{};  // the smallest number has 327 decimals behind the point
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), timestamp, std::chars_format::fixed);
+  return {text.data(), end};
+}
+
+}  // namespace
+
+double parse_timestamp(const TextLine& line, std::size_t field, double unit_s) {
+  const double timestamp = parse_number(line, field) * unit_s;
+  require(std::abs(timestamp) <= kMaxTimestamp, line.place(), ": expected a stamp within ",
+          kMaxTimestamp, " s of 0, got ", timestamp, " s");
+  return timestamp;
+}
+
+std::string format_timestamp(double timestamp) {
+  std::array<char, 400> text{};  // the greatest double has 309 digits
+  std::snprintf(text.data(), text.size(), "%.6f", timestamp);
+  return text.data();
+}
+
+std::vector<std::string> format_timestamps(const std::vector<double>& timestamps) {
+  std::vector<std::string> texts(timestamps.size());
+  std::transform(timestamps.begin(), timestamps.end(), texts.begin(), format_timestamp);
+  if (std::adjacent_find(texts.begin(), texts.end()) != texts.end()) {
+    std::transform(timestamps.begin(), timestamps.end(), texts.begin(), exact_timestamp);
+  }
+  return texts;
+}
+
+void require_nanoseconds_apart(const std::vector<double>& timestamps) {
+  for (std::size_t i = 1; i < timestamps.size(); ++i) {
+    require(to_nanoseconds(timestamps[i]) > to_nanoseconds(timestamps[i - 1]), "frames ", i - 1,
+            " and ", i, " lie within a nanosecond (", exact_timestamp(timestamps[i - 1]), " s and ",
+            exact_timestamp(timestamps[i]), " s), expected stamps that EuRoC's files tell apart");
+  }
+}
+
+}  // namespace vo

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace vo {
+
+struct TextLine;
+
+/// Returns a stamp of a line's field, in units of `unit_s` seconds, as seconds. Throws Error naming
+/// the line unless it is a number within 9e9 s of 0: nanoseconds in 64 bits hold no more.
+double parse_timestamp(const TextLine& line, std::size_t field, double unit_s);
+
+/// Returns a stamp, s, with 6 decimals: `0.033333`.
+std::string format_timestamp(double timestamp);
+
+/// Returns increasing stamps, s, as every list of a sequence writes them: with 6 decimals, or,
+/// where two would be written alike, each with the digits that read back as the same number.
+std::vector<std::string> format_timestamps(const std::vector<double>& timestamps);
+
+/// Throws Error naming the first two of increasing stamps, s, that fall in one nanosecond, the unit
+/// of EuRoC's files.
+void require_nanoseconds_apart(const std::vector<double>& timestamps);
+
+}  // namespace vo
