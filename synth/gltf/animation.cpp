@@ -5,9 +5,9 @@
 #include <set>
 #include <utility>
 
+#include "synth/gltf_document/notes.h"
 #include "synth/gltf_document/rotation.h"
 #include "synth/gltf_model/accessor.h"
-#include "synth/gltf_model/notes.h"
 #include "synth/gltf_model/select.h"
 #include "synth/scene/scene.h"
 #include "vo/core/error.h"

@@ -6,8 +6,8 @@
 #include "synth/gltf/gltf_scene.h"
 #include "synth/gltf_document/check_document.h"
 #include "synth/gltf_document/gltf_file.h"
+#include "synth/gltf_document/notes.h"
 #include "synth/gltf_model/gltf_model.h"
-#include "synth/gltf_model/notes.h"
 
 namespace synth {
 namespace {
@@ -30,7 +30,7 @@ void note_what_is_newer(const nlohmann::json& document, Notes& notes) {
 Scene load(const GltfFile& file, const GltfOptions& options, Notes* notes) {
   Notes ignored;
   Notes& left_out = notes != nullptr ? *notes : ignored;
-  const GltfModel model = read_gltf_model(file);
+  const GltfModel model = read_gltf_model(file, left_out);
   note_what_is_newer(file.json, left_out);
   return read_scene(model, options, left_out);
 }

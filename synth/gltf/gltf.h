@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "synth/gltf_model/notes.h"
+#include "synth/gltf_document/notes.h"
 #include "synth/scene/scene.h"
 
 namespace synth {

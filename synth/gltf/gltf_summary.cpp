@@ -123,7 +123,7 @@ std::vector<std::string> names_of(const std::vector<Element>& elements) {
 GltfSummary summarize_gltf(const std::filesystem::path& path, const GltfOptions& options) {
   GltfSummary summary;
   summary.scene = load_gltf(path, options, &summary.notes);
-  const GltfModel model = read_gltf_model(read_gltf_file(path));
+  const GltfModel model = read_gltf_model(read_gltf_file(path), summary.notes);
   count_primitives(model.content, summary);
   summary.bounds = node_bounds(model, options.scene);
   summary.bounds_at_rest = bounds_of(summary.scene);

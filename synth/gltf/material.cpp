@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <string>
 
+#include "synth/gltf_document/notes.h"
 #include "synth/gltf_model/image.h"
-#include "synth/gltf_model/notes.h"
 #include "synth/scene/texture.h"
 
 namespace synth {

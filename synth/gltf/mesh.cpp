@@ -9,8 +9,8 @@
 #include <numeric>
 #include <vector>
 
+#include "synth/gltf_document/notes.h"
 #include "synth/gltf_model/accessor.h"
-#include "synth/gltf_model/notes.h"
 #include "vo/core/error.h"
 
 namespace synth {

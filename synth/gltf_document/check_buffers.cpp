@@ -76,14 +76,33 @@ void check_view(const JsonObject& view, const std::vector<JsonObject>& buffers) 
           " bytes from byte ", offset, ", expected at most the ", available, " bytes of buffers[",
           buffer, ']');
   require(length > 0, view.place(), ": byteLength is 0, expected at least 1");
-  const std::size_t stride = view.whole_number("byteStride").value_or(4);
-  require(stride >= 4 && stride <= 252 && stride % 4 == 0, view.place(), ": byteStride is ", stride,
-          ", expected a multiple of 4 from 4 to 252");
-  require(!view.has("byteStride") || stride <= length, view.place(), ": byteStride is ", stride,
-          ", expected at most its byteLength ", length);
+}
+
+/// Returns what glTF allows instead of a buffer view's byteStride (3.6.2.4 and 5.11.4); empty for a
+/// stride that it allows and for a view without one.
+std::string expected_stride(const JsonObject& view) {
   constexpr std::size_t kElementArray = 34963;  // OpenGL's ELEMENT_ARRAY_BUFFER
-  require(!view.has("byteStride") || view.whole_number("target") != kElementArray, view.place(),
-          ": has a byteStride and is for indices, expected a stride for vertices alone");
+  const std::optional<std::size_t> stride = view.whole_number("byteStride");
+  if (!stride) {
+    return {};
+  }
+  if (*stride < 4 || *stride > 252 || *stride % 4 != 0) {
+    return "a multiple of 4 from 4 to 252";
+  }
+  const std::size_t length = view.required_whole_number("byteLength");
+  if (*stride > length) {
+    return "at most its byteLength " + std::to_string(length);
+  }
+  return view.whole_number("target") == kElementArray ? "none in a view for indices" : "";
+}
+
+/// Returns whether elements are read the same whether their view's byteStride is followed or not.
+bool is_needless_stride(std::size_t stride, std::size_t count, std::size_t packed_stride) {
+  return count == 1 || stride == packed_stride;
+}
+
+void note_needless_stride(Notes& notes) {
+  add_note(notes, "byteStrides where glTF allows none, but which change nothing, are ignored");
 }
 
 /// Checks that elements lie in the buffer view that `object` refers to, and are aligned.
@@ -94,6 +113,10 @@ void check_range(const JsonObject& object, const Elements& elements,
   const std::size_t offset = object.whole_number("byteOffset").value_or(0);
   const std::size_t stride = view.whole_number("byteStride").value_or(packed_stride);
   const std::size_t length = view.required_whole_number("byteLength");
+  const std::string expected = expected_stride(view);
+  require(expected.empty() || is_needless_stride(stride, count, packed_stride), view.place(),
+          ": byteStride is ", stride, ", expected ", expected, ", or the ", packed_stride,
+          " bytes of the elements of ", object.place());
   require(stride >= size, object.place(), ": elements have ", size,
           " bytes, expected at most the byteStride ", stride, " of its bufferView");
   require(
@@ -165,14 +188,22 @@ void require_float_components(const JsonObject& accessor, const std::string& pla
   require(component == 5126, place, ": has components of type ", component, ", expected float");
 }
 
-void require_packed(const JsonObject& object, const std::vector<JsonObject>& views,
-                    const std::string& place) {
-  const std::optional<std::size_t> view = object.index("bufferView", views.size());
-  require(!view || !views[*view].has("byteStride"), place,
-          ": is in a bufferView with byteStride, expected one without");
+void require_packed(const JsonObject& accessor, const std::vector<JsonObject>& views,
+                    const std::string& place, Notes& notes) {
+  const std::optional<std::size_t> view = accessor.index("bufferView", views.size());
+  const std::optional<std::size_t> stride =
+      view ? views[*view].whole_number("byteStride") : std::nullopt;
+  const std::optional<std::size_t> packed = packed_stride(accessor);
+  if (!stride || !packed) {
+    return;
+  }
+  require(is_needless_stride(*stride, accessor.required_whole_number("count"), *packed), place,
+          ": is in a bufferView with byteStride ", *stride, ", expected none or the ", *packed,
+          " bytes of an element");
+  note_needless_stride(notes);
 }
 
-void check_buffers(const JsonObject& root) {
+void check_buffers(const JsonObject& root, Notes& notes) {
   const std::vector<JsonObject> buffers = root.objects("buffers");
   const std::vector<JsonObject> views = root.objects("bufferViews");
   for (const JsonObject& buffer : buffers) {
@@ -181,12 +212,18 @@ void check_buffers(const JsonObject& root) {
   }
   for (const JsonObject& view : views) {
     check_view(view, buffers);
+    if (!expected_stride(view).empty()) {
+      note_needless_stride(notes);
+    }
   }
   for (const JsonObject& accessor : root.objects("accessors")) {
     check_accessor(accessor, views);
   }
   for (const JsonObject& image : root.objects("images")) {
-    require_packed(image, views, image.place());
+    const std::optional<std::size_t> view = image.index("bufferView", views.size());
+    if (view && views[*view].has("byteStride")) {  // an image's bytes are no elements
+      note_needless_stride(notes);
+    }
   }
 }
 

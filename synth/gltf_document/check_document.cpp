@@ -166,22 +166,22 @@ bool is_supported_extension(const std::string& name) {
          kSupportedExtensions.end();
 }
 
-void check_document(const GltfFile& file) {
+void check_document(const GltfFile& file, Notes& notes) {
   const JsonObject root(file.json, file.path.string());
   check_asset(root);
   check_extensions(root);
   check_uris(root, file.path.parent_path());
-  check_buffers(root);
+  check_buffers(root, notes);
   check_textures(root);
   const std::size_t textures = root.objects("textures").size();
   for (const JsonObject& material : root.objects("materials")) {
     check_material(material, textures);
   }
-  check_meshes(root);
+  check_meshes(root, notes);
   check_node_graph(root);
   check_instancing(root);
-  check_skins(root);
-  check_motion(root);
+  check_skins(root, notes);
+  check_motion(root, notes);
   check_meshopt(root);
   check_draco(root);
 }

@@ -25,6 +25,7 @@ struct MeshDocument {
   std::size_t materials = 0;
   std::size_t variants = 0;   ///< number of variants of KHR_materials_variants
   bool is_quantized = false;  ///< whether KHR_mesh_quantization is used
+  Notes& notes;
 };
 
 bool begins_with(const std::string& name, const std::string& prefix) {
@@ -140,7 +141,7 @@ void check_indices(const JsonObject& primitive, const MeshDocument& document) {
               is_unsigned_component(accessor.required_whole_number("componentType")),
           primitive.place(), ": indices is accessors[", *indices,
           "] of another type, expected unsigned SCALAR");
-  require_packed(accessor, document.views, primitive.place() + ": indices");
+  require_packed(accessor, document.views, primitive.place() + ": indices", document.notes);
 }
 
 /// Checks a morph target: each attribute that it displaces exists in the primitive, in equal count.
@@ -190,7 +191,7 @@ void check_primitive(const JsonObject& primitive, const MeshDocument& document) 
 
 }  // namespace
 
-void check_meshes(const JsonObject& root) {
+void check_meshes(const JsonObject& root, Notes& notes) {
   const std::vector<std::string> used = root.texts("extensionsUsed");
   const std::vector<std::string> required = root.texts("extensionsRequired");
   const auto names = [](const std::vector<std::string>& list) {
@@ -201,7 +202,8 @@ void check_meshes(const JsonObject& root) {
                               .views = root.objects("bufferViews"),
                               .materials = root.objects("materials").size(),
                               .variants = variants ? variants->objects("variants").size() : 0,
-                              .is_quantized = names(used) || names(required)};
+                              .is_quantized = names(used) || names(required),
+                              .notes = notes};
   std::map<std::size_t, std::size_t> accessor_of_view;
   for (const JsonObject& mesh : root.objects("meshes")) {
     const std::vector<JsonObject> primitives = mesh.objects("primitives");

@@ -20,6 +20,7 @@ constexpr std::size_t kFloatType = 5126;
 struct AnimatedDocument {
   std::vector<JsonObject> accessors, views, nodes;
   std::vector<std::size_t> target_counts;  ///< number of morph targets of each mesh
+  Notes& notes;
 };
 
 /// Returns the number of morph targets of the node's mesh; 0 without a mesh.
@@ -101,8 +102,8 @@ void check_sampler(const JsonObject& sampler, const AnimatedDocument& document) 
   const JsonObject& output = accessors[sampler.required_index("output", accessors.size())];
   require_element_type(input, "SCALAR", sampler.place() + ": input");
   require_float_components(input, sampler.place() + ": input");
-  require_packed(input, document.views, sampler.place() + ": input");
-  require_packed(output, document.views, sampler.place() + ": output");
+  require_packed(input, document.views, sampler.place() + ": input", document.notes);
+  require_packed(output, document.views, sampler.place() + ": output", document.notes);
   const std::string interpolation = sampler.text("interpolation").value_or("LINEAR");
   require(interpolation == "LINEAR" || interpolation == "STEP" || interpolation == "CUBICSPLINE",
           sampler.place(), ": interpolation is ", interpolation,
@@ -147,9 +148,9 @@ void check_node(const JsonObject& node, const AnimatedDocument& document) {
 
 }  // namespace
 
-void check_motion(const JsonObject& root) {
+void check_motion(const JsonObject& root, Notes& notes) {
   AnimatedDocument document{
-      root.objects("accessors"), root.objects("bufferViews"), root.objects("nodes"), {}};
+      root.objects("accessors"), root.objects("bufferViews"), root.objects("nodes"), {}, notes};
   for (const JsonObject& mesh : root.objects("meshes")) {
     document.target_counts.push_back(checked_target_count(mesh));
   }

@@ -60,6 +60,7 @@ struct SkinnedDocument {
   std::vector<JsonObject> accessors, views, nodes;
   NodeOrder order;
   std::vector<std::size_t> skin_roots;  ///< root node of the tree of each skin's joints
+  Notes& notes;
 };
 
 void check_matrices(const JsonObject& skin, std::size_t joints, const SkinnedDocument& document) {
@@ -71,7 +72,7 @@ void check_matrices(const JsonObject& skin, std::size_t joints, const SkinnedDoc
   const std::string place = skin.place() + ": inverseBindMatrices";
   require_element_type(accessor, "MAT4", place);
   require_float_components(accessor, place);
-  require_packed(accessor, document.views, place);
+  require_packed(accessor, document.views, place, document.notes);
   const std::size_t count = accessor.required_whole_number("count");
   require(count >= joints, place, ": has ", count, " matrices, expected one for each of the ",
           joints, " joints");
@@ -150,9 +151,9 @@ void check_scene(const JsonObject& scene, const SkinnedDocument& document) {
 
 }  // namespace
 
-void check_skins(const JsonObject& root) {
+void check_skins(const JsonObject& root, Notes& notes) {
   SkinnedDocument document{
-      root.objects("accessors"), root.objects("bufferViews"), root.objects("nodes"), {}, {}};
+      root.objects("accessors"), root.objects("bufferViews"), root.objects("nodes"), {}, {}, notes};
   document.order = order_nodes(document.nodes);
   for (const JsonObject& skin : root.objects("skins")) {
     document.skin_roots.push_back(checked_root(skin, document));

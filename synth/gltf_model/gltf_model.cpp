@@ -89,12 +89,24 @@ void replace_unknown_accessors(nlohmann::json& document) {
   }
 }
 
+/// Removes the byteStrides that tinygltf refuses; check_document has found that they change
+/// nothing.
+void erase_needless_strides(nlohmann::json& document) {
+  for (nlohmann::json& view : document["bufferViews"]) {
+    const std::size_t stride = view.value("byteStride", std::size_t{0});
+    if (stride > 252 || stride % 4 != 0) {
+      view.erase("byteStride");
+    }
+  }
+}
+
 /// Parses with tinygltf what needs no other file; it gets no functions to open one.
 tinygltf::Model parse_structure(nlohmann::json document, const std::string& place) {
   for (const char* key : {"buffers", "images", "extras"}) {
     document.erase(key);
   }
   replace_unknown_accessors(document);
+  erase_needless_strides(document);
   for (nlohmann::json& mesh : document["meshes"]) {
     for (nlohmann::json& primitive : mesh["primitives"]) {
       primitive.erase("indices");  // tinygltf refuses accessors without a view as indices
@@ -132,8 +144,8 @@ std::string GltfModel::place(const std::string& array, int index) const {
   return path.string() + ": " + array + '[' + std::to_string(index) + ']';
 }
 
-GltfModel read_gltf_model(const GltfFile& file) {
-  check_document(file);
+GltfModel read_gltf_model(const GltfFile& file, Notes& notes) {
+  check_document(file, notes);
   const JsonObject root(file.json, file.path.string());
   GltfModel model{file.path, parse_structure(file.json, root.place())};
   set_indices(root, model.content);

@@ -7,6 +7,7 @@
 #include <tiny_gltf.h>
 
 #include "synth/gltf_document/gltf_file.h"
+#include "synth/gltf_document/notes.h"
 
 namespace synth {
 
@@ -21,7 +22,7 @@ struct GltfModel {
 };
 
 /// Checks the document, reads its buffers and decodes compressed ones. Throws vo::Error.
-GltfModel read_gltf_model(const GltfFile& file);
+GltfModel read_gltf_model(const GltfFile& file, Notes& notes);
 
 /// Returns an image's bytes as they are encoded. Throws vo::Error if they cannot be read.
 Bytes read_encoded_image(const GltfModel& model, int image);

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <string>
 
+#include "synth/gltf_document/notes.h"
 #include "synth/gltf_model/gltf_model.h"
-#include "synth/gltf_model/notes.h"
 #include "vo/core/error.h"
 
 namespace synth {

@@ -64,16 +64,31 @@ TEST(BadLayout, ChunksOfAGlbAreThoseOfTheFormat) {
   EXPECT_THAT(error_of_glb_with("more"), HasSubstr("ends in the header of chunk 2"));
 }
 
-TEST(BadLayout, AStrideIsForVerticesAndFitsItsView) {
+TEST(BadLayout, AStrideThatChangesWhatIsReadFitsItsViewAndIsForVertices) {
   EXPECT_THAT(error_with("/bufferViews/0/byteStride", 40), HasSubstr("at most its byteLength 36"));
+  EXPECT_THAT(error_with("/bufferViews/0/byteStride", 14), HasSubstr("a multiple of 4"));
   GltfDocument document = triangle_document();
   document.json["bufferViews"][1]["byteStride"] = 4;
-  document.json["accessors"][1]["count"] = 1;
-  EXPECT_THAT(error_of(document), HasSubstr("indices: is in a bufferView with byteStride"));
+  document.json["accessors"][1]["count"] = 2;
+  EXPECT_THAT(error_of(document), HasSubstr("indices: is in a bufferView with byteStride 4"));
   document = triangle_document();
-  document.json["bufferViews"][0]["byteStride"] = 12;
+  document.json["bufferViews"][0]["byteStride"] = 16;
   document.json["bufferViews"][0]["target"] = 34963;
-  EXPECT_THAT(error_of(document), HasSubstr("bufferViews[0]: has a byteStride and is for indices"));
+  document.json["accessors"][0]["count"] = 2;
+  EXPECT_THAT(error_of(document), HasSubstr("bufferViews[0]: byteStride is 16, expected none in"));
+}
+
+TEST(GoodLayout, AStrideOfAnElementsSizeIsReadWhereGltfAllowsNone) {
+  const auto expected = world_corners(load(triangle_document()).scene);
+  GltfDocument document = triangle_document();
+  const std::size_t index = document.json["accessors"][1]["componentType"] == 5125 ? 4 : 2;
+  document.json["bufferViews"][1]["byteStride"] = index;
+  document.json["bufferViews"][1]["target"] = 34963;
+  const Loaded loaded = load(document);
+  EXPECT_EQ(world_corners(loaded.scene), expected);
+  EXPECT_THAT(
+      loaded.notes,
+      ElementsAre("byteStrides where glTF allows none, but which change nothing, are ignored"));
 }
 
 TEST(BadLayout, AttributesInOneViewNeedAStride) {

@@ -7,7 +7,8 @@
 
 namespace synth {
 
-/// Notes on what a Scene leaves out of its glTF file, one sentence each.
+/// Notes on what a Scene leaves out of its glTF file, and on what is read although glTF does not
+/// allow it; one sentence each.
 using Notes = std::vector<std::string>;
 
 /// Adds a note unless it is there already.
