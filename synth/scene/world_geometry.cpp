@@ -7,11 +7,16 @@
 #include <Eigen/LU>
 
 #include "synth/scene/cofactors.h"
+#include "synth/scene/vertex_sample.h"
 
 namespace synth {
 namespace {
 
 const Material kDefaultMaterial;  // for meshes that name none
+
+/// The size, m, of a scene whose middle floats are counted from: half of it is 2^9 m, where they
+/// have steps of 0.06 mm at most.
+constexpr double kWidest = 1024;
 
 Eigen::Vector3f place_position(const FlatMesh& world, const Eigen::Vector3f& position) {
   const Eigen::Vector3d p_world = world.T_world_mesh * position.cast<double>();
@@ -40,6 +45,21 @@ Eigen::AlignedBox3d bounds(const FlatMesh& world) {
     box.extend(world.T_world_mesh * position.cast<double>());
   }
   return box;
+}
+
+/// Returns the median, m, world, of each coordinate of the scene's vertices.
+Eigen::Vector3d median_vertex(const Scene& scene) {
+  const std::vector<Eigen::Vector3d> vertices = sample_vertices(scene);
+  Eigen::Vector3d median;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    std::vector<double> values(vertices.size());
+    std::transform(vertices.begin(), vertices.end(), values.begin(),
+                   [axis](const Eigen::Vector3d& vertex) { return vertex[axis]; });
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    median[axis] = *middle;
+  }
+  return median;
 }
 
 /// Sets the mesh's positions and normals unless its vertices are shared.
@@ -108,7 +128,8 @@ WorldGeometry flatten(const Scene& scene, const std::vector<Scene>& moments) {
     }
   }
   if (!box.isEmpty()) {
-    world.origin = box.center();
+    const bool is_wide = box.sizes().maxCoeff() > kWidest;
+    world.origin = is_wide ? median_vertex(scene) : Eigen::Vector3d(box.center());
   }
   share_meshes(moments, world);
   for (FlatMesh& mesh : world.meshes) {

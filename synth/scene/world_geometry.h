@@ -36,8 +36,9 @@ struct FlatMesh {
 const Material& material_of(const Scene& scene, const Mesh& mesh);
 
 /// A scene's triangles without its node hierarchy. All float coordinates are world coordinates
-/// minus `origin`, the middle of the scene, which preserves precision wherever the scene lies.
-/// Refers to the scene, which must outlive it.
+/// minus `origin`, which preserves precision wherever the scene lies: the middle of the scene or,
+/// in one wider than 1 km, the median of its vertices, which no stray vertex moves. Refers to the
+/// scene, which must outlive it.
 struct WorldGeometry {
   const Scene* scene = nullptr;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, world

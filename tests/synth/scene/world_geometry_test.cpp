@@ -28,6 +28,15 @@ TEST(Flatten, KeepsTheMiddleOfTheSceneNearZero) {
   EXPECT_EQ(world.meshes[0].positions[2], Eigen::Vector3f(1, 1, 0));
 }
 
+TEST(Flatten, AStrayVertexMovesNoCoordinatesAwayFromZero) {
+  Scene scene;
+  add(scene, square_at(2, 1), unlit({1, 1, 1}));
+  scene.meshes[0].positions.emplace_back(343e3F, 40e3F, 10e3F);
+  const WorldGeometry world = flatten(scene);
+  EXPECT_LE(world.origin.norm(), 3);
+  EXPECT_EQ((world.meshes[0].positions[2].cast<double>() + world.origin), Vector3d(1, 1, 2));
+}
+
 TEST(DepthOfPlane, IsTheClosedForm) {
   Scene scene;
   add(scene, quad({-4, -4, 1}, {8, 0, 4}, {0, 8, 0}), unlit({1, 1, 1}));  // z = 3 + x / 2
