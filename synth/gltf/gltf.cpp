@@ -1,5 +1,6 @@
 #include "synth/gltf/gltf.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "synth/gltf_document/gltf_file.h"
 #include "synth/gltf_document/notes.h"
 #include "synth/gltf_model/gltf_model.h"
+#include "vo/core/error.h"
 
 namespace synth {
 namespace {
@@ -30,12 +32,21 @@ void note_what_is_newer(const nlohmann::json& document, Notes& notes) {
 Scene load(const GltfFile& file, const GltfOptions& options, Notes* notes) {
   Notes ignored;
   Notes& left_out = notes != nullptr ? *notes : ignored;
+  options.validate();
   const GltfModel model = read_gltf_model(file, left_out);
+  if (options.needed == NeededTextures::all && !model.missing_images.empty()) {
+    fail_for_missing_images(model);
+  }
   note_what_is_newer(file.json, left_out);
   return read_scene(model, options, left_out);
 }
 
 }  // namespace
+
+void GltfOptions::validate() const {
+  vo::require(std::isfinite(scale) && scale > 0, "scene scale: is ", scale,
+              ", expected a positive number");
+}
 
 Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options, Notes* notes) {
   return load(read_gltf_file(path), options, notes);

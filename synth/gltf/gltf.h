@@ -12,12 +12,21 @@
 
 namespace synth {
 
+/// The textures without which a file is not read; those of other images may be missing: all; those
+/// of the base colour; or those of the base colour of materials that are not opaque, as depth
+/// needs.
+enum class NeededTextures { all, base_color, alpha };
+
 /// Options that select the parts of a glTF file to read. Its elements are known by their names or
 /// by their numbers from 0.
 struct GltfOptions {
   std::string scene;      ///< "" = the default scene, else the first; all nodes if there is none
   std::string animation;  ///< "" = all but those that move what an earlier one does; "none"; or one
   bool loop = false;      ///< animations restart at their end instead of holding their last pose
+  double scale = 1;       ///< factor of all lengths, for a file whose unit is not the metre
+  NeededTextures needed = NeededTextures::all;
+
+  void validate() const;  ///< throws vo::Error if out of range
 };
 
 template <typename Visitor>
@@ -25,6 +34,7 @@ void visit_fields(Visitor& visit, GltfOptions& options) {
   visit("scene", options.scene, "scene of the file, name or number [the default one]");
   visit("animation", options.animation, "animation that plays, name or number, or none [all]");
   visit("loop", options.loop, "animations start again at their end instead of holding still");
+  visit("scale", options.scale, "factor of the whole scene, 0.001 for a file in millimetres");
 }
 
 /// Reads a .gltf or .glb file. Throws vo::Error naming the file, the element and what was expected.

@@ -39,24 +39,25 @@ constexpr std::size_t kMostPlacedVertices = std::size_t{1} << 29U;
 
 class SceneReader {
  public:
-  SceneReader(const GltfModel& model, Notes& notes)
+  SceneReader(const GltfModel& model, const GltfOptions& options, Notes& notes)
       : model_(model),
+        options_(options),
         reading_{model, notes, budget_},
-        materials_(reading_, scene_),
-        forest_(read_nodes(model.content)),
+        materials_(reading_, scene_, options.needed),
+        forest_(read_nodes(model.content, options.scale)),
         skins_(model.content.skins.size(), kNone),
         is_read_(model.content.meshes.size(), false) {}
 
-  Scene read(const GltfOptions& options) {
+  Scene read() {
     place_nodes();
-    for (const int index : scene_nodes(model_, options.scene)) {
+    for (const int index : scene_nodes(model_, options_.scene)) {
       read_node(index);
     }
     check_the_rest();
     SceneMotion& motion = scene_.motion;
     motion.nodes = forest_.nodes;
-    motion.loop = options.loop;
-    motion.animations = read_animations(reading_, forest_, options.animation);
+    motion.loop = options_.loop;
+    motion.animations = read_animations(reading_, forest_, options_.animation);
     Scene scene = at_rest();
     require_room(scene);
     if (moves(scene_) || moves_cameras(scene_)) {
@@ -262,7 +263,7 @@ class SceneReader {
       add_note(reading_.notes, "lights of type " + source.type + " are left out");
       return;
     }
-    const Light light = place_light(source, T_world_light);
+    const Light light = place_light(source, T_world_light, options_.scale);
     require(light.direction.squaredNorm() > 0, model_.path.string(),
             ": a light that has a direction is on a node of scale zero, expected a direction");
     scene_.lights.push_back(light);
@@ -292,6 +293,7 @@ class SceneReader {
   }
 
   const GltfModel& model_;
+  const GltfOptions& options_;
   MemoryBudget budget_;
   Scene scene_;
   GltfReading reading_;
@@ -323,7 +325,7 @@ std::vector<int> scene_roots(const GltfModel& model, const std::string& wanted) 
 }  // namespace
 
 Scene read_scene(const GltfModel& model, const GltfOptions& options, Notes& notes) {
-  Scene scene = SceneReader(model, notes).read(options);
+  Scene scene = SceneReader(model, options, notes).read();
   if (scene.instances.empty()) {
     add_note(notes, "the scene has no triangles");
   }

@@ -41,8 +41,8 @@ void count_primitives(const tinygltf::Model& model, GltfSummary& summary) {
   }
 }
 
-Eigen::AlignedBox3d node_bounds(const GltfModel& model, const std::string& wanted_scene) {
-  const NodeForest forest = read_nodes(model.content);
+Eigen::AlignedBox3d node_bounds(const GltfModel& model, const GltfOptions& options) {
+  const NodeForest forest = read_nodes(model.content, options.scale);
   std::vector<Eigen::Affine3d> T_world_node;
   for (const MotionNode& node : forest.nodes) {
     T_world_node.push_back(node.parent == kNone
@@ -51,7 +51,7 @@ Eigen::AlignedBox3d node_bounds(const GltfModel& model, const std::string& wante
   }
   Eigen::AlignedBox3d box;
   MemoryBudget budget;  // bounds the time that nodes which share a mesh may take
-  for (const int index : scene_nodes(model, wanted_scene)) {
+  for (const int index : scene_nodes(model, options.scene)) {
     const int mesh = model.content.nodes[at(index)].mesh;
     if (mesh == kNone) {
       continue;
@@ -125,7 +125,7 @@ GltfSummary summarize_gltf(const std::filesystem::path& path, const GltfOptions&
   summary.scene = load_gltf(path, options, &summary.notes);
   const GltfModel model = read_gltf_model(read_gltf_file(path), summary.notes);
   count_primitives(model.content, summary);
-  summary.bounds = node_bounds(model, options.scene);
+  summary.bounds = node_bounds(model, options);
   summary.bounds_at_rest = bounds_of(summary.scene);
   summary.scenes = names_of(model.content.scenes);
   summary.materials = names_of(model.content.materials);

@@ -97,10 +97,11 @@ Eigen::Vector3f read_emission(const tinygltf::Material& source) {
 
 }  // namespace
 
-MaterialReader::MaterialReader(GltfReading& reading, Scene& scene)
+MaterialReader::MaterialReader(GltfReading& reading, Scene& scene, NeededTextures needed)
     : reading_(reading),
       model_(reading.model),
       scene_(scene),
+      needed_(needed),
       materials_(model_.content.materials.size(), kNone) {}
 
 int MaterialReader::material(int gltf_index) {
@@ -119,11 +120,11 @@ int MaterialReader::material(int gltf_index) {
 Material MaterialReader::read_material(const tinygltf::Material& source) {
   Material material;
   material.name = source.name;
-  read_surface(source.pbrMetallicRoughness, material);
   if (source.alphaMode != "OPAQUE" && source.alphaMode != "MASK" && source.alphaMode != "BLEND") {
     add_note(reading_.notes, "materials of alphaMode " + source.alphaMode + " are opaque");
   }
   material.alpha_mode = read_alpha_mode(source.alphaMode);
+  read_surface(source, material);
   material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
   material.double_sided = source.doubleSided;
   material.unlit = source.extensions.count("KHR_materials_unlit") > 0;
@@ -133,32 +134,37 @@ Material MaterialReader::read_material(const tinygltf::Material& source) {
   return material;
 }
 
-void MaterialReader::read_surface(const tinygltf::PbrMetallicRoughness& source,
-                                  Material& material) {
-  material.base_color =
-      Eigen::Map<const Eigen::Vector4d>(source.baseColorFactor.data()).cast<float>();
-  material.base_color_texture = slot(source.baseColorTexture, TexelEncoding::srgb);
-  material.metallic = static_cast<float>(source.metallicFactor);
-  material.roughness = static_cast<float>(source.roughnessFactor);
+void MaterialReader::read_surface(const tinygltf::Material& source, Material& material) {
+  const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
+  const bool is_opaque = material.alpha_mode == AlphaMode::opaque;
+  material.base_color = Eigen::Map<const Eigen::Vector4d>(pbr.baseColorFactor.data()).cast<float>();
+  material.base_color_texture =
+      slot(pbr.baseColorTexture, TexelEncoding::srgb,
+           is_opaque ? NeededTextures::base_color : NeededTextures::alpha);
+  material.metallic = static_cast<float>(pbr.metallicFactor);
+  material.roughness = static_cast<float>(pbr.roughnessFactor);
   material.specular = 1;
 }
 
 /// Reads what only a lit material has: emission and all textures but the base colour's.
 void MaterialReader::read_maps(const tinygltf::Material& source, Material& material) {
-  material.metallic_roughness_texture =
-      slot(source.pbrMetallicRoughness.metallicRoughnessTexture, TexelEncoding::linear);
-  material.normal_texture = slot(source.normalTexture, TexelEncoding::linear);
+  material.metallic_roughness_texture = slot(source.pbrMetallicRoughness.metallicRoughnessTexture,
+                                             TexelEncoding::linear, NeededTextures::all);
+  material.normal_texture = slot(source.normalTexture, TexelEncoding::linear, NeededTextures::all);
   material.normal_scale = static_cast<float>(source.normalTexture.scale);
-  material.occlusion_texture = slot(source.occlusionTexture, TexelEncoding::linear);
+  material.occlusion_texture =
+      slot(source.occlusionTexture, TexelEncoding::linear, NeededTextures::all);
   material.occlusion_strength = static_cast<float>(source.occlusionTexture.strength);
   material.emission = read_emission(source);
   if (!material.emission.isZero(0)) {
-    material.emissive_texture = slot(source.emissiveTexture, TexelEncoding::srgb);
+    material.emissive_texture =
+        slot(source.emissiveTexture, TexelEncoding::srgb, NeededTextures::all);
   }
 }
 
 template <typename TextureInfo>
-TextureSlot MaterialReader::slot(const TextureInfo& info, TexelEncoding encoding) {
+TextureSlot MaterialReader::slot(const TextureInfo& info, TexelEncoding encoding,
+                                 NeededTextures use) {
   TextureSlot slot;
   slot.texcoord_set = info.texCoord;
   const auto transform = info.extensions.find("KHR_texture_transform");
@@ -173,17 +179,35 @@ TextureSlot MaterialReader::slot(const TextureInfo& info, TexelEncoding encoding
              "textures that use texture coordinates beyond TEXCOORD_1 are left out");
     return {};
   }
-  slot.texture = texture(info.index, encoding);
+  slot.texture = texture(info.index, encoding, use);
   return slot;
 }
 
-int MaterialReader::texture(int gltf_index, TexelEncoding encoding) {
+/// Returns whether an image's file does not exist, and notes it. Throws vo::Error if textures of
+/// this use are needed.
+bool MaterialReader::is_left_out(int gltf_image, NeededTextures use) {
+  const auto missing = model_.missing_images.find(gltf_image);
+  if (missing == model_.missing_images.end()) {
+    return false;
+  }
+  if (needed_ <= use) {
+    fail_for_missing_images(model_);
+  }
+  add_note(reading_.notes, missing->second.element + ": " + missing->second.path.string() +
+                               " does not exist and is left out, as nothing here needs it");
+  return true;
+}
+
+int MaterialReader::texture(int gltf_index, TexelEncoding encoding, NeededTextures use) {
   if (gltf_index == kNone) {
     return kNone;
   }
   const tinygltf::Texture& source = model_.content.textures[at(gltf_index)];
   if (source.source == kNone) {
     add_note(reading_.notes, "textures without PNG or JPEG image are left out");
+    return kNone;
+  }
+  if (is_left_out(source.source, use)) {
     return kNone;
   }
   const auto [entry, is_new] = textures_.try_emplace({gltf_index, encoding});

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "synth/gltf/gltf.h"
 #include "synth/gltf_model/gltf_reading.h"
 #include "synth/scene/scene.h"
 
@@ -12,8 +13,9 @@ namespace synth {
 /// Reads a model's materials, with their textures and images, into a scene as they are asked for.
 class MaterialReader {
  public:
-  /// Both arguments must outlive the reader.
-  MaterialReader(GltfReading& reading, Scene& scene);
+  /// `reading` and `scene` must outlive the reader. Textures that are not `needed` are left out,
+  /// with a note, where their image's file does not exist.
+  MaterialReader(GltfReading& reading, Scene& scene, NeededTextures needed);
 
   /// Returns the scene's index of a glTF material, kNone for kNone. Throws vo::Error if an image
   /// that the material needs cannot be decoded.
@@ -21,11 +23,12 @@ class MaterialReader {
 
  private:
   Material read_material(const tinygltf::Material& source);
-  void read_surface(const tinygltf::PbrMetallicRoughness& source, Material& material);
+  void read_surface(const tinygltf::Material& source, Material& material);
   void read_maps(const tinygltf::Material& source, Material& material);
   template <typename TextureInfo>
-  TextureSlot slot(const TextureInfo& info, TexelEncoding encoding);
-  int texture(int gltf_index, TexelEncoding encoding);
+  TextureSlot slot(const TextureInfo& info, TexelEncoding encoding, NeededTextures use);
+  int texture(int gltf_index, TexelEncoding encoding, NeededTextures use);
+  bool is_left_out(int gltf_image, NeededTextures use);
   int image(int gltf_index, TexelEncoding encoding);
 
   /// The scene's index of each texture or image read so far, by glTF index and encoding.
@@ -34,6 +37,7 @@ class MaterialReader {
   GltfReading& reading_;
   const GltfModel& model_;
   Scene& scene_;
+  NeededTextures needed_;
   MemoryBudget image_budget_;
   std::vector<int> materials_;  ///< scene index by glTF index; kNone until it is read
   Read textures_, images_;

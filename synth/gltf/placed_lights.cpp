@@ -4,7 +4,8 @@
 
 namespace synth {
 
-Light place_light(const tinygltf::Light& source, const Eigen::Affine3d& T_world_node) {
+Light place_light(const tinygltf::Light& source, const Eigen::Affine3d& T_world_node,
+                  double scale) {
   Light light;
   light.position = T_world_node.translation();
   if (!source.color.empty()) {
@@ -12,7 +13,10 @@ Light place_light(const tinygltf::Light& source, const Eigen::Affine3d& T_world_
   }
   light.intensity *= static_cast<float>(source.intensity);
   if (source.range > 0) {
-    light.range = source.range;
+    light.range = scale * source.range;
+  }
+  if (source.type != "directional") {
+    light.intensity *= static_cast<float>(scale * scale);
   }
   if (source.type == "point") {
     return light;

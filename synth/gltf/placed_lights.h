@@ -8,8 +8,10 @@
 namespace synth {
 
 /// Returns a light of KHR_lights_punctual in the world, which shines along its node's -z axis. The
-/// direction of a directional or spot light is zero if the node's z axis is zero.
-Light place_light(const tinygltf::Light& source, const Eigen::Affine3d& T_world_node);
+/// direction of a directional or spot light is zero if the node's z axis is zero. In a file whose
+/// lengths are taken times `scale`, its range is longer by it and its intensity greater by its
+/// square, so that it lights the surfaces as before.
+Light place_light(const tinygltf::Light& source, const Eigen::Affine3d& T_world_node, double scale);
 
 /// Returns a glTF camera in the world, which looks along its node's -z axis with +y up.
 SceneCamera place_camera(const tinygltf::Camera& source, const Eigen::Affine3d& T_world_node);

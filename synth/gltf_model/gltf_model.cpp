@@ -2,6 +2,8 @@
 
 #include <limits>
 #include <optional>
+#include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -62,18 +64,66 @@ std::vector<tinygltf::Buffer> read_buffers(const GltfFile& file, const JsonObjec
   return buffers;
 }
 
-/// Returns references to all images. Throws vo::Error for a uri that cannot be read, used or not.
+/// Returns the elements of an array of the document that name files which do not exist, by index.
+std::map<int, MissingFile> missing_files(const GltfFile& file, const JsonObject& root,
+                                         const std::string& array) {
+  std::map<int, MissingFile> missing;
+  const std::vector<JsonObject> objects = root.objects(array);
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const std::optional<std::string> uri = objects[i].text("uri");
+    if (!uri || is_data_uri(*uri)) {
+      continue;
+    }
+    std::filesystem::path path = resolve_uri(file.path.parent_path(), *uri, objects[i].place());
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) {
+      missing[static_cast<int>(i)] = {vo::concat(array, '[', i, ']'), std::move(path)};
+    }
+  }
+  return missing;
+}
+
+[[noreturn]] void fail_for(const std::vector<MissingFile>& files, const std::string& place) {
+  if (files.size() == 1) {
+    vo::fail(place, ": ", files[0].element, ": ", files[0].path.string(),
+             " does not exist, expected a file");
+  }
+  std::string names;
+  for (const MissingFile& missing : files) {
+    names += vo::concat(names.empty() ? "" : ", ", missing.element, ": ", missing.path.string());
+  }
+  vo::fail(place, ": ", files.size(),
+           " files that it names do not exist, expected all of them: ", names);
+}
+
+/// Throws vo::Error that names all files that do not exist if there is a buffer's among them.
+void require_buffers(const GltfFile& file, const JsonObject& root,
+                     const std::map<int, MissingFile>& missing_images) {
+  std::vector<MissingFile> missing;
+  for (const auto& [index, buffer] : missing_files(file, root, "buffers")) {
+    missing.push_back(buffer);
+  }
+  if (!missing.empty()) {
+    for (const auto& [index, image] : missing_images) {
+      missing.push_back(image);
+    }
+    fail_for(missing, root.place());
+  }
+}
+
+/// Returns references to all images. Throws vo::Error for a uri that cannot be read, used or not,
+/// unless its file is missing.
 std::vector<tinygltf::Image> list_images(const GltfFile& file, const JsonObject& root,
-                                         std::size_t buffer_views) {
+                                         const GltfModel& model) {
   std::vector<tinygltf::Image> images;
   for (const JsonObject& object : root.objects("images")) {
     tinygltf::Image& image = images.emplace_back();
     image.uri = object.text("uri").value_or("");
-    if (const auto view = object.index("bufferView", buffer_views)) {
+    if (const auto view = object.index("bufferView", model.content.bufferViews.size())) {
       image.bufferView = static_cast<int>(*view);
     } else if (is_data_uri(image.uri)) {
       decode_data_uri(image.uri, object.place());
-    } else {
+    } else if (model.missing_images.count(static_cast<int>(images.size()) - 1) == 0) {
       file_size(resolve_uri(file.path.parent_path(), image.uri, object.place()), object.place());
     }
   }
@@ -147,13 +197,24 @@ std::string GltfModel::place(const std::string& array, int index) const {
 GltfModel read_gltf_model(const GltfFile& file, Notes& notes) {
   check_document(file, notes);
   const JsonObject root(file.json, file.path.string());
-  GltfModel model{file.path, parse_structure(file.json, root.place())};
+  GltfModel model{.path = file.path,
+                  .content = parse_structure(file.json, root.place()),
+                  .missing_images = missing_files(file, root, "images")};
   set_indices(root, model.content);
+  require_buffers(file, root, model.missing_images);
   model.content.buffers = read_buffers(file, root);
-  model.content.images = list_images(file, root, model.content.bufferViews.size());
+  model.content.images = list_images(file, root, model);
   decode_meshopt(root, model);
   decode_draco(root, model);
   return model;
+}
+
+void fail_for_missing_images(const GltfModel& model) {
+  std::vector<MissingFile> missing;
+  for (const auto& [index, image] : model.missing_images) {
+    missing.push_back(image);
+  }
+  fail_for(missing, model.path.string());
 }
 
 Bytes read_encoded_image(const GltfModel& model, int image) {

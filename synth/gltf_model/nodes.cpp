@@ -42,15 +42,22 @@ MotionNode read_node(const tinygltf::Model& model, const tinygltf::Node& source)
 
 }  // namespace
 
-NodeForest read_nodes(const tinygltf::Model& model) {
+NodeForest read_nodes(const tinygltf::Model& model, double scale) {
   NodeForest forest;
+  const int world = scale == 1 ? kNone : 0;
+  if (world != kNone) {
+    MotionNode whole;
+    whole.scale.setConstant(scale);
+    whole.T_parent_node = Eigen::Scaling(whole.scale);
+    forest.nodes.push_back(whole);
+  }
   forest.of_gltf.assign(model.nodes.size(), kNone);
   std::vector<int> parents(model.nodes.size(), kNone);
   for (const int index : nodes_below(model, root_nodes(model))) {
     const tinygltf::Node& source = model.nodes[at(index)];
     MotionNode node = read_node(model, source);
     const int parent = parents[at(index)];
-    node.parent = parent == kNone ? kNone : forest.of_gltf[at(parent)];
+    node.parent = parent == kNone ? world : forest.of_gltf[at(parent)];
     forest.of_gltf[at(index)] = static_cast<int>(forest.nodes.size());
     forest.nodes.push_back(node);
     for (const int child : source.children) {

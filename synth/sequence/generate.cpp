@@ -67,6 +67,22 @@ CameraPath path_of(const SequenceRecipe& recipe) {
   return recipe.path ? recipe.path : path_through(recipe.truth);
 }
 
+NeededTextures needed_textures(const SequenceRecipe& recipe) {
+  if (recipe.channels.has(TruthChannel::edges)) {  // some of which are edges in textures
+    return NeededTextures::all;
+  }
+  switch (recipe.render.mode) {
+    case RenderMode::depth:
+      return NeededTextures::alpha;
+    case RenderMode::unlit:
+      return NeededTextures::base_color;
+    case RenderMode::direct:
+    case RenderMode::path:
+      return NeededTextures::all;
+  }
+  return NeededTextures::all;
+}
+
 FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe)
     : scene_(scene), recipe_(recipe), motion_{recipe.truth, path_of(recipe)}, moves_(moves(scene)) {
   vo::require(!recipe.truth.empty(), "sequence: no poses to render, expected at least one");
@@ -110,6 +126,10 @@ std::vector<std::string> frame_files(const SequenceRecipe& recipe, std::size_t i
     files.push_back(file.name);
   }
   return files;
+}
+
+std::string depth_file(const SequenceRecipe& recipe, std::size_t index) {
+  return vo::frame_files(layout_of(recipe), index).at(1);
 }
 
 std::vector<std::size_t> missing_frames(const SequenceRecipe& recipe,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "synth/camera/sequence_camera.h"
+#include "synth/gltf/gltf.h"
 #include "synth/rendering/renderer.h"
 #include "synth/scene/scene.h"
 #include "synth/sensor/sensor.h"
@@ -37,6 +38,9 @@ vo::RgbdCamera written_camera(const SequenceRecipe& recipe);
 /// Returns the recipe's camera path or, where it is empty, the spline through its poses.
 CameraPath path_of(const SequenceRecipe& recipe);
 
+/// Returns the textures that the recipe's images and channels depend on.
+NeededTextures needed_textures(const SequenceRecipe& recipe);
+
 /// The encoded files of one frame.
 struct MadeFrame {
   std::vector<vo::NamedBytes> files;
@@ -65,6 +69,9 @@ class FrameGenerator {
 
 /// Returns the names of the files that `FrameGenerator::make` makes.
 std::vector<std::string> frame_files(const SequenceRecipe& recipe, std::size_t index);
+
+/// Returns the name of a frame's 16-bit depth image, one of its `frame_files`.
+std::string depth_file(const SequenceRecipe& recipe, std::size_t index);
 
 /// Returns those of `frames` that lack a file in a folder. A file that exists counts as complete.
 std::vector<std::size_t> missing_frames(const SequenceRecipe& recipe,

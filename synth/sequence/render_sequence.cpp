@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "synth/scene/scene_hash.h"
+#include "synth/sequence/depth_coverage.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/core/version.h"
@@ -135,7 +136,48 @@ std::string with_advice(const vo::Error& error, const fs::path& staging) {
                     : error.what();
 }
 
+RenderOutcome rendered(const RenderJob& job, const Scene& scene, const fs::path& folder,
+                       vo::ExistingOutput existing, const vo::Progress& progress) {
+  RenderOutcome outcome{.folder = folder};
+  const std::string manifest = format_manifest(job, scene);
+  if (holds(folder, manifest, job)) {
+    outcome.was_there = true;
+    return outcome;
+  }
+  vo::require_replaceable(folder, kManifest, existing);
+  vo::StagedFolder staged(folder, {kManifest, manifest}, existing);
+  std::optional<vo::Error> error;
+  try {
+    render_share(job, scene, staged, progress, outcome);
+  } catch (const vo::Error& thrown) {
+    error = thrown;
+  }
+  if (holds(folder, manifest, job)) {  // another process may have completed and renamed it
+    outcome.missing = 0;
+    return outcome;
+  }
+  if (error) {
+    throw vo::Error(with_advice(*error, staged.staging()), error->kind());
+  }
+  outcome.folder = staged.staging();
+  return outcome;
+}
+
 }  // namespace
+
+RenderOutcome render_sequence(const RenderJob& job, const fs::path& folder,
+                              vo::ExistingOutput existing, const vo::Progress& progress) {
+  job.recipe.camera.validate();
+  share_of(job);  // throws before any work
+  const Scene& scene = job.scene.scene();
+  RenderOutcome outcome = rendered(job, scene, folder, existing, progress);
+  outcome.notes = job.scene.notes();
+  outcome.depth_coverage = depth_coverage(job.recipe, all_frames(job), outcome.folder);
+  if (outcome.depth_coverage) {
+    outcome.warning = warn_of_coverage(scene, job.recipe, *outcome.depth_coverage);
+  }
+  return outcome;
+}
 
 std::vector<std::size_t> frames_to_render(const RenderJob& job, const Scene& scene,
                                           const fs::path& folder) {
@@ -167,37 +209,6 @@ std::string format_recipe(const RenderJob& job) {
   text += vo::format_toml(vo::fields_of(recipe.render, "render."));
   text += vo::format_toml(vo::fields_of(recipe.sensor, "sensor."));
   return text + describe_channels(recipe);
-}
-
-RenderOutcome render_sequence(const RenderJob& job, const fs::path& folder,
-                              vo::ExistingOutput existing, const vo::Progress& progress) {
-  job.recipe.camera.validate();
-  share_of(job);  // throws before any work
-  RenderOutcome outcome{.folder = folder};
-  const Scene& scene = job.scene.scene();
-  outcome.notes = job.scene.notes();
-  const std::string manifest = format_manifest(job, scene);
-  if (holds(folder, manifest, job)) {
-    outcome.was_there = true;
-    return outcome;
-  }
-  vo::require_replaceable(folder, kManifest, existing);
-  vo::StagedFolder staged(folder, {kManifest, manifest}, existing);
-  std::optional<vo::Error> error;
-  try {
-    render_share(job, scene, staged, progress, outcome);
-  } catch (const vo::Error& thrown) {
-    error = thrown;
-  }
-  if (holds(folder, manifest, job)) {  // another process may have completed and renamed it
-    outcome.missing = 0;
-    return outcome;
-  }
-  if (error) {
-    throw vo::Error(with_advice(*error, staged.staging()), error->kind());
-  }
-  outcome.folder = staged.staging();
-  return outcome;
 }
 
 }  // namespace synth

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,12 +25,14 @@ struct RenderJob {
 std::string format_recipe(const RenderJob& job);
 
 struct RenderOutcome {
-  bool was_there = false;               ///< whether the folder held this sequence already
-  std::filesystem::path folder;         ///< folder that holds the frames
-  std::size_t rendered = 0;             ///< number of frames rendered by this call
-  std::size_t missing = 0;              ///< number of frames the sequence lacks; 0 = complete
-  std::vector<std::string> notes;       ///< features of the scene file that were left out
-  std::size_t depth_beyond_16_bit = 0;  ///< rendered depth pixels stored as 0
+  bool was_there = false;                ///< whether the folder held this sequence already
+  std::filesystem::path folder;          ///< folder that holds the frames
+  std::size_t rendered = 0;              ///< number of frames rendered by this call
+  std::size_t missing = 0;               ///< number of frames the sequence lacks; 0 = complete
+  std::vector<std::string> notes;        ///< features of the scene file that were left out
+  std::size_t depth_beyond_16_bit = 0;   ///< rendered depth pixels stored as 0
+  std::optional<double> depth_coverage;  ///< of all frames in `folder`; none if none can be read
+  std::string warning;                   ///< about little coverage; empty where it is enough
 };
 
 /// Renders a job's share into a folder that appears when the sequence is complete. Its

@@ -24,6 +24,14 @@ std::vector<vo::Field> path_fields(synth::PathOptions& path) {
 
 }  // namespace
 
+void add_scene_options(CLI::App& command, synth::GltfOptions& options) {
+  std::vector<vo::Field> fields = vo::fields_of(options);
+  for (vo::Field& field : fields) {
+    field.key = field.key == "scale" ? "scene_scale" : field.key;
+  }
+  add_field_options(command, fields, "Scene");
+}
+
 void add_camera_options(CLI::App& command, CameraArguments& arguments) {
   command.add_option("--size", arguments.size, "WIDTHxHEIGHT, px [640x480]")->group("Camera");
   command.add_option("--intrinsics", arguments.intrinsics, "fx,fy,cx,cy, px")->group("Camera");

@@ -5,10 +5,14 @@
 
 #include <CLI/CLI.hpp>
 
+#include "synth/gltf/gltf.h"
 #include "synth/path_planning/path_options.h"
 #include "vo/geometry/camera.h"
 
 namespace tools {
+
+/// Adds the options of a scene's file, of which `scale` is named --scene-scale.
+void add_scene_options(CLI::App& command, synth::GltfOptions& options);
 
 /// Command-line options of the camera.
 struct CameraArguments {

@@ -7,6 +7,7 @@
 
 #include "synth/gltf/gltf_summary.h"
 #include "tools/cli/options.h"
+#include "tools/cli/scene_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
 
@@ -166,7 +167,7 @@ void add_inspect_command(CLI::App& program, int& /*exit_code*/) {
   const auto arguments = std::make_shared<InspectArguments>();
   command.footer(kInspectExamples);
   command.add_option("SCENE", arguments->scene, "glTF 2.0 file, .gltf or .glb")->required();
-  add_field_options(command, vo::fields_of(arguments->options), "File");
+  add_scene_options(command, arguments->options);
   add_common_options(command, arguments->common);
   command.callback([arguments] { inspect(*arguments); });
 }

@@ -126,7 +126,7 @@ void add_path_command(CLI::App& program, int& exit_code) {
   command.add_option("SCENE", arguments->scene, "glTF 2.0 file, .gltf or .glb")->required();
   add_camera_options(command, arguments->camera);
   add_path_options(command, arguments->path);
-  add_field_options(command, vo::fields_of(arguments->file), "Scene");
+  add_scene_options(command, arguments->file);
   add_field_options(command, vo::fields_of(arguments->limits, "limit."), "Limits, 0 = none");
   add_common_options(command, arguments->common);
   command.callback([arguments, &exit_code] { check(*arguments, exit_code); });

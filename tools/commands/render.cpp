@@ -74,12 +74,17 @@ void print_notes(const RenderArguments& arguments, const std::vector<std::string
 
 std::string summary(const RenderArguments& arguments, const synth::RenderOutcome& outcome) {
   const std::size_t frames = arguments.job.recipe.truth.size();
+  const std::string depth =
+      outcome.depth_coverage
+          ? vo::concat(", depth in ", std::round(1e3 * *outcome.depth_coverage) / 10,
+                       " % of their pixels")
+          : "";
   if (outcome.missing == 0) {
-    return vo::concat(arguments.out, ": ", frames, " frames",
+    return vo::concat(arguments.out, ": ", frames, " frames", depth,
                       outcome.was_there ? ", there already with the same inputs" : "");
   }
   return vo::concat(outcome.folder.string(), ": ", frames - outcome.missing, " of ", frames,
-                    " frames; ", arguments.out, " appears when all are there");
+                    " frames", depth, "; ", arguments.out, " appears when all are there");
 }
 
 void print(const RenderArguments& arguments, const synth::RenderOutcome& outcome) {
@@ -93,20 +98,27 @@ void print(const RenderArguments& arguments, const synth::RenderOutcome& outcome
                                "them, and a camera with fewer depth_units_per_m"));
   }
   print_notes(arguments, notes);
+  if (!outcome.warning.empty()) {
+    std::cerr << "warning: " << outcome.warning << "\n";
+  }
   if (!arguments.common.json) {
     std::cout << summary(arguments, outcome) << "\n";
     return;
   }
-  const nlohmann::ordered_json result = {
-      {"sequence", arguments.out},
-      {"folder", outcome.folder.string()},
-      {"frames", arguments.job.recipe.truth.size()},
-      {"rendered", outcome.rendered},
-      {"missing", outcome.missing},
-      {"path_length_m", vo::path_length(arguments.job.recipe.truth)},
-      {"was_there", outcome.was_there},
-      {"depth_beyond_16_bit", outcome.depth_beyond_16_bit},
-      {"notes", outcome.notes}};
+  nlohmann::ordered_json result = {{"sequence", arguments.out},
+                                   {"folder", outcome.folder.string()},
+                                   {"frames", arguments.job.recipe.truth.size()},
+                                   {"rendered", outcome.rendered},
+                                   {"missing", outcome.missing},
+                                   {"path_length_m", vo::path_length(arguments.job.recipe.truth)},
+                                   {"was_there", outcome.was_there},
+                                   {"depth_beyond_16_bit", outcome.depth_beyond_16_bit},
+                                   {"depth_coverage", nullptr},
+                                   {"warning", outcome.warning},
+                                   {"notes", outcome.notes}};
+  if (outcome.depth_coverage) {
+    result["depth_coverage"] = *outcome.depth_coverage;
+  }
   std::cout << json_text(json_document({"render"}, result));
 }
 
@@ -129,8 +141,8 @@ void print(const RenderArguments& arguments, const synth::RenderPlan& plan) {
 
 synth::RenderJob chosen_job(const RenderArguments& arguments) {
   synth::RenderJob job = arguments.job;
-  job.scene = synth::SceneFile(arguments.scene, arguments.file);
   check_usage([&] {
+    arguments.file.validate();
     job.recipe.camera = chosen_camera(arguments.camera);
     job.recipe.camera.validate();
     job.recipe.render.validate();
@@ -142,6 +154,9 @@ synth::RenderJob chosen_job(const RenderArguments& arguments) {
     job.recipe.channels.validate();
     vo::require(!arguments.out.empty() || arguments.plan, "--out: expected a folder to make");
   });
+  synth::GltfOptions file = arguments.file;
+  file.needed = synth::needed_textures(job.recipe);
+  job.scene = synth::SceneFile(arguments.scene, file);
   if (!arguments.frames.empty()) {
     synth::parse_frames(arguments.frames, job.share);
   }
@@ -213,7 +228,7 @@ void add_render_command(CLI::App& program, int& /*exit_code*/) {
   synth::TruthOptions& truth = arguments->job.recipe.channels;
   add_field_options(command, vo::fields_of(truth.edges, "edges."), "Ground truth");
   add_field_options(command, vo::fields_of(truth.imu, "imu."), "Ground truth");
-  add_field_options(command, vo::fields_of(arguments->file), "Scene");
+  add_scene_options(command, arguments->file);
   add_field_options(command, render_fields(arguments->job), "Rendering");
   add_field_options(command, sensor_fields(arguments->job.recipe.sensor), "Sensor");
   add_common_options(command, arguments->common);

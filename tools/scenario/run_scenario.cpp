@@ -99,14 +99,17 @@ std::vector<BoundCheck> check_bounds(const Metrics& metrics,
 }
 
 synth::RenderJob render_job(const Scenario& scenario) {
-  const synth::SceneFile scene(scenario.scene_file(), scenario.scene.parts);
-  const synth::TimedPath timed = synth::make_path(scenario.resolved_path(), scene);
-  return {.scene = scene,
-          .recipe = {.truth = synth::sample(timed.path, timed.times),
-                     .path = timed.path,
-                     .camera = scenario.camera.camera(),
-                     .render = scenario.render,
-                     .sensor = scenario.sensor}};
+  synth::RenderJob job;
+  job.recipe.camera = scenario.camera.camera();
+  job.recipe.render = scenario.render;
+  job.recipe.sensor = scenario.sensor;
+  synth::GltfOptions parts = scenario.scene.parts;
+  parts.needed = synth::needed_textures(job.recipe);
+  job.scene = synth::SceneFile(scenario.scene_file(), parts);
+  synth::TimedPath timed = synth::make_path(scenario.resolved_path(), job.scene);
+  job.recipe.truth = synth::sample(timed.path, timed.times);
+  job.recipe.path = std::move(timed.path);
+  return job;
 }
 
 Outcome track_scenario(const Scenario& scenario, const vo::SequenceReader& sequence,

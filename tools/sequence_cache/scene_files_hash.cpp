@@ -1,6 +1,8 @@
 #include "tools/sequence_cache/scene_files_hash.h"
 
+#include <filesystem>
 #include <string>
+#include <system_error>
 
 #include <nlohmann/json.hpp>
 
@@ -28,7 +30,8 @@ void add_named_files(const synth::GltfFile& file, const char* array, vo::Content
     const std::string place = file.path.string() + ": " + array;
     const std::filesystem::path named =
         synth::resolve_uri(file.path.parent_path(), uri->get<std::string>(), place);
-    hash.add(vo::content_hash(vo::read_file(named)));
+    std::error_code error;  // whether a file may be missing is for the reader of the scene to say
+    hash.add(std::filesystem::exists(named, error) ? vo::content_hash(vo::read_file(named)) : "");
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "tests/support/gltf_document.h"
 #include "tests/support/load_document.h"
 #include "tests/support/temp_folder.h"
+#include "vo/core/error.h"
 
 namespace synth {
 namespace {
@@ -90,6 +92,37 @@ TEST(LoadGltf, ReadsAllRootsWhenThereIsNoScene) {
   document.json["nodes"] = {{{"mesh", 0}}, {{"children", {2}}}, {{"mesh", 0}}};
   document.json.erase("scenes");
   EXPECT_EQ(load(document).instances.size(), 2U);
+}
+
+/// A similar scene, seen from a place that is as much nearer, looks the same.
+TEST(LoadGltf, ScalesTheWholeSceneWithItsLightsAndCameras) {
+  constexpr double kScale = 0.001;
+  GltfDocument document = triangle_document();
+  document.json["nodes"][0]["translation"] = {1000, 2000, -3000};
+  document.json["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0;
+  document.json["nodes"][0]["camera"] = 0;
+  document.json["cameras"] = {
+      {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}}};
+  document.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+      {{"type", "point"}, {"intensity", 4e6}, {"range", 5000}}};
+  const Scene whole = load(document);
+  const Scene scene = load(document, {.scale = kScale});
+  std::vector<Vector3d> expected = world_corners(whole);
+  for (Vector3d& corner : expected) {
+    corner *= kScale;
+  }
+  EXPECT_THAT(world_corners(scene), Pointwise(IsClose(kLoadRounding), expected));
+  EXPECT_LT((scene.lights.at(0).position - Vector3d(1, 2, -3)).norm(), kLoadRounding);
+  EXPECT_FLOAT_EQ(scene.lights[0].intensity.x(), 4);
+  EXPECT_DOUBLE_EQ(scene.lights[0].range, 5);
+  EXPECT_LT((scene.cameras.at(0).T_world_camera.translation() - Vector3d(1, 2, -3)).norm(),
+            kLoadRounding);
+}
+
+TEST(LoadGltf, AScaleIsAPositiveNumber) {
+  for (const double scale : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(load(triangle_document(), {.scale = scale}), vo::Error) << scale;
+  }
 }
 
 TEST(LoadGltf, CountsVerticesWhenThereAreNoIndices) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -10,8 +11,10 @@
 #include <gtest/gtest.h>
 
 #include "synth/gltf/gltf.h"
+#include "tests/support/error_text.h"
 #include "tests/support/gltf_document.h"
 #include "tests/support/temp_folder.h"
+#include "vo/core/error.h"
 #include "vo/image_files/png.h"
 
 namespace synth {
@@ -162,6 +165,45 @@ TEST(MaterialReader, LeavesImagesAloneThatNoMaterialUses) {
   document.json["materials"][0] = {{"name", "plain"}};
   folder.write("image.png", "not an image");
   EXPECT_TRUE(load_gltf(document.write(folder)).images.empty());
+}
+
+/// A document with textures of base colour and normals whose files do not exist.
+GltfDocument document_without_images() {
+  GltfDocument document = textured_document();
+  document.json["images"].push_back({{"uri", "normals.png"}});
+  document.json["images"][0] = {{"uri", "colors.png"}};
+  document.json["textures"].push_back({{"source", document.json["images"].size() - 1}});
+  document.json["materials"][0]["normalTexture"] = {
+      {"index", document.json["textures"].size() - 1}};
+  return document;
+}
+
+TEST(MissingFiles, AreAllNamedAtOnce) {
+  const TempFolder folder;
+  const std::filesystem::path path = document_without_images().write(folder);
+  const auto error = [&] { return support::error_text([&] { load_gltf(path); }); };
+  EXPECT_THAT(error(), testing::AllOf(HasSubstr("2 files that it names do not exist"),
+                                      HasSubstr("colors.png"), HasSubstr("normals.png")));
+  std::filesystem::remove(folder.path() / "scene.bin");
+  EXPECT_THAT(error(), testing::AllOf(HasSubstr("3 files"), HasSubstr("buffers[0]: "),
+                                      HasSubstr("colors.png"), HasSubstr("normals.png")));
+}
+
+TEST(MissingFiles, MayBeThoseOfTexturesThatNothingNeeds) {
+  const TempFolder folder;
+  GltfDocument document = document_without_images();
+  const auto load_for = [&](NeededTextures needed, Notes* notes) {
+    return load_gltf(document.write(folder), {.needed = needed}, notes);
+  };
+  Notes notes;
+  const Scene scene = load_for(NeededTextures::alpha, &notes);
+  EXPECT_EQ(scene.materials.at(0).base_color_texture.texture, kNone);
+  EXPECT_EQ(scene.materials.at(0).normal_texture.texture, kNone);
+  EXPECT_THAT(notes, testing::ElementsAre(HasSubstr("colors.png does not exist"),
+                                          HasSubstr("normals.png does not exist")));
+  EXPECT_THROW(load_for(NeededTextures::base_color, nullptr), vo::Error);
+  document.json["materials"][0]["alphaMode"] = "MASK";
+  EXPECT_THROW(load_for(NeededTextures::alpha, nullptr), vo::Error) << "its alpha shapes depth";
 }
 
 TEST(TextureSlot, ChoosesTheSetOfTexcoords) {

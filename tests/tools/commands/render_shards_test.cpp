@@ -1,12 +1,17 @@
+#include <filesystem>
+#include <string>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/folder_contents.h"
+#include "tests/support/gltf_document.h"
 #include "tests/support/program.h"
 #include "tests/support/render_room.h"
 #include "tests/support/temp_folder.h"
 #include "vo/files/input.h"
+#include "vo/image_files/png.h"
 
 namespace {
 
@@ -81,6 +86,59 @@ TEST(RenderShards, DepthBeyond16BitIsCounted) {
   EXPECT_THAT(result.err, HasSubstr("depth pixels are beyond 2.18447 m"));
   EXPECT_THAT(vo::read_file(folder.path() / "s/sequence.toml"),
               HasSubstr("16 bit hold up to 2.18447 m"));
+}
+
+/// A triangle 2 m before the camera, in metres or, with a unit of 1000, in a file of millimetres.
+ProgramResult render_triangle(const TempFolder& folder, const std::string& out, double unit,
+                              const std::string& options) {
+  synth::GltfDocument document = synth::triangle_document();
+  document.json["nodes"][0]["scale"] = {4 * unit, 4 * unit, unit};
+  document.json["nodes"][0]["translation"] = {-unit, -unit, -2 * unit};
+  const fs::path scene = document.write(folder);
+  return run_program("render '" + scene.string() +
+                     "' --path still --move.eye 0,0,0 --move.target=0,0,-1 --rate 4 --duration 1 "
+                     "--mode depth --size 32x24 --json " +
+                     options + " --out '" + (folder.path() / out).string() + "'");
+}
+
+/// The share of pixels that are not 0 in the depth images of a folder.
+double counted_coverage(const fs::path& folder) {
+  double pixels = 0;
+  double with_depth = 0;
+  for (const auto& file : fs::directory_iterator(folder / "depth")) {
+    const cv::Mat image = vo::read_png(file.path());
+    pixels += static_cast<double>(image.total());
+    with_depth += cv::countNonZero(image);
+  }
+  return with_depth / pixels;
+}
+
+TEST(RenderShards, DepthCoverageIsThatOfAllFramesThatAreThere) {
+  const TempFolder folder;
+  const ProgramResult part = render_triangle(folder, "s", 1, "--shard 1/2");
+  ASSERT_EQ(part.exit_code, 0) << part.err;
+  const double coverage = json::parse(part.out)["depth_coverage"];
+  EXPECT_DOUBLE_EQ(coverage, counted_coverage(folder.path() / "s.part"));
+  EXPECT_GT(coverage, 0.2);
+  EXPECT_EQ(json::parse(part.out)["warning"], "");
+  folder.write("s.part/depth/000000.png", "cut");
+  const ProgramResult other = render_triangle(folder, "s", 1, "--frames 1:4");
+  ASSERT_EQ(other.exit_code, 0) << other.err;
+  EXPECT_NEAR(json::parse(other.out)["depth_coverage"], coverage, 1e-9)
+      << "the camera stands still, and the damaged image does not count";
+}
+
+TEST(RenderShards, ASceneInMillimetresIsNamedWithWhatMendsIt) {
+  const TempFolder folder;
+  const ProgramResult millimetres = render_triangle(folder, "mm", 1000, "");
+  ASSERT_EQ(millimetres.exit_code, 0) << millimetres.err;
+  EXPECT_LT(json::parse(millimetres.out)["depth_coverage"], 0.2);
+  EXPECT_THAT(millimetres.err, HasSubstr("--scene-scale 0.001"));
+  const ProgramResult scaled = render_triangle(folder, "scaled", 1000, "--scene-scale 0.001");
+  ASSERT_EQ(scaled.exit_code, 0) << scaled.err;
+  ASSERT_EQ(render_triangle(folder, "metres", 1, "").exit_code, 0);
+  EXPECT_EQ(contents(folder.path() / "scaled/depth"), contents(folder.path() / "metres/depth"));
+  EXPECT_EQ(json::parse(scaled.out)["warning"], "");
 }
 
 TEST(RenderShards, FinishedFramesAreKeptAndMissingOnesMade) {
