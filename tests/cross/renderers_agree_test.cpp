@@ -114,6 +114,38 @@ TEST(RenderersAgree, OnDepthNormalsAndUnlitColorOfTheRoom) {
   EXPECT_LT(worst.color[worst.color.size() * 95 / 100], 0.06);
 }
 
+/// The rasteriser's vertices lie on a grid of 1/256 px, so that outlines are up to half of that
+/// off.
+TEST(RenderersAgree, OnDepthOfEveryPixelUpToTheGridOfVertices) {
+  constexpr double kRelative = 1e-4;
+  const Scene scene = load_gltf(kRoom);
+  const Pair pair = render_both(scene, {.mode = RenderMode::depth}, in_the_room());
+  const auto renderer = make_renderer(scene, {.mode = RenderMode::depth});
+  std::vector<RenderedFrame> beside;
+  for (const double dx : {-1.0 / 512, 0.0, 1.0 / 512}) {
+    for (const double dy : {-1.0 / 512, 0.0, 1.0 / 512}) {
+      vo::PinholeCamera camera = small_camera();
+      camera.cx += dx;
+      camera.cy += dy;
+      beside.push_back(renderer->render(still(camera, in_the_room())));
+    }
+  }
+  int other = 0;
+  int unexplained = 0;
+  for (int v = 0; v < kSize; ++v) {
+    for (int u = 0; u < kSize; ++u) {
+      const float depth = pair.raster.depth(v, u);
+      const auto sees_it = [&](const RenderedFrame& frame) {
+        return std::abs(frame.depth(v, u) - depth) <= kRelative * depth;
+      };
+      other += sees_it(pair.ray) ? 0 : 1;
+      unexplained += std::any_of(beside.begin(), beside.end(), sees_it) ? 0 : 1;
+    }
+  }
+  EXPECT_LE(other, kSize * kSize / 2000);
+  EXPECT_LE(unexplained, 2);
+}
+
 /// A tilted square with every kind of map-free surface, and a lamp of each kind.
 Scene lit_square() {
   Scene scene;
