@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""make_corpus.py OUT FOLDER...: glTF files of the folders, each with its buffers inside, as seeds."""
+"""make_corpus.py OUT FOLDER...: files of the repository as seeds, OUT/FUZZER/NAME.
+
+glTF files of the folders, each with its buffers inside; scenarios; the first results of the baseline.
+"""
 
 import base64
 import hashlib
@@ -28,14 +31,33 @@ def embedded(path):
     return json.dumps(document).encode()
 
 
+def add(out, fuzzer, content):
+    """Writes a seed under the hash of what it holds."""
+    (out / fuzzer).mkdir(parents=True, exist_ok=True)
+    (out / fuzzer / hashlib.sha256(content).hexdigest()[:16]).write_bytes(content)
+
+
+def add_results(out, baseline):
+    """One scenario of a baseline, with one trial and with all."""
+    document = json.loads(baseline.read_text())
+    document["scenarios"] = document["scenarios"][:1]
+    add(out, "results", json.dumps(document).encode())
+    for scenario in document["scenarios"]:
+        scenario["trials"] = scenario["trials"][:1]
+    add(out, "results", json.dumps(document).encode())
+
+
 def main(out, folders):
-    out.mkdir(parents=True, exist_ok=True)
+    for path in sorted(pathlib.Path("scenarios").glob("*.toml")):
+        add(out, "scenario", path.read_bytes())
+        add(out, "toml", path.read_bytes())
+    add_results(out, pathlib.Path("scenarios/baseline.json"))
     for folder in folders:
         for path in sorted(folder.rglob("*.gl*")):
             if path.suffix in (".gltf", ".glb"):
                 seed = embedded(path)
                 if len(seed) <= MOST_BYTES:
-                    (out / hashlib.sha256(seed).hexdigest()[:16]).write_bytes(seed)
+                    add(out, "gltf", seed)
 
 
 if __name__ == "__main__":

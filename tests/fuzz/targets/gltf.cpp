@@ -1,9 +1,10 @@
 // libFuzzer's target for the glTF loader: whatever the bytes are, load_gltf gives a scene or throws
 // vo::Error. What the scene refers to is looked for in an empty folder.
+#include "synth/gltf/gltf.h"
+
 #include <cstdint>
 #include <span>
 
-#include "synth/gltf/gltf.h"
 #include "synth/scene/scene_motion.h"
 #include "vo/core/error.h"
 

@@ -1,0 +1,149 @@
+// make_seeds FOLDER: small files of our own writers, as what the fuzzers begin with:
+// FOLDER/FUZZER/NAME.
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/support/small_forest.h"
+#include "vo/core/error.h"
+#include "vo/dataset/camera_file.h"
+#include "vo/dataset/euroc.h"
+#include "vo/dataset/icl_nuim.h"
+#include "vo/dataset/imu_file.h"
+#include "vo/dataset/sequence.h"
+#include "vo/dataset/trajectory_file.h"
+#include "vo/files/gzip.h"
+#include "vo/image_files/float_image.h"
+#include "vo/image_files/flow_file.h"
+#include "vo/image_files/jpeg_codec.h"
+#include "vo/image_files/png.h"
+#include "vo/structured_forest/structured_forest_file.h"
+
+namespace {
+
+using Seeds = std::vector<vo::NamedBytes>;
+
+constexpr int kWidth = 8;
+constexpr int kHeight = 6;
+
+/// Pixels that differ.
+cv::Mat pixels(int type, int width = kWidth, int height = kHeight) {
+  cv::Mat image(height, width, type);
+  for (int v = 0; v < height; ++v) {
+    auto* row = image.ptr<std::uint8_t>(v);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(width) * image.elemSize(); ++i) {
+      row[i] = static_cast<std::uint8_t>(i * 11 + static_cast<std::size_t>(v) * 23);
+    }
+  }
+  return image;
+}
+
+void add_images(Seeds& seeds) {
+  seeds.push_back({"png/grey", vo::encode_png(pixels(CV_8UC1))});
+  seeds.push_back({"png/colour", vo::encode_png(pixels(CV_8UC3))});
+  seeds.push_back({"png/depth", vo::encode_png(pixels(CV_16UC1))});
+  for (const auto& [format, name] : enum_names(vo::FloatFormat{})) {
+    const std::string folder(name);
+    cv::Mat one(kHeight, kWidth, CV_32FC1, cv::Scalar::all(0.5));
+    cv::Mat three(kHeight, kWidth, CV_32FC3, cv::Scalar(1, 2, 3));
+    seeds.push_back({folder + "/one", vo::encode_float_image(one, format)});
+    seeds.push_back({folder + "/three", vo::encode_float_image(three, format)});
+  }
+  const cv::Mat_<cv::Vec2f> flow(kHeight, kWidth, cv::Vec2f(1, 2));
+  seeds.push_back({"flow/small", vo::encode_flow(flow)});
+  for (const auto& [chroma, name] : enum_names(vo::ChromaSampling{})) {
+    const auto bytes = vo::encode_jpeg(pixels(CV_8UC3, 16, 12), 50, chroma);
+    seeds.push_back({"jpeg/" + std::string(name), {bytes.begin(), bytes.end()}});
+  }
+}
+
+vo::SequenceSource small_source() {
+  vo::SequenceSource source;
+  source.camera = {{kWidth, kHeight, 8, 8, 3.5, 2.5}, 1000};
+  for (int i = 0; i < 3; ++i) {
+    const double timestamp = 0.1 * i;
+    source.timestamps.push_back(timestamp);
+    source.truth.push_back({timestamp, vo::SE3(Eigen::Quaterniond::Identity(), {timestamp, 0, 1})});
+    source.imu.samples.push_back({timestamp, {0.1, 0.2, 0.3}, {0, 9.81, 0}});
+    source.imu.states.push_back({timestamp, source.truth.back().T_world_camera, {1, 2, 3}, {}, {}});
+  }
+  source.imu.noise.rate = 200;
+  return source;
+}
+
+void add_text(const vo::SequenceSource& source, Seeds& seeds) {
+  for (const vo::CameraPreset& preset : vo::camera_presets()) {
+    seeds.push_back({"camera/" + preset.name, vo::format_camera(preset.camera)});
+  }
+  seeds.push_back({"toml/camera", vo::format_camera(source.camera)});
+  seeds.push_back({"toml/kinds",
+                   "# comment\na = 1\n[b.c]\nd = \"text\\n\"\ne = [[1, 2.5], [3, 4]]\nf = true\n"
+                   "g = {h = 'x', i = 1e3}\nj = \"\"\"long\ntext\"\"\"\n"});
+  seeds.push_back({"trajectory/poses", vo::format_trajectory(source.truth)});
+  seeds.push_back({"euroc_trajectory/states", vo::format_states(source.imu.states)});
+  seeds.push_back({"imu/readings", vo::format_imu(source.imu.samples)});
+  seeds.push_back({"imu/noise", vo::format_imu_noise(source.imu.noise)});
+}
+
+void add_forest(Seeds& seeds) {
+  const std::string text =
+      vo::structured_forest_yaml(support::small_forest(136, 0.125F, {1, 20, 255}));
+  seeds.push_back({"forest/yaml", text});
+  seeds.push_back({"forest/packed", vo::gzip(text)});
+}
+
+/// The files one after the other, as `fuzz::InputFolder` takes them apart.
+std::string archive_of(const std::vector<vo::NamedBytes>& files) {
+  std::string archive;
+  for (const vo::NamedBytes& file : files) {
+    archive += "=== " + file.name + "\n" + file.bytes + "\n";
+  }
+  return archive;
+}
+
+void append(std::vector<vo::NamedBytes>& files, const std::vector<vo::NamedBytes>& more) {
+  files.insert(files.end(), more.begin(), more.end());
+}
+
+void add_sequences(const vo::SequenceSource& source, Seeds& seeds) {
+  vo::RgbdFrame frame;
+  frame.image = pixels(CV_8UC3);
+  frame.depth = vo::DepthImage(kHeight, kWidth, 2.0F);
+  const vo::SequenceLayout layout{source.camera};
+  auto tum = vo::encode_lists(layout, source.truth);
+  append(tum, vo::encode_frame(layout, 0, frame));
+  auto euroc = vo::encode_euroc_lists(source, true);
+  append(euroc, vo::encode_euroc_frame(source.camera, frame));
+  auto icl = vo::encode_icl_nuim_lists(source);
+  append(icl, vo::encode_icl_nuim_frame(source.camera, 0, frame, {}));
+  auto icl_tum = vo::encode_icl_tum_lists(source);
+  append(icl_tum, vo::encode_icl_tum_frame(source.camera, 0, frame));
+  seeds.push_back({"sequence/tum", archive_of(tum)});
+  seeds.push_back({"sequence/euroc", archive_of(euroc)});
+  seeds.push_back({"sequence/icl-nuim", archive_of(icl)});
+  seeds.push_back({"sequence/icl-tum", archive_of(icl_tum)});
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  if (count != 2) {
+    std::fputs("usage: make_seeds FOLDER\n", stderr);
+    return 1;
+  }
+  try {
+    Seeds seeds;
+    const vo::SequenceSource source = small_source();
+    add_images(seeds);
+    add_text(source, seeds);
+    add_forest(seeds);
+    add_sequences(source, seeds);
+    vo::write_files(arguments[1], seeds, vo::ExistingOutput::replace);
+  } catch (const vo::Error& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,13 @@
+// Ground truth in EuRoC's format, as poses and as states of the body.
+#include "tests/fuzz/fuzz_input.h"
+#include "vo/dataset/imu_file.h"
+#include "vo/dataset/trajectory_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::with_file(data, size, "data.csv", vo::read_euroc_trajectory);
+  return fuzz::with_file(data, size, "data.csv", [](const std::filesystem::path& path) {
+    const auto states = vo::read_states(path);
+    const auto again = fuzz::read_again(vo::format_states(states), "again", vo::read_states);
+    fuzz::check(again.size() == states.size(), "as many states are read as were written");
+  });
+}
