@@ -91,6 +91,33 @@ TEST(RealData, FrozenImagesAreUncertainAndNoOtherPoseIsWrong) {
   EXPECT_LT(tools::errors_of(clip.truth, sure).worst_mm, 30);
 }
 
+/// A patch that slides over 70 % of the view takes the camera with it. Nothing says which of the
+/// two motions is the world's, so no pose may be sure once it is wrong.
+TEST(RealData, NoPoseIsWrongAndSureWhereMostOfTheViewMoves) {
+  const std::filesystem::path folder = std::filesystem::path(EDVO_SHARED_DATA) / "tum_fr1_xyz";
+  if (!std::filesystem::exists(folder)) {
+    GTEST_SKIP() << "no TUM data at " << folder;
+  }
+  const vo::SequenceReader sequence(folder, vo::load_camera("tum-fr1"));
+  const tools::Clip clip = tools::altered(
+      tools::load_clip(sequence, "clip", 0, [](std::size_t, std::size_t) {}), "patch_70");
+  vo::RgbdOdometry odometry(clip.camera);
+  const std::optional<vo::SE3> T_truth_first =
+      vo::pose_at(clip.truth, clip.frames.front().timestamp);
+  ASSERT_TRUE(T_truth_first);
+  std::size_t doubted = 0;
+  for (const vo::RgbdFrame& frame : clip.frames) {
+    const vo::TrackingResult result = odometry.track(frame);
+    const std::optional<vo::SE3> T_truth_camera = vo::pose_at(clip.truth, frame.timestamp);
+    doubted += result.reason == vo::TrackingReason::two_motions ? 1 : 0;
+    if (T_truth_camera && result.status == vo::TrackingStatus::tracked) {
+      const vo::SE3 T_error = T_truth_camera->inverse() * *T_truth_first * result.T_world_camera;
+      EXPECT_LT(T_error.translation().norm(), 0.05) << frame.timestamp;
+    }
+  }
+  EXPECT_GT(doubted, clip.frames.size() * 9 / 10);
+}
+
 struct MonocularStart {
   vo::MonoBootstrap bootstrap;
   double max_ate;  ///< m, after Sim(3) alignment

@@ -40,6 +40,18 @@ TileMask grown(const TileMask& tiles) {
   return result;
 }
 
+TileMask tiles_with_points(const FramePyramid& frame, const EdgePoints& points) {
+  const ViewTiles grid(frame.levels.front().camera);
+  TileMask once;
+  TileMask twice;
+  for (const cv::Point& pixel : points.levels.front().pixel) {
+    const std::size_t tile = grid.of(pixel);
+    twice[tile] = once[tile];
+    once.set(tile);
+  }
+  return twice;
+}
+
 double share_in(const TileMask& tiles, const FramePyramid& frame, const EdgePoints& points) {
   const ViewTiles grid(frame.levels.front().camera);
   const std::vector<cv::Point>& pixels = points.levels.front().pixel;

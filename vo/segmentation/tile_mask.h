@@ -19,6 +19,9 @@ inline double share_of_view(const TileMask& tiles) {
 /// Returns the tiles and their neighbours.
 TileMask grown(const TileMask& tiles);
 
+/// Returns the tiles of a frame's view that at least two of its finest points lie in.
+TileMask tiles_with_points(const FramePyramid& frame, const EdgePoints& points);
+
 /// Returns the share of a frame's finest points that lie in these tiles.
 double share_in(const TileMask& tiles, const FramePyramid& frame, const EdgePoints& points);
 

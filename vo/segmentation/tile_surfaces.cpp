@@ -102,12 +102,13 @@ TileMask covered_tiles(const FramePyramid& frame, const ViewTiles::Values& depth
   return covered;
 }
 
-SurfaceAreas surface_areas(const ViewTiles::Values& log_odds, const ViewTiles::Values& depths) {
+SurfaceAreas surface_areas(const ViewTiles::Values& log_odds, const ViewTiles::Values& depths,
+                           const TileMask& tiles) {
   constexpr float kClearlyStatic = 0.5F;
   const TileMask moving = moving_tiles(log_odds);
   SurfaceAreas areas;
   for (std::size_t tile = 0; tile < depths.size(); ++tile) {
-    const double area = depths[tile] * depths[tile];
+    const double area = tiles[tile] ? depths[tile] * depths[tile] : 0;
     areas.of_static += log_odds[tile] > kClearlyStatic ? area : 0;
     areas.of_moving += moving[tile] ? area : 0;
   }

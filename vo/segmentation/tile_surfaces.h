@@ -34,7 +34,9 @@ struct SurfaceAreas {
   }
 };
 
-/// Sums the areas of tiles of these tile_depths(), m, by the log-odds that they are static.
-SurfaceAreas surface_areas(const ViewTiles::Values& log_odds, const ViewTiles::Values& depths);
+/// Sums the areas of those of some tiles that have these tile_depths(), m, by the log-odds that
+/// they are static.
+SurfaceAreas surface_areas(const ViewTiles::Values& log_odds, const ViewTiles::Values& depths,
+                           const TileMask& tiles);
 
 }  // namespace vo

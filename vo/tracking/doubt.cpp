@@ -1,5 +1,7 @@
 #include "vo/tracking/doubt.h"
 
+#include <algorithm>
+
 namespace vo {
 namespace {
 
@@ -15,9 +17,11 @@ constexpr double kMostMeanDisagreement = 0.07;
 /// Nine of ten frames of a rigid world have less than 0.05, one in a hundred 0.27.
 constexpr double kMostDepthDisagreement = 0.3;
 
-/// Area of the surfaces that move over that of the static ones, as a mean, from which on it is not
-/// clear which of them is the world.
-constexpr double kCompetingArea = 0.42;
+/// Area of the surfaces that move over that of the static ones, in one frame and as a mean, from
+/// which on it is not clear which of them is the world. Sequences of a rigid world have 0.3 at
+/// most, and 0.17 in the mean.
+constexpr double kCompetingArea = 0.55;
+constexpr double kCompetingMeanArea = 0.42;
 
 /// Share of the view that may be black.
 constexpr double kMostCovered = 0.3;
@@ -39,11 +43,21 @@ void RecentMean::add(double value, double limit) {
   is_high = mean > (is_high ? limit / 2 : limit);
 }
 
+bool CompetingMotions::add(const SurfaceAreas& areas) {
+  frames_ += 1;
+  const double weight = std::max(kNewest, 1 / frames_);
+  mean_.of_static += weight * (areas.of_static - mean_.of_static);
+  mean_.of_moving += weight * (areas.of_moving - mean_.of_moving);
+  most_moving_ = goes_on_ ? std::max(most_moving_, mean_.of_moving) : mean_.of_moving;
+  goes_on_ = most_moving_ > kCompetingMeanArea * mean_.of_static;
+  return goes_on_ || areas.moving_ratio() > kCompetingArea;
+}
+
 TrackingReason Doubt::judge(const AlignResult& alignment, const ViewSurfaces& surfaces) {
   const double disagreement = alignment.agreement.disagreeing_fraction;
   disagreement_.add(disagreement, kMostMeanDisagreement);
   depth_disagreement_.add(1 - alignment.depth_agreement, kMostDepthDisagreement);
-  moving_area_.add(surfaces.areas.moving_ratio(), kCompetingArea);
+  const bool motions_compete = motions_.add(surfaces.edged);
   if (image_is_repeated_) {
     return TrackingReason::image_repeated;
   }
@@ -53,7 +67,7 @@ TrackingReason Doubt::judge(const AlignResult& alignment, const ViewSurfaces& su
   if (surfaces.covered_fraction > kMostCovered) {
     return TrackingReason::view_covered;
   }
-  if (moving_area_.is_high) {
+  if (motions_compete) {
     return TrackingReason::two_motions;
   }
   if (disagreement > kMostDisagreement || disagreement_.is_high) {

@@ -18,9 +18,27 @@ struct RecentMean {
   void add(double value, double limit);
 };
 
+/// Says whether two motions compete for being the camera's: much of what the view shows moves by
+/// itself if the pose is right, and would be the world if the pose followed the other motion.
+///
+/// Once begun, a competition lasts until far more is static than has moved since. What moves is
+/// taken out of the keyframes and may leave the view; the silence that follows does not say that
+/// the right motion was chosen.
+class CompetingMotions {
+ public:
+  /// Takes in the areas of the next frame's surfaces, and returns whether motions compete in it.
+  bool add(const SurfaceAreas& areas);
+
+ private:
+  double frames_ = 0;
+  SurfaceAreas mean_;       ///< over the last frames
+  double most_moving_ = 0;  ///< greatest mean area of what moves since the competition began
+  bool goes_on_ = false;
+};
+
 /// Says what the surfaces of a view do: how much of them moves by itself, and how much is covered.
 struct ViewSurfaces {
-  SurfaceAreas areas;
+  SurfaceAreas edged;           ///< of the tiles with edge points, which tell motions apart
   double covered_fraction = 0;  ///< share of the view's tiles
 };
 
@@ -40,9 +58,9 @@ class Doubt {
   std::uint64_t image_ = 0;
   std::uint64_t depth_ = 0;
   bool image_is_repeated_ = false;
-  int same_depths_ = 0;            ///< frames in a row with other images and the same depth
-  RecentMean disagreement_;        ///< share of the points that disagree
-  RecentMean moving_area_;         ///< area of moving surfaces over that of static ones
+  int same_depths_ = 0;      ///< frames in a row with other images and the same depth
+  RecentMean disagreement_;  ///< share of the points that disagree
+  CompetingMotions motions_;
   RecentMean depth_disagreement_;  ///< share of the surfaces that disagree
 };
 

@@ -58,7 +58,8 @@ Tracker::Explanation Tracker::explained(const FramePyramid& current, const Attem
                                 {current, own_points_.get(), attempt.previous}, aligned,
                                 align_options(), compared);
   const TileEvidence log_odds = log_odds_after(expected_, evidence.of_current());
-  return {evidence, log_odds, moving_tiles(log_odds), surface_areas(log_odds, tile_depths_)};
+  return {evidence, log_odds, moving_tiles(log_odds),
+          surface_areas(log_odds, tile_depths_, ~TileMask())};
 }
 
 /// Aligns what lies in these tiles alone, from the last pose.
@@ -149,7 +150,8 @@ Tracker::Attempt Tracker::segmented(const FramePyramid& current, Attempt attempt
     return attempt;
   }
   segmentation_.update(tile_depths_, best.log_odds);
-  surfaces_.areas = best.areas;
+  surfaces_.edged =
+      surface_areas(best.log_odds, tile_depths_, tiles_with_points(current, *own_points_));
   forget_moved(attempt.references, best.evidence);
   return attempt;
 }

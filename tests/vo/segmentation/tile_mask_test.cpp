@@ -56,6 +56,16 @@ TEST(TileMask, LeavesOutPointsOnEveryLevel) {
   }
 }
 
+TEST(TileMask, HoldsTilesWithTwoPoints) {
+  PointedTiles pointed;
+  EXPECT_TRUE(vo::tiles_with_points(pointed.frame, pointed.points).none());
+  vo::EdgePointLevel& finest = pointed.points.levels.front();
+  finest.pixel[2] = finest.pixel[0];
+  finest.pixel[3] = finest.pixel[13];
+  finest.pixel[4] = finest.pixel[13];
+  EXPECT_EQ(vo::tiles_with_points(pointed.frame, pointed.points), first_and_fourteenth());
+}
+
 /// A camera one tile further to the right, at 1 m, sees each point a tile further to the left.
 TEST(TileMask, LeavesOutWhatAnotherViewSeesThere) {
   PointedTiles pointed;

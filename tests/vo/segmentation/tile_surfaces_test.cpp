@@ -37,9 +37,17 @@ TEST(TileSurfaces, CountTilesBySquaredDepth) {
       log_odds[tile] = -3;
     }
   }
-  const vo::SurfaceAreas areas =
-      vo::surface_areas(log_odds, vo::tile_depths(wall_and_curtain(100)));
-  EXPECT_NEAR(areas.moving_ratio(), 1.0 / (3 * 16), 1e-6);
+  const ViewTiles::Values depths = vo::tile_depths(wall_and_curtain(100));
+  const vo::SurfaceAreas all = vo::surface_areas(log_odds, depths, ~vo::TileMask());
+  EXPECT_NEAR(all.moving_ratio(), 1.0 / (3 * 16), 1e-6);
+
+  vo::TileMask upper_half;
+  for (std::size_t tile = 0; tile < ViewTiles::kCount / 2; ++tile) {
+    upper_half.set(tile);
+  }
+  const vo::SurfaceAreas half = vo::surface_areas(log_odds, depths, upper_half);
+  EXPECT_NEAR(half.of_static, all.of_static / 2, 1e-6);
+  EXPECT_NEAR(half.of_moving, all.of_moving / 2, 1e-6);
 }
 
 TEST(TileSurfaces, AreCoveredWhereTheImageIsBlackAndDepthIsMeasured) {

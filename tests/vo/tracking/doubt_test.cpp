@@ -67,19 +67,41 @@ TEST(Doubt, OfPartsThatDisagreeMuchAtOnceOrALittleForLong) {
   EXPECT_EQ(judged(for_long, frame_of(20, 20), 0.05), TrackingReason::parts_disagree);
 }
 
-TEST(Doubt, OfAViewThatIsCoveredOrMovesAsMuchAsItRests) {
+TEST(Doubt, OfAViewThatIsCovered) {
   vo::Doubt doubt;
-  EXPECT_EQ(doubt.judge({}, {.areas = {}, .covered_fraction = 0.25}), TrackingReason::none);
-  EXPECT_EQ(doubt.judge({}, {.areas = {}, .covered_fraction = 0.35}), TrackingReason::view_covered);
+  EXPECT_EQ(doubt.judge({}, {.edged = {}, .covered_fraction = 0.25}), TrackingReason::none);
+  EXPECT_EQ(doubt.judge({}, {.edged = {}, .covered_fraction = 0.35}), TrackingReason::view_covered);
+}
+
+/// Returns what is made of the last one of so many frames that show these surfaces.
+TrackingReason after(int frames, const vo::SurfaceAreas& areas, vo::Doubt& doubt) {
   TrackingReason reason = TrackingReason::none;
-  for (int i = 0; i < 20; ++i) {
-    reason = doubt.judge({}, {.areas = {.of_static = 10, .of_moving = 3}, .covered_fraction = 0});
+  for (int i = 0; i < frames; ++i) {
+    reason = doubt.judge({}, {.edged = areas, .covered_fraction = 0});
   }
-  EXPECT_EQ(reason, TrackingReason::none);
-  for (int i = 0; i < 20; ++i) {
-    reason = doubt.judge({}, {.areas = {.of_static = 10, .of_moving = 6}, .covered_fraction = 0});
-  }
-  EXPECT_EQ(reason, TrackingReason::two_motions);
+  return reason;
+}
+
+TEST(Doubt, OfMotionsThatCompeteAtOnceOrForLong) {
+  vo::Doubt doubt;
+  EXPECT_EQ(after(20, {.of_static = 10, .of_moving = 3}, doubt), TrackingReason::none);
+  EXPECT_EQ(after(1, {.of_static = 10, .of_moving = 6}, doubt), TrackingReason::two_motions);
+  EXPECT_EQ(after(1, {.of_static = 10, .of_moving = 3}, doubt), TrackingReason::none);
+  EXPECT_EQ(after(20, {.of_static = 10, .of_moving = 5}, doubt), TrackingReason::two_motions);
+}
+
+TEST(Doubt, OfTheFirstFramesIfMotionsCompeteInThem) {
+  vo::Doubt doubt;
+  EXPECT_EQ(after(1, {.of_static = 10, .of_moving = 5}, doubt), TrackingReason::two_motions);
+}
+
+/// The pose may have followed the wrong one, whose rival has left the keyframes or the view.
+TEST(Doubt, LastsAfterACompetitionUntilFarMoreRestsThanMoved) {
+  vo::Doubt doubt;
+  after(20, {.of_static = 10, .of_moving = 6}, doubt);
+  EXPECT_EQ(after(100, {.of_static = 10, .of_moving = 0}, doubt), TrackingReason::two_motions);
+  EXPECT_EQ(after(30, {.of_static = 20, .of_moving = 0}, doubt), TrackingReason::none);
+  EXPECT_EQ(after(30, {.of_static = 10, .of_moving = 0}, doubt), TrackingReason::none);
 }
 
 /// The images of a plane, but for some that are those of the frame before.
