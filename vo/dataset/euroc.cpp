@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
@@ -55,15 +56,36 @@ std::vector<double> yaml_numbers(const fs::path& path, const std::string& text,
   }
 }
 
-RgbdCamera read_sensor(const fs::path& path, const std::string& text) {
+/// Returns the camera; throws Error naming the file unless it is a usable one.
+const RgbdCamera& checked_camera(const RgbdCamera& camera, const fs::path& path) {
+  try {
+    camera.validate();
+  } catch (const Error& error) {
+    fail(path.string(), ": ", error.what());
+  }
+  return camera;
+}
+
+/// Returns the image's size, px, as `resolution` gives it.
+cv::Size read_resolution(const fs::path& path, const std::string& text) {
+  constexpr double kMaxSize = 16384;
   const std::vector<double> size = yaml_numbers(path, text, "resolution", 2);
+  for (const double length : size) {
+    require(length >= 1 && length <= kMaxSize && length == std::floor(length), path.string(),
+            ": resolution: expected whole numbers from 1 to ", kMaxSize, ", got ", length);
+  }
+  return {static_cast<int>(size[0]), static_cast<int>(size[1])};
+}
+
+RgbdCamera read_sensor(const fs::path& path, const std::string& text) {
+  const cv::Size size = read_resolution(path, text);
   const std::vector<double> k = yaml_numbers(path, text, "intrinsics", 4);
   const std::vector<double> d = yaml_numbers(path, text, "distortion_coefficients", 4);
   const std::string model = yaml_value(text, "distortion_model");
   const bool is_fisheye = model.find("equidistant") != std::string::npos;
   require(is_fisheye || model.find("radial-tangential") != std::string::npos, path.string(),
           ": distortion_model: expected radial-tangential or equidistant, got", model);
-  RgbdCamera camera{{static_cast<int>(size[0]), static_cast<int>(size[1]), k[0], k[1], k[2], k[3]}};
+  RgbdCamera camera{{size.width, size.height, k[0], k[1], k[2], k[3]}};
   camera.pinhole.distortion = is_fisheye
                                   ? Distortion{.k1 = d[0],
                                                .k2 = d[1],
@@ -71,8 +93,7 @@ RgbdCamera read_sensor(const fs::path& path, const std::string& text) {
                                                .k4 = d[3],
                                                .model = DistortionModel::kannala_brandt}
                                   : Distortion{.k1 = d[0], .k2 = d[1], .p1 = d[2], .p2 = d[3]};
-  camera.validate();
-  return camera;
+  return checked_camera(camera, path);
 }
 
 SE3 read_extrinsics(const fs::path& path, const std::string& text) {
@@ -220,7 +241,7 @@ std::string format_truth(const SequenceSource& source) {
 SequenceSource open_euroc(const fs::path& folder, const std::optional<RgbdCamera>& camera) {
   const fs::path sensor = folder / kCamera / "sensor.yaml";
   SequenceSource source;
-  const std::string text = read_file(sensor);
+  const std::string text = read_file(sensor, kMaxConfigurationBytes);
   source.camera = camera ? *camera : read_sensor(sensor, text);
   source.T_body_camera = read_extrinsics(sensor, text);
   const auto images = std::make_shared<const std::vector<StampedFile>>(read_list(folder / kCamera));
@@ -231,7 +252,8 @@ SequenceSource open_euroc(const fs::path& folder, const std::optional<RgbdCamera
   if (has_depth) {
     const fs::path path = folder / kDepth / "sensor.yaml";
     source.camera.depth_units_per_m =
-        yaml_numbers(path, read_file(path), "depth_units_per_m", 1)[0];
+        yaml_numbers(path, read_file(path, kMaxConfigurationBytes), "depth_units_per_m", 1)[0];
+    checked_camera(source.camera, path);
   }
   source.read = [=, camera = source.camera, timestamps = source.timestamps](std::size_t index) {
     const StampedFile& image = images->at(index);

@@ -58,6 +58,10 @@ std::string format_distances(const DepthImage& depth, const PinholeCamera& camer
 
 DepthImage read_distances(const fs::path& path, const PinholeCamera& camera) {
   const std::string text = read_file(path);
+  const std::size_t pixels =
+      static_cast<std::size_t>(camera.height) * static_cast<std::size_t>(camera.width);
+  require(text.size() + 1 >= 2 * pixels, path.string(), ": expected ", pixels, " distances, got ",
+          text.size(), " bytes");
   DepthImage depth(camera.height, camera.width);
   const char* at = text.data();
   const char* end = text.data() + text.size();
@@ -71,8 +75,9 @@ DepthImage read_distances(const fs::path& path, const PinholeCamera& camera) {
       skip_blanks();
       double distance = 0;
       const auto [next, error] = std::from_chars(at, end, distance);
-      require(error == std::errc(), path.string(), ": expected ", depth.total(),
-              " distances, got a value that is none at column ", u, ", row ", v);
+      require(error == std::errc() && distance >= 0 && distance < kMaxMetres, path.string(),
+              ": expected ", depth.total(), " distances, got a value that is none at column ", u,
+              ", row ", v);
       depth(v, u) = static_cast<float>(distance * share_of_distance(camera, u, v));
       at = next;
     }
@@ -106,7 +111,7 @@ SE3 read_scene_pose(const fs::path& path) {
           ": expected cam_up across cam_dir");
   Eigen::Matrix3d R;
   R << x, z.cross(x), z;
-  return {Eigen::Quaterniond(R), read_vector(path, text, "cam_pos")};
+  return checked_pose(path.string(), Eigen::Quaterniond(R), read_vector(path, text, "cam_pos"));
 }
 
 std::string format_vector(const char* key, const Eigen::Vector3d& v) {

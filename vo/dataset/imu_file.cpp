@@ -101,10 +101,8 @@ std::vector<BodyState> read_states(const std::filesystem::path& path) {
   std::vector<BodyState> states;
   TextFile(path).for_each_line([&](const TextLine& line) {
     const std::vector<double> v = parse_line(line, kStateValues);
-    const Eigen::Quaterniond rotation(v[4], v[5], v[6], v[7]);
-    require(rotation.norm() > 0, line.place(), ": expected a quaternion, got zeros");
-    states.push_back({v[0], SE3(rotation, vector_at(v, 1)), vector_at(v, 8), vector_at(v, 11),
-                      vector_at(v, 14)});
+    const SE3 T_world_body = checked_pose(line.place(), {v[4], v[5], v[6], v[7]}, vector_at(v, 1));
+    states.push_back({v[0], T_world_body, vector_at(v, 8), vector_at(v, 11), vector_at(v, 14)});
   });
   return states;
 }

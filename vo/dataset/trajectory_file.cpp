@@ -14,8 +14,6 @@ namespace vo {
 namespace {
 
 constexpr std::size_t kValues = 8;
-constexpr double kMaxMetres = 1e9;
-constexpr double kUnitTolerance = 0.01;  // of a quaternion's norm from 1; files carry 4 decimals
 
 using Values = std::array<double, kValues>;
 
@@ -29,20 +27,15 @@ Values first_values(const TextLine& line) {
 
 /// Returns the pose of a stamp in units of `unit_s` seconds, a position and a quaternion, w last.
 /// Throws Error if one of them is out of range.
-StampedPose checked_pose(const TextLine& line, const Values& v, double unit_s) {
+StampedPose stamped_pose(const TextLine& line, const Values& v, double unit_s) {
   const double timestamp = parse_timestamp(line, 0, unit_s);
-  require(std::max({std::abs(v[1]), std::abs(v[2]), std::abs(v[3])}) < kMaxMetres, line.place(),
-          ": expected a position within 1e9 m of the origin");
-  const Eigen::Quaterniond rotation(v[7], v[4], v[5], v[6]);
-  require(std::abs(rotation.norm() - 1) < kUnitTolerance, line.place(),
-          ": expected a quaternion of length 1, got length ", rotation.norm());
-  return {timestamp, SE3(rotation, {v[1], v[2], v[3]})};
+  return {timestamp, checked_pose(line.place(), {v[7], v[4], v[5], v[6]}, {v[1], v[2], v[3]})};
 }
 
 StampedPose parse_pose(const TextLine& line) {
   require(line.fields.size() == kValues, line.place(),
           ": expected 8 values (timestamp tx ty tz qx qy qz qw), got ", line.fields.size());
-  return checked_pose(line, first_values(line), 1);
+  return stamped_pose(line, first_values(line), 1);
 }
 
 StampedPose parse_euroc_pose(const TextLine& line) {
@@ -50,7 +43,7 @@ StampedPose parse_euroc_pose(const TextLine& line) {
           ": expected at least 8 values (timestamp px py pz qw qx qy qz), got ",
           line.fields.size());
   const auto [ns, x, y, z, qw, qx, qy, qz] = first_values(line);
-  return checked_pose(line, {ns, x, y, z, qx, qy, qz, qw}, 1e-9);
+  return stamped_pose(line, {ns, x, y, z, qx, qy, qz, qw}, 1e-9);
 }
 
 template <typename ParsePose>
@@ -69,6 +62,16 @@ Trajectory read_poses(const std::filesystem::path& path, ParsePose parse) {
 }
 
 }  // namespace
+
+SE3 checked_pose(const std::string& place, const Eigen::Quaterniond& rotation,
+                 const Eigen::Vector3d& position) {
+  constexpr double kUnitTolerance = 0.01;  // of a quaternion's norm from 1; files carry 4 decimals
+  require(position.lpNorm<Eigen::Infinity>() < kMaxMetres, place, ": expected a position within ",
+          kMaxMetres, " m of the origin");
+  require(std::abs(rotation.norm() - 1) < kUnitTolerance, place,
+          ": expected a quaternion of length 1, got length ", rotation.norm());
+  return {rotation, position};
+}
 
 Trajectory read_trajectory(const std::filesystem::path& path) {
   return read_poses(path, parse_pose);

@@ -7,6 +7,14 @@
 
 namespace vo {
 
+/// The greatest distance of a file from the origin, m, along each axis.
+inline constexpr double kMaxMetres = 1e9;
+
+/// Returns a pose that a file holds. Throws Error beginning with `place` if the position is not
+/// within `kMaxMetres` or the quaternion's length differs from 1 by 0.01 or more.
+SE3 checked_pose(const std::string& place, const Eigen::Quaterniond& rotation,
+                 const Eigen::Vector3d& position);
+
 /// Reads a file in the TUM format: `timestamp tx ty tz qx qy qz qw` of T_world_camera, seconds and
 /// metres, '#' starts a comment. Throws Error naming file and line: numbers that are missing, not
 /// finite or not a rotation, and stamps that do not increase.

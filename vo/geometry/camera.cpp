@@ -116,9 +116,12 @@ void PinholeCamera::validate() const {
 }
 
 void RgbdCamera::validate() const {
+  constexpr double kMinDepthUnits = 1e-3;
+  constexpr double kMaxDepthUnits = 1e9;
   pinhole.validate();
-  require(depth_units_per_m > 0, "camera: expected depth_units_per_m above 0, got ",
-          depth_units_per_m);
+  require(depth_units_per_m >= kMinDepthUnits && depth_units_per_m <= kMaxDepthUnits,
+          "camera: expected depth_units_per_m from ", kMinDepthUnits, " to ", kMaxDepthUnits,
+          ", got ", depth_units_per_m);
   require(std::abs(readout.seconds) <= kMaxReadout, "camera: expected readout from ", -kMaxReadout,
           " to ", kMaxReadout, " s, got ", readout.seconds);
   depth_noise.validate();

@@ -11,6 +11,7 @@
 #include "vo/dataset/depth_units.h"
 #include "vo/dataset/euroc.h"
 #include "vo/dataset/icl_nuim.h"
+#include "vo/dataset/imu_file.h"
 #include "vo/dataset/sequence.h"
 #include "vo/files/input.h"
 
@@ -131,6 +132,54 @@ TEST(Euroc, ErrorsNameTheFileAndWhatIsMissing) {
   source.camera.pinhole.distortion.k3 = 1;
   EXPECT_THAT(error_text([&] { vo::encode_euroc_lists(source, true); }),
               HasSubstr("expected a lens without k3"));
+}
+
+TEST(Euroc, SizesAndUnitsThatNoImageHasAreErrors) {
+  const TempFolder folder;
+  vo::write_files(folder.path(), vo::encode_euroc_lists(example(), true));
+  const auto error_with = [&](const std::string& file, const std::string& from,
+                              const std::string& to) {
+    std::string text = vo::read_file(folder.path() / file);
+    const std::string before = text;
+    text.replace(text.find(from), text.find('\n', text.find(from)) - text.find(from), to);
+    folder.write(file, text);
+    const std::string error =
+        error_text([&] { vo::open_sequence(folder.path(), vo::SequenceFormat::euroc); });
+    folder.write(file, before);
+    return error;
+  };
+  for (const char* size : {"[1e300, 4]", "[-1, 4]", "[6.5, 4]", "[6, 16385]"}) {
+    EXPECT_THAT(
+        error_with("mav0/cam0/sensor.yaml", "resolution:", "resolution: " + std::string(size)),
+        HasSubstr("sensor.yaml: resolution: expected whole numbers from 1 to 16384"));
+  }
+  for (const char* units : {"0", "-1000", "1e-300"}) {
+    EXPECT_THAT(error_with("mav0/depth0/sensor.yaml",
+                           "depth_units_per_m:", "depth_units_per_m: " + std::string(units)),
+                HasSubstr("depth0/sensor.yaml: camera: expected depth_units_per_m from 0.001"));
+  }
+}
+
+TEST(Euroc, AStateWithoutARotationIsAnError) {
+  const TempFolder folder;
+  const auto path = folder.write("data.csv", "1,0,0,0,1e200,0,0,0,0,0,0,0,0,0,0,0,0\n");
+  EXPECT_THAT(error_text([&] { vo::read_states(path); }),
+              HasSubstr("data.csv:1: expected a quaternion of length 1"));
+}
+
+TEST(IclNuim, DistancesThatAreNoneAreErrors) {
+  const TempFolder folder;
+  folder.write("camera.toml", "width = 2\nheight = 1\nfx = 1.0\nfy = -1.0\ncx = 0.0\ncy = 0.0\n");
+  const vo::RgbdFrame frame{0, cv::Mat(1, 2, CV_8UC3, cv::Scalar(1, 2, 3)),
+                            vo::DepthImage(1, 2, 1.F)};
+  vo::write_files(folder.path(), vo::encode_icl_nuim_frame({{2, 1, 1, 1, 0, 0, {}}}, 0, frame, {}));
+  const auto source = vo::open_sequence(folder.path(), vo::SequenceFormat::icl_nuim);
+  for (const char* text : {"1 nan", "1 inf", "-1 1", "1 1e300", "1", "1 2 3"}) {
+    folder.write("scene_00_0000.depth", text);
+    EXPECT_THAT(error_text([&] { source.read(0); }),
+                HasSubstr("scene_00_0000.depth: expected 2 distances, got"))
+        << text;
+  }
 }
 
 TEST(IclNuim, MirroringIsItsOwnInverseAndMovesNoPixel) {
