@@ -19,6 +19,7 @@
 #include "vo/core/error.h"
 #include "vo/core/instruction_set.h"
 #include "vo/core/version.h"
+#include "vo/files/system_failure.h"
 
 namespace {
 
@@ -48,7 +49,7 @@ constexpr const char* kDescription =
 constexpr const char* kFooter =
     "Exit codes: 0 ok, 1 internal error, 2 wrong command line, 3 unusable input or output place,\n"
     "4 a bound was violated, 5 tracking was lost, 6 the output exists and differs (--force),\n"
-    "75 try again (disk full, terminated), 130 interrupted.";
+    "75 try again (disk full, too many files, no memory, terminated), 130 interrupted.";
 
 int run(int argc, char** argv) {
   CLI::App program(kDescription, "edvo");
@@ -115,7 +116,7 @@ int main(int argc, char** argv) {
     return tools::exit_code::of(error.kind());
   } catch (const std::filesystem::filesystem_error& error) {
     std::cerr << "edvo: " << error.path1().string() << ": " << error.code().message() << "\n";
-    return tools::exit_code::kUnusableInput;
+    return tools::exit_code::of(vo::kind_of_failure(error.code().value()));
   } catch (const cv::Exception& error) {
     const bool is_memory = error.code == cv::Error::StsNoMem;
     std::cerr << "edvo: " << (is_memory ? "out of memory: " : "internal error: ") << error.err

@@ -1,11 +1,6 @@
 #include "synth/sequence/generate.h"
 
-#include <algorithm>
-#include <atomic>
-#include <mutex>
 #include <utility>
-
-#include <tbb/parallel_for.h>
 
 #include "synth/camera/make_renderer.h"
 #include "synth/scene/scene_motion.h"
@@ -16,27 +11,6 @@
 
 namespace synth {
 namespace {
-
-/// Counts finished frames and reports progress, from one thread at a time.
-class FrameCounter {
- public:
-  FrameCounter(const vo::Progress& progress, std::size_t total)
-      : progress_(progress), total_(total) {}
-
-  void add_one() {
-    const std::lock_guard lock(mutex_);
-    ++done_;
-    if (progress_) {
-      progress_(done_, total_);
-    }
-  }
-
- private:
-  const vo::Progress& progress_;
-  std::size_t total_;
-  std::size_t done_ = 0;
-  std::mutex mutex_;
-};
 
 vo::SequenceLayout layout_of(const SequenceRecipe& recipe) {
   return {.camera = written_camera(recipe),
@@ -132,40 +106,7 @@ std::string depth_file(const SequenceRecipe& recipe, std::size_t index) {
   return vo::frame_files(layout_of(recipe), index).at(1);
 }
 
-std::vector<std::size_t> missing_frames(const SequenceRecipe& recipe,
-                                        const std::vector<std::size_t>& frames,
-                                        const std::filesystem::path& folder) {
-  std::vector<std::size_t> missing;
-  for (const std::size_t frame : frames) {
-    const std::vector<std::string> files = frame_files(recipe, frame);
-    if (!std::all_of(files.begin(), files.end(), [&](const std::string& file) {
-          return std::filesystem::is_regular_file(folder / file);
-        })) {
-      missing.push_back(frame);
-    }
-  }
-  return missing;
-}
-
-std::size_t generate_frames(const Scene& scene, const SequenceRecipe& recipe,
-                            const std::vector<std::size_t>& frames,
-                            const std::filesystem::path& folder, const vo::Progress& progress) {
-  if (frames.empty()) {
-    return 0;
-  }
-  const FrameGenerator generator(scene, recipe);
-  FrameCounter counter(progress, frames.size());
-  std::atomic<std::size_t> depth_beyond_16_bit = 0;
-  tbb::parallel_for(std::size_t{0}, frames.size(), [&](std::size_t i) {
-    const MadeFrame made = generator.make(frames[i]);
-    vo::write_files(folder, made.files, vo::ExistingOutput::replace);
-    depth_beyond_16_bit += made.depth_beyond_16_bit;
-    counter.add_one();
-  });
-  return depth_beyond_16_bit;
-}
-
-void finish_sequence(const SequenceRecipe& recipe, const std::filesystem::path& folder) {
+std::vector<vo::NamedBytes> sequence_files(const SequenceRecipe& recipe) {
   std::vector<vo::NamedBytes> files = vo::encode_lists(layout_of(recipe), recipe.truth);
   for (vo::NamedBytes& file : encode_motion(recipe.channels, recipe.path, recipe.truth)) {
     files.push_back(std::move(file));
@@ -173,7 +114,7 @@ void finish_sequence(const SequenceRecipe& recipe, const std::filesystem::path& 
   if (recipe.sensor.depth.delay != 0) {
     files.push_back({"groundtruth_depth.txt", vo::format_trajectory(depth_truth(recipe))});
   }
-  vo::write_files(folder, files, vo::ExistingOutput::replace);
+  return files;
 }
 
 }  // namespace synth

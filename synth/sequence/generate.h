@@ -13,7 +13,6 @@
 #include "synth/sensor/sensor.h"
 #include "synth/truth/truth_channels.h"
 #include "synth/truth/truth_generator.h"
-#include "vo/core/progress.h"
 #include "vo/dataset/sequence.h"
 #include "vo/files/output.h"
 #include "vo/geometry/camera.h"
@@ -73,20 +72,9 @@ std::vector<std::string> frame_files(const SequenceRecipe& recipe, std::size_t i
 /// Returns the name of a frame's 16-bit depth image, one of its `frame_files`.
 std::string depth_file(const SequenceRecipe& recipe, std::size_t index);
 
-/// Returns those of `frames` that lack a file in a folder. A file that exists counts as complete.
-std::vector<std::size_t> missing_frames(const SequenceRecipe& recipe,
-                                        const std::vector<std::size_t>& frames,
-                                        const std::filesystem::path& folder);
-
-/// Renders, measures and writes `frames` into an existing folder, in parallel on all cores. Returns
-/// the number of depth pixels that 16 bits could not hold.
-std::size_t generate_frames(const Scene& scene, const SequenceRecipe& recipe,
-                            const std::vector<std::size_t>& frames,
-                            const std::filesystem::path& folder, const vo::Progress& progress);
-
-/// Writes the files that belong to no single frame: the lists, groundtruth.txt (`recipe.truth`),
+/// Returns the files that belong to no single frame: the lists, groundtruth.txt (`recipe.truth`),
 /// camera.toml, groundtruth_depth.txt where depth has stamps of its own, and the velocity and IMU
 /// channels.
-void finish_sequence(const SequenceRecipe& recipe, const std::filesystem::path& folder);
+std::vector<vo::NamedBytes> sequence_files(const SequenceRecipe& recipe);
 
 }  // namespace synth

@@ -1,9 +1,8 @@
 #include "synth/sequence/render_sequence.h"
 
-#include <optional>
-
 #include "synth/scene/scene_hash.h"
 #include "synth/sequence/depth_coverage.h"
+#include "synth/sequence/share_renderer.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/core/version.h"
@@ -12,6 +11,8 @@
 #include "vo/dataset/trajectory_file.h"
 #include "vo/files/input.h"
 #include "vo/hashing/content_hash.h"
+#include "vo/output_folders/part_records.h"
+#include "vo/output_folders/staged_folder.h"
 #include "vo/text_files/toml_file.h"
 
 namespace synth {
@@ -109,21 +110,16 @@ bool is_of(const fs::path& folder, const std::string& manifest) {
   return fs::is_regular_file(folder / kManifest) && vo::read_file(folder / kManifest) == manifest;
 }
 
-bool holds(const fs::path& folder, const std::string& manifest, const RenderJob& job) {
-  return is_of(folder, manifest) && missing_frames(job.recipe, all_frames(job), folder).empty();
-}
-
 /// Renders the job's share of the frames and completes the sequence if no frame is missing then.
-void render_share(const RenderJob& job, const Scene& scene, vo::StagedFolder& staged,
-                  const vo::Progress& progress, RenderOutcome& outcome) {
-  const fs::path& folder = staged.staging();
-  const std::vector<std::size_t> frames = missing_frames(job.recipe, share_of(job), folder);
-  outcome.depth_beyond_16_bit = generate_frames(scene, job.recipe, frames, folder, progress);
-  outcome.rendered = frames.size();
-  outcome.missing = missing_frames(job.recipe, all_frames(job), folder).size();
-  if (outcome.missing == 0) {
-    finish_sequence(job.recipe, folder);
-    staged.commit();
+/// Frames whose files are not as they were recorded are rendered again, whoever made them.
+void render_share(const RenderJob& job, ShareRenderer& renderer, vo::StagedFolder& staged,
+                  RenderOutcome& outcome) {
+  for (std::vector<std::size_t> share = share_of(job); !share.empty();) {
+    renderer.render(share);
+    outcome.rendered = renderer.rendered();
+    outcome.depth_beyond_16_bit = renderer.depth_beyond_16_bit();
+    outcome.missing = renderer.missing(all_frames(job)).size();
+    share = outcome.missing == 0 ? staged.finish() : std::vector<std::size_t>();
   }
 }
 
@@ -136,41 +132,43 @@ std::string with_advice(const vo::Error& error, const fs::path& staging) {
                     : error.what();
 }
 
+/// Renders the job's share into a folder that was staged for it, without what is said of the
+/// result.
 RenderOutcome rendered(const RenderJob& job, const Scene& scene, const fs::path& folder,
-                       vo::ExistingOutput existing, const vo::Progress& progress) {
+                       const vo::OutputPolicy& policy, const vo::Progress& progress) {
   RenderOutcome outcome{.folder = folder};
-  const std::string manifest = format_manifest(job, scene);
-  if (holds(folder, manifest, job)) {
+  const vo::StagedContent content =
+      sequence_content(job.recipe, {kManifest, format_manifest(job, scene)});
+  const vo::WaitObserver waiting = [&] {
+    if (progress) {
+      progress(0, 0);
+    }
+  };
+  vo::StagedFolder staged(folder, content, policy, waiting);
+  if (staged.is_finished()) {
     outcome.was_there = true;
     return outcome;
   }
-  vo::require_replaceable(folder, kManifest, existing);
-  vo::StagedFolder staged(folder, {kManifest, manifest}, existing);
-  std::optional<vo::Error> error;
   try {
-    render_share(job, scene, staged, progress, outcome);
-  } catch (const vo::Error& thrown) {
-    error = thrown;
+    ShareRenderer renderer({scene, job.recipe}, content, staged, progress);
+    render_share(job, renderer, staged, outcome);
+  } catch (const vo::Error& error) {
+    throw vo::Error(with_advice(error, staged.staging()), error.kind());
   }
-  if (holds(folder, manifest, job)) {  // another process may have completed and renamed it
-    outcome.missing = 0;
-    return outcome;
+  if (outcome.missing > 0) {
+    outcome.folder = staged.staging();
   }
-  if (error) {
-    throw vo::Error(with_advice(*error, staged.staging()), error->kind());
-  }
-  outcome.folder = staged.staging();
   return outcome;
 }
 
 }  // namespace
 
 RenderOutcome render_sequence(const RenderJob& job, const fs::path& folder,
-                              vo::ExistingOutput existing, const vo::Progress& progress) {
+                              const vo::OutputPolicy& policy, const vo::Progress& progress) {
   job.recipe.camera.validate();
   share_of(job);  // throws before any work
   const Scene& scene = job.scene.scene();
-  RenderOutcome outcome = rendered(job, scene, folder, existing, progress);
+  RenderOutcome outcome = rendered(job, scene, folder, policy, progress);
   outcome.notes = job.scene.notes();
   outcome.depth_coverage = depth_coverage(job.recipe, all_frames(job), outcome.folder);
   if (outcome.depth_coverage) {
@@ -188,7 +186,12 @@ std::vector<std::size_t> frames_to_render(const RenderJob& job, const Scene& sce
   }
   for (const fs::path& place : {folder, vo::StagedFolder::staging_of(folder)}) {
     if (is_of(place, manifest)) {
-      return missing_frames(job.recipe, share, place);
+      const vo::PartRecords records(place);
+      std::erase_if(share, [&](std::size_t frame) {
+        const vo::FolderPart part = frame_part(job.recipe, frame);
+        return records.has(part.name, part.files);
+      });
+      return share;
     }
   }
   return share;

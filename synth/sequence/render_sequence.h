@@ -38,10 +38,11 @@ struct RenderOutcome {
 /// Renders a job's share into a folder that appears when the sequence is complete. Its
 /// sequence.toml records the inputs: an existing folder with equal inputs is left alone. Until
 /// completion the frames lie in `<folder>.part`, which any number of processes with equal inputs
-/// fill, at once or in turn, each with its share; the process that finds all frames there completes
-/// the sequence. A frame that exists is not rendered again.
+/// fill, at once or in turn, each with its share; each frame is rendered by one of them, and one
+/// completes the sequence when all are there. A finished frame is not rendered again unless its
+/// files have changed since.
 RenderOutcome render_sequence(const RenderJob& job, const std::filesystem::path& folder,
-                              vo::ExistingOutput existing, const vo::Progress& progress);
+                              const vo::OutputPolicy& policy, const vo::Progress& progress);
 
 /// Returns the frames of the job's share that the folder or else its staging folder lacks; all of
 /// them if neither has the job's inputs or the folder's name is empty.

@@ -33,8 +33,11 @@ inline ProgramResult run_program(const std::string& arguments, const std::string
 /// Returns whether something unfinished lies in a folder.
 inline bool has_leftovers(const std::filesystem::path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().filename().string().find(".partial") != std::string::npos) {
-      return true;
+    const std::string name = entry.path().filename().string();
+    for (const char* ending : {".partial-edvo", ".lock-edvo", ".old-edvo"}) {
+      if (name.ends_with(ending)) {
+        return true;
+      }
     }
   }
   return false;

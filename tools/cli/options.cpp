@@ -31,10 +31,17 @@ void add_json_flag(CLI::App& command, bool& json) {
   command.add_flag("--json", json, "print the result as JSON on stdout; --json - is the same");
 }
 
+void add_no_sync_flag(CLI::App& command, bool& no_sync) {
+  command.add_flag("--no-sync", no_sync,
+                   "do not wait until outputs are on the disk: faster, lost with the power");
+}
+
 void add_common_options(CLI::App& command, CommonOptions& options) {
   add_json_flag(command, options.json);
   command.add_flag("--quiet,-q", options.quiet, "no progress on stderr");
-  command.add_flag("--force", options.force, "replace an output that exists and differs");
+  command.add_flag("--force", options.force,
+                   "replace an output that exists and differs; files of others are kept");
+  add_no_sync_flag(command, options.no_sync);
   command.add_option("--threads", options.threads, "threads at most; 0 = all cores")
       ->check(CLI::NonNegativeNumber);
 }

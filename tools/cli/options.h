@@ -23,13 +23,15 @@ struct CommonOptions {
   bool json = false;
   bool quiet = false;
   bool force = false;
+  bool no_sync = false;
   int threads = 0;  ///< greatest number of threads; 0 = all cores
 
   std::size_t max_threads() const;
   tbb::global_control limit_threads() const;  ///< holds while the result lives
   Verbosity verbosity() const { return quiet ? Verbosity::quiet : Verbosity::normal; }
-  vo::ExistingOutput existing() const {
-    return force ? vo::ExistingOutput::replace : vo::ExistingOutput::keep;
+  vo::OutputPolicy output_policy() const {
+    return {force ? vo::ExistingOutput::replace : vo::ExistingOutput::keep,
+            no_sync ? vo::Durability::unsynced : vo::Durability::synced};
   }
 };
 
@@ -37,6 +39,9 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 
 /// Adds the flag `--json` alone; `add_common_options` has it, too.
 void add_json_flag(CLI::App& command, bool& json);
+
+/// Adds the flag `--no-sync` alone; `add_common_options` has it, too.
+void add_no_sync_flag(CLI::App& command, bool& no_sync);
 
 /// Adds an option `--key value` for each field ('_' as '-'), with its help and default.
 void add_field_options(CLI::App& command, const std::vector<vo::Field>& fields,

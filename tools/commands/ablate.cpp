@@ -107,7 +107,7 @@ void complete(AblateArguments& arguments) {
 fs::path rendered(const AblateArguments& arguments, const synth::RenderJob& job, const char* name) {
   fs::path folder = fs::path(arguments.out) / name;
   ProgressBar bar("rendering", arguments.common.verbosity());
-  synth::render_sequence(job, folder, arguments.common.existing(), bar.callback());
+  synth::render_sequence(job, folder, arguments.common.output_policy(), bar.callback());
   return folder;
 }
 

@@ -99,7 +99,7 @@ void bench(const BenchArguments& arguments) {
   const BenchReport report = measure(arguments, load_input(arguments));
   const std::string json = json_text(bench_json(report));
   if (!arguments.out.empty()) {
-    vo::write_file(arguments.out, json, arguments.common.existing());
+    vo::write_file(arguments.out, json, arguments.common.output_policy());
   }
   std::cout << (arguments.common.json ? json : bench_table(report));
 }

@@ -90,7 +90,7 @@ void add_convert_command(CLI::App& program, int& /*exit_code*/) {
   command.callback([arguments] {
     const vo::ConvertJob job = chosen_job(*arguments);
     ProgressBar bar("converting", arguments->common.verbosity());
-    print(*arguments, vo::convert_sequence(job, arguments->common.existing(), bar.callback()));
+    print(*arguments, vo::convert_sequence(job, arguments->common.output_policy(), bar.callback()));
   });
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/cli/exit_code.h"
+#include "tools/cli/interrupt.h"
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/scene_arguments.h"
@@ -115,7 +116,8 @@ int depth(const DepthArguments& arguments) {
   const std::optional<vo::RgbdCamera> camera = given_camera(arguments.camera);
   std::optional<DepthOutput> output;
   if (!arguments.out.empty()) {
-    output.emplace(arguments.out, arguments.every, arguments.common.existing());
+    output.emplace(arguments.out, arguments.every, arguments.common.output_policy(),
+                   throw_if_interrupted);
   }
   const auto observer = [&](MapScale scale) {
     return output ? output->observer(scale) : MapObserver();

@@ -30,7 +30,8 @@ constexpr const char* kRenderHelp =
     "processes with the same inputs may fill at once (--shard, --frames) or one after the other: "
     "a\n"
     "finished frame is not rendered again. To join parts from several machines, copy what their\n"
-    "DIR.part hold into one and give the command without --shard.";
+    "DIR.part hold into one and give the command without --shard; a file that was cut or damaged\n"
+    "on the way is found by its record in DIR.part/edvo-done, and rendered again.";
 
 constexpr const char* kRenderExamples =
     "Examples:\n"
@@ -178,8 +179,8 @@ void render(RenderArguments& arguments) {
     return;
   }
   ProgressBar bar("rendering", arguments.common.verbosity());
-  print(arguments, synth::render_sequence(arguments.job, arguments.out, arguments.common.existing(),
-                                          bar.callback()));
+  print(arguments, synth::render_sequence(arguments.job, arguments.out,
+                                          arguments.common.output_policy(), bar.callback()));
 }
 
 std::vector<vo::Field> render_fields(synth::RenderJob& job) {

@@ -64,7 +64,7 @@ int run(const RunArguments& arguments) {
   ProgressBar render_bar("rendering", arguments.common.verbosity());
   ProgressBar track_bar("tracking", arguments.common.verbosity());
   const Outcome outcome =
-      run_and_report(scenario, arguments.out, arguments.common.existing(), arguments.report,
+      run_and_report(scenario, arguments.out, arguments.common.output_policy(), arguments.report,
                      {render_bar.callback(), track_bar.callback()});
   print(arguments, scenario, outcome);
   return outcome.passed() ? exit_code::kOk : exit_code::kBoundViolated;

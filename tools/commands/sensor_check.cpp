@@ -68,7 +68,7 @@ void sensor_check(const SensorCheckArguments& arguments) {
          contact_sheet(arguments.scene, {.samples = arguments.samples}, camera, arguments.path)});
   }
   vo::make_folder(arguments.out);
-  vo::write_results(arguments.out, files, arguments.common.existing());
+  vo::write_results(arguments.out, files, arguments.common.output_policy());
   print(arguments, worst_share(depth), worst_share(image));
 }
 

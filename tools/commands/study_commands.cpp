@@ -25,7 +25,7 @@ void add_laboratory_options(CLI::App& command, LaboratoryArguments& arguments) {
 
 void deliver_study(const StudyReport& report, const std::string& command, const std::string& folder,
                    const CommonOptions& common) {
-  vo::write_results(folder, study_files(report, command), common.existing());
+  vo::write_results(folder, study_files(report, command), common.output_policy());
   if (common.json) {
     std::cout << json_text(json_document({"study"}, as_json(report)));
     return;

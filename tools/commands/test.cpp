@@ -76,6 +76,7 @@ struct TestArguments {
   std::vector<std::string> paths{"scenarios"};
   bool slow = false;
   bool quiet = false;
+  bool no_sync = false;
   int threads = 0;
   std::string cache;
   std::string tracker;
@@ -138,10 +139,16 @@ void complete(TestArguments& arguments) {
   }
 }
 
-/// Writes a file that the user named, replacing an existing one; nothing if the name is empty.
-void write_asked(const std::string& file, const std::string& bytes) {
+vo::OutputPolicy policy_of(const TestArguments& arguments) {
+  return {vo::ExistingOutput::replace,
+          arguments.no_sync ? vo::Durability::unsynced : vo::Durability::synced};
+}
+
+/// Writes a file that the user named; nothing if the name is empty.
+void write_asked(const std::string& file, const std::string& bytes,
+                 const vo::OutputPolicy& policy) {
   if (!file.empty()) {
-    vo::write_file(file, bytes, vo::ExistingOutput::replace);
+    vo::write_file(file, bytes, policy);
   }
 }
 
@@ -212,14 +219,15 @@ void write_results(const TestArguments& arguments, const TestResults& results,
   if (is_json_on_stdout) {
     std::cout << json_text(results_json(results));
   } else {
-    write_asked(arguments.json, json_text(results_json(results)));
+    write_asked(arguments.json, json_text(results_json(results)), policy_of(arguments));
   }
-  write_asked(arguments.junit, format_junit(results, changes));
+  write_asked(arguments.junit, format_junit(results, changes), policy_of(arguments));
   if (!arguments.report.empty()) {
-    write_asked(arguments.report, html_report(test_reports(results, changes)));
+    write_asked(arguments.report, html_report(test_reports(results, changes)),
+                policy_of(arguments));
   }
   if (!arguments.save_baseline.empty()) {
-    print_notes(save_baseline(arguments.save_baseline, results));
+    print_notes(save_baseline(arguments.save_baseline, results, policy_of(arguments)));
   }
 }
 
@@ -255,6 +263,7 @@ void add_run_options(CLI::App& command, TestArguments& arguments) {
   command.add_option("--threads", arguments.threads, "threads at most; 0 = all cores")
       ->check(CLI::NonNegativeNumber);
   command.add_flag("--quiet,-q", arguments.quiet, "no progress on stderr");
+  add_no_sync_flag(command, arguments.no_sync);
 }
 
 }  // namespace

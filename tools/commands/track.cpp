@@ -12,6 +12,7 @@
 #include <opencv2/core/utility.hpp>
 
 #include "tools/cli/exit_code.h"
+#include "tools/cli/interrupt.h"
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/scene_arguments.h"
@@ -102,10 +103,10 @@ struct Tracked {
 
 void write_results(const TrackArguments& arguments, const Tracked& tracked) {
   vo::write_file(arguments.out, vo::format_trajectory(tracked.result.trajectory),
-                 arguments.common.existing());
+                 arguments.common.output_policy());
   write_config(arguments, tracked.options);
   if (!arguments.frame_log.empty()) {
-    vo::write_file(arguments.frame_log, tracked.log, arguments.common.existing());
+    vo::write_file(arguments.frame_log, tracked.log, arguments.common.output_policy());
   }
 }
 
@@ -203,7 +204,7 @@ void write_pictures(const TrackArguments& arguments, const vo::SequenceReader& s
   vo::write_file(
       beside(arguments.out, "_trajectory.svg"),
       draw_trajectory(sequence.ground_truth(), result.trajectory, vo::TrajectoryAlignment::se3),
-      arguments.common.existing());
+      arguments.common.output_policy());
 }
 
 int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera) {
@@ -212,7 +213,7 @@ int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCame
   const vo::SequenceReader sequence(arguments.sequence, camera, arguments.max_time_difference);
   vo::TrackerOptions options = chosen.starting_from(sequence.camera());
   PanelWriter panels(beside(arguments.out, "_panels"), arguments.debug_images,
-                     arguments.common.existing());
+                     arguments.common.output_policy(), throw_if_interrupted);
   ProgressBar bar("tracking", arguments.common.verbosity());
   Tracked tracked{
       .result = vo::track_sequence(sequence, options, {}, panels.observer(), bar.callback()),

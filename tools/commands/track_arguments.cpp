@@ -58,7 +58,7 @@ void write_config(const TrackArguments& arguments, const std::vector<vo::Field>&
       vo::concat("# edvo ", vo::version(), ": all that the trajectory was tracked with.\n",
                  "mode = ", vo::quoted_toml(arguments.mode), "\n",
                  "preset = ", vo::quoted_toml(arguments.preset), "\n", vo::format_toml(fields));
-  vo::write_file(beside(arguments.out, "_config.toml"), text, arguments.common.existing());
+  vo::write_file(beside(arguments.out, "_config.toml"), text, arguments.common.output_policy());
 }
 
 std::filesystem::path beside(const std::filesystem::path& file, const std::string& suffix) {

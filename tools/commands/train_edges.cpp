@@ -73,7 +73,7 @@ void train(const TrainArguments& arguments) {
   const std::string text = structured_forest_yaml(forest);
   const bool is_compressed = arguments.out.ends_with(".gz");
   const std::string bytes = is_compressed ? vo::gzip(text) : text;
-  vo::write_file(arguments.out, bytes, arguments.common.existing());
+  vo::write_file(arguments.out, bytes, arguments.common.output_policy());
   if (arguments.common.json) {
     const Json result = {{"model", arguments.out},
                          {"bytes", bytes.size()},
@@ -149,7 +149,7 @@ void evaluate(const TrainArguments& arguments) {
     const auto first_of_scene = static_cast<std::size_t>(arguments.views.views);
     vo::write_file(arguments.picture,
                    vo::encode_png(draw_comparison(views, first_of_scene, forest, curves)),
-                   arguments.common.existing());
+                   arguments.common.output_policy());
   }
   if (arguments.common.json) {
     std::cout << json_text(json_document({"edge_detectors"}, as_json(curves, views.size())));

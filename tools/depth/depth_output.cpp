@@ -26,8 +26,8 @@ double divisor(const vo::DepthMap& map, const vo::DepthImage& true_depth, MapSca
 }
 
 DepthOutput::DepthOutput(const std::filesystem::path& folder, int every,
-                         vo::ExistingOutput existing)
-    : every_(every), folder_(folder, "depth.csv", existing) {}
+                         const vo::OutputPolicy& policy, const vo::WaitObserver& waiting)
+    : every_(every), folder_(folder, policy, waiting) {}
 
 MapObserver DepthOutput::observer(MapScale scale) {
   return [this, scale](std::size_t frame, const vo::DepthMap& map, const vo::DepthImage& truth,
@@ -35,17 +35,17 @@ MapObserver DepthOutput::observer(MapScale scale) {
     if (every_ == 0 || frame % static_cast<std::size_t>(every_) != 0) {
       return;
     }
-    vo::write_file(folder_.partial() / frame_name(frame),
-                   vo::encode_png(draw_depth_map(map, truth, divisor(map, truth, scale))));
+    folder_.write({{frame_name(frame),
+                    vo::encode_png(draw_depth_map(map, truth, divisor(map, truth, scale)))}});
     cloud_ = as_ply(map, T_world_host);
   };
 }
 
 void DepthOutput::commit(const std::vector<MappedFrame>& frames) {
-  vo::write_file(folder_.partial() / "depth.csv", as_csv(depth_table(frames)));
-  vo::write_file(folder_.partial() / "course.svg", draw_course(frames));
+  folder_.write({{"depth.csv", as_csv(depth_table(frames))}});
+  folder_.write({{"course.svg", draw_course(frames)}});
   if (!cloud_.empty()) {
-    vo::write_file(folder_.partial() / "cloud.ply", cloud_);
+    folder_.write({{"cloud.ply", cloud_}});
   }
   folder_.commit();
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tools/depth/mapping_run.h"
-#include "vo/files/output.h"
+#include "vo/output_folders/output_folder.h"
 
 namespace tools {
 
@@ -20,8 +20,9 @@ double divisor(const vo::DepthMap& map, const vo::DepthImage& true_depth, MapSca
 /// last one pictured. The folder appears when committed.
 class DepthOutput {
  public:
-  /// Creates the staged folder; `every` 0 writes no picture.
-  DepthOutput(const std::filesystem::path& folder, int every, vo::ExistingOutput existing);
+  /// Begins the folder, having waited for others that make it; `every` 0 writes no picture.
+  DepthOutput(const std::filesystem::path& folder, int every, const vo::OutputPolicy& policy,
+              const vo::WaitObserver& waiting);
 
   MapObserver observer(MapScale scale);  ///< callback that draws maps; refers to this output
   void commit(const std::vector<MappedFrame>& frames);

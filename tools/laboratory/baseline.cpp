@@ -23,13 +23,12 @@ std::vector<std::string> baseline_notes(const TestResults& baseline, const TestR
 }
 
 std::vector<std::string> save_baseline(const std::filesystem::path& file,
-                                       const TestResults& results) {
+                                       const TestResults& results, const vo::OutputPolicy& policy) {
   TestResults measured = results;
   std::erase_if(measured.scenarios,
                 [](const ScenarioResult& s) { return s.verdict() == Verdict::error; });
   const TestResults old = std::filesystem::exists(file) ? read_results(file) : TestResults();
-  vo::write_file(file, json_text(results_json(updated(old, measured)), 1),
-                 vo::ExistingOutput::replace);
+  vo::write_file(file, json_text(results_json(updated(old, measured)), 1), policy);
   std::vector<std::string> notes;
   for (const std::string& name : missing_scenarios(results, measured)) {
     notes.push_back(vo::concat(name, ": was not measured and is not put into ", file.string()));

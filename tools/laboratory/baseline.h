@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tools/laboratory/results.h"
+#include "vo/files/output.h"
 
 namespace tools {
 
@@ -16,6 +17,6 @@ std::vector<std::string> baseline_notes(const TestResults& baseline, const TestR
 /// that could not be measured is no baseline: the earlier one, if any, stays, and a sentence on it
 /// is returned. Throws vo::Error if the file holds anything else or cannot be written.
 std::vector<std::string> save_baseline(const std::filesystem::path& file,
-                                       const TestResults& results);
+                                       const TestResults& results, const vo::OutputPolicy& policy);
 
 }  // namespace tools

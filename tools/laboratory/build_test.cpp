@@ -9,7 +9,7 @@ namespace tools {
 
 TestResults test_build(const std::filesystem::path& build,
                        const std::vector<std::string>& scenarios, int seeds,
-                       const WaitObserver& waiting) {
+                       const vo::WaitObserver& waiting) {
   constexpr double kTimeLimit = 24 * 3600;  // time limit, s
   const ScratchFolder scratch;
   const std::filesystem::path results = scratch.path() / "results.json";

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tools/laboratory/results.h"
-#include "tools/processes/file_lock.h"
+#include "vo/core/progress.h"
 
 namespace tools {
 
@@ -13,6 +13,6 @@ namespace tools {
 /// many seeds. Throws vo::Error if it leaves no results.
 TestResults test_build(const std::filesystem::path& build,
                        const std::vector<std::string>& scenarios, int seeds,
-                       const WaitObserver& waiting);
+                       const vo::WaitObserver& waiting);
 
 }  // namespace tools

@@ -219,7 +219,7 @@ void OutsideTracker::validate() const {
 
 OutsideRun track_outside(const OutsideTracker& tracker, const fs::path& folder,
                          vo::SequenceContent content, const vo::SequenceReader& sequence,
-                         const WaitObserver& waiting) {
+                         const vo::WaitObserver& waiting) {
   const ScratchFolder scratch;
   const fs::path staged = scratch.path() / "sequence";
   stage_sequence(folder, content, staged, waiting);

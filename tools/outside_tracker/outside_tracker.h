@@ -5,8 +5,8 @@
 #include <string>
 
 #include "tools/outside_tracker/problem_kind.h"
-#include "tools/processes/file_lock.h"
 #include "tools/scenario/scenario.h"
+#include "vo/core/progress.h"
 #include "vo/dataset/sequence.h"
 #include "vo/sequence_odometry/track_sequence.h"
 
@@ -58,7 +58,7 @@ struct OutsideRun {
 /// throws.
 OutsideRun track_outside(const OutsideTracker& tracker, const std::filesystem::path& folder,
                          vo::SequenceContent content, const vo::SequenceReader& sequence,
-                         const WaitObserver& waiting);
+                         const vo::WaitObserver& waiting);
 
 /// Returns the bounds without those on metrics that only edvo's own tracker reports: keyframes,
 /// covariances, maps.

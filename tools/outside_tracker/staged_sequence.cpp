@@ -10,7 +10,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "vo/core/error.h"
+#include "vo/files/system_failure.h"
 
 namespace tools {
 namespace {
@@ -41,9 +41,7 @@ bool clone_file(const fs::path& from, const fs::path& to) {
 }
 
 [[noreturn]] void fail_to_stage(const fs::path& file, const std::error_code& error) {
-  const bool full = error == std::errc::no_space_on_device || error.value() == EDQUOT;
-  vo::fail_as(full ? vo::ErrorKind::temporary : vo::ErrorKind::input, file.string(),
-              ": cannot be copied for the tracker: ", error.message());
+  vo::fail_with(file, "cannot be copied for the tracker", error.value());
 }
 
 void copy_read_only(const fs::path& from, const fs::path& to) {
@@ -72,7 +70,7 @@ void make_read_only(const fs::path& folder) {
 }
 
 /// Copies the regular files that lie directly in a folder.
-void copy_folder(const fs::path& from, const fs::path& to, const WaitObserver& waiting) {
+void copy_folder(const fs::path& from, const fs::path& to, const vo::WaitObserver& waiting) {
   std::error_code error;
   fs::create_directories(to, error);
   if (error) {
@@ -89,7 +87,7 @@ void copy_folder(const fs::path& from, const fs::path& to, const WaitObserver& w
 }  // namespace
 
 void stage_sequence(const fs::path& sequence, vo::SequenceContent content, const fs::path& folder,
-                    const WaitObserver& waiting) {
+                    const vo::WaitObserver& waiting) {
   std::vector<std::string> files{"rgb.txt", "camera.toml", "imu.csv", "imu.toml"};
   copy_folder(sequence / "rgb", folder / "rgb", waiting);
   if (content == vo::SequenceContent::colour_and_depth) {

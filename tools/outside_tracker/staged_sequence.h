@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "tools/processes/file_lock.h"
+#include "vo/core/progress.h"
 #include "vo/dataset/sequence.h"
 
 namespace tools {
@@ -14,6 +14,6 @@ namespace tools {
 /// (FICLONE); none is a link to it. `waiting` is called after each image. Throws vo::Error when a
 /// file cannot be copied, of kind temporary where the disk is full.
 void stage_sequence(const std::filesystem::path& sequence, vo::SequenceContent content,
-                    const std::filesystem::path& folder, const WaitObserver& waiting);
+                    const std::filesystem::path& folder, const vo::WaitObserver& waiting);
 
 }  // namespace tools

@@ -9,10 +9,10 @@
 namespace tools {
 
 PanelWriter::PanelWriter(const std::filesystem::path& folder, int every,
-                         vo::ExistingOutput existing)
+                         const vo::OutputPolicy& policy, const vo::WaitObserver& waiting)
     : every_(every) {
   if (every_ > 0) {
-    output_ = std::make_unique<vo::OutputFolder>(folder, "000000.png", existing);
+    output_ = std::make_unique<vo::OutputFolder>(folder, policy, waiting);
   }
 }
 
@@ -39,8 +39,7 @@ void PanelWriter::write(const vo::RgbdFrame& frame, const vo::FramePyramid& pyra
                         const vo::Tracker& tracker, const vo::TrackingResult& result) const {
   std::array<char, 32> name{};
   std::snprintf(name.data(), name.size(), "%06d.png", frame_);
-  vo::write_file(output_->partial() / name.data(),
-                 vo::encode_png(draw_panel(frame, pyramid, tracker, result)));
+  output_->write({{name.data(), vo::encode_png(draw_panel(frame, pyramid, tracker, result))}});
 }
 
 }  // namespace tools

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "vo/files/output.h"
+#include "vo/output_folders/output_folder.h"
 #include "vo/sequence_odometry/track_sequence.h"
 
 namespace tools {
@@ -11,8 +12,10 @@ namespace tools {
 /// Writes the panel of every n-th frame into a folder that appears when committed.
 class PanelWriter {
  public:
-  /// Creates the staged folder; with `every` 0 nothing is written and no folder made.
-  PanelWriter(const std::filesystem::path& folder, int every, vo::ExistingOutput existing);
+  /// Begins the folder, having waited for others that make it; with `every` 0 nothing is written
+  /// and no folder made.
+  PanelWriter(const std::filesystem::path& folder, int every, const vo::OutputPolicy& policy,
+              const vo::WaitObserver& waiting);
 
   vo::FrameObserver observer();  ///< callback that writes panels; refers to this writer
   void commit();

@@ -54,7 +54,7 @@ class Supervised {
   Supervised& operator=(Supervised&&) = delete;
 
   /// Returns what the supervisor wrote until it ended.
-  std::string wait(const WaitObserver& waiting) const {
+  std::string wait(const vo::WaitObserver& waiting) const {
     constexpr int kPause = 100;  // ms
     std::string bytes;
     for (;;) {
@@ -80,7 +80,7 @@ class Supervised {
 }  // namespace
 
 ChildEnd run_child(const ChildCommand& command, const ChildLimits& limits,
-                   const WaitObserver& waiting) {
+                   const vo::WaitObserver& waiting) {
   vo::require(!command.words.empty(), "expected a program to start");
   const std::string bytes = Supervised(command, limits).wait(waiting);
   SupervisorMessage message;

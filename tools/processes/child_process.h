@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/processes/file_lock.h"
 #include "tools/processes/private_view.h"
+#include "vo/core/progress.h"
 
 namespace tools {
 
@@ -47,6 +47,6 @@ struct ChildEnd {
 /// process ends in whatever way, all that it started is killed, daemons included. Throws vo::Error
 /// when the program cannot be started.
 ChildEnd run_child(const ChildCommand& command, const ChildLimits& limits,
-                   const WaitObserver& waiting);
+                   const vo::WaitObserver& waiting);
 
 }  // namespace tools

@@ -156,7 +156,8 @@ class RunningJobs {
 
 }  // namespace
 
-void run_forked(std::size_t count, int jobs, const ForkedJobs& what, const WaitObserver& waiting) {
+void run_forked(std::size_t count, int jobs, const ForkedJobs& what,
+                const vo::WaitObserver& waiting) {
   RunningJobs running;
   for (std::size_t next = 0; next < count || running.size() > 0;) {
     waiting();

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "tools/processes/file_lock.h"
+#include "vo/core/progress.h"
 
 namespace tools {
 
@@ -29,6 +29,7 @@ struct ForkedJobs {
 /// throws, or when this process ends, the jobs are sent SIGTERM, and SIGKILL if they are still
 /// there after some seconds. To be called while this process has one thread, for a fork has no
 /// others.
-void run_forked(std::size_t count, int jobs, const ForkedJobs& what, const WaitObserver& waiting);
+void run_forked(std::size_t count, int jobs, const ForkedJobs& what,
+                const vo::WaitObserver& waiting);
 
 }  // namespace tools

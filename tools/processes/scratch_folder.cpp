@@ -1,10 +1,18 @@
 #include "tools/processes/scratch_folder.h"
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <string>
 #include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "vo/core/error.h"
+#include "vo/files/system_failure.h"
 
 namespace tools {
 namespace {
@@ -22,18 +30,80 @@ void make_writable(const fs::path& folder) {
   }
 }
 
+void remove_with_contents(const fs::path& folder) {
+  std::error_code ignored;
+  make_writable(folder);
+  fs::remove_all(folder, ignored);
+}
+
+constexpr const char* kPrefix = "edvo-";
+constexpr const char* kLockSuffix = ".lock";
+
+bool is_own_file(const fs::path& file) {
+  struct stat status {};
+  return ::lstat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode) &&
+         status.st_uid == ::geteuid();
+}
+
+/// Removes the folder of a lock file that nobody holds, and the file.
+void remove_if_abandoned(const fs::path& lock_file) {
+  const auto lock = vo::FileLock::try_lock(lock_file, vo::LockKind::exclusive);
+  if (lock && lock->is_on(lock_file)) {
+    remove_with_contents(fs::path(lock_file).replace_extension());
+    lock->remove_if_alone(lock_file);
+  }
+}
+
+/// Removes what killed processes of this user left.
+void remove_abandoned_folders(const fs::path& place) {
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(place, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(kPrefix) && name.ends_with(kLockSuffix) && is_own_file(entry.path())) {
+      try {
+        remove_if_abandoned(entry.path());
+      } catch (const vo::Error&) {  // it has gone in between
+      }
+    }
+  }
+}
+
+/// Makes a file `edvo-XXXXXX.lock` of a name that is free, locked before anybody else saw it.
+std::pair<fs::path, vo::FileLock> new_lock_file(const fs::path& place) {
+  for (;;) {
+    std::string name = (place / (std::string(kPrefix) + "XXXXXX" + kLockSuffix)).string();
+    const int file =
+        ::mkostemps(name.data(), static_cast<int>(std::strlen(kLockSuffix)), O_CLOEXEC);
+    if (file < 0) {
+      vo::fail_with(place, "a scratch folder cannot be made", errno);
+    }
+    ::close(file);
+    std::optional<vo::FileLock> lock = vo::FileLock::try_lock(name, vo::LockKind::exclusive);
+    if (lock && lock->is_on(name)) {  // else somebody took it for abandoned
+      return {name, std::move(*lock)};
+    }
+  }
+}
+
 }  // namespace
 
 ScratchFolder::ScratchFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "edvo-XXXXXX").string();
-  vo::require(mkdtemp(name.data()) != nullptr, name, ": cannot be made");
-  path_ = name;
+  const fs::path place = fs::temp_directory_path();
+  remove_abandoned_folders(place);
+  auto [file, lock] = new_lock_file(place);
+  lock_file_ = file;
+  lock_.emplace(std::move(lock));
+  path_ = fs::path(lock_file_).replace_extension();
+  if (::mkdir(path_.c_str(), S_IRWXU) != 0) {
+    const int error = errno;
+    lock_->remove_if_alone(lock_file_);
+    vo::fail_with(path_, "cannot be made", error);
+  }
 }
 
 ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  make_writable(path_);
-  std::filesystem::remove_all(path_, ignored);
+  remove_with_contents(path_);
+  lock_->remove_if_alone(lock_file_);
 }
 
 }  // namespace tools

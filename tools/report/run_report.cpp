@@ -20,6 +20,7 @@
 #include "vo/core/error.h"
 #include "vo/dataset/trajectory_file.h"
 #include "vo/files/result_files.h"
+#include "vo/output_folders/staged_folder.h"
 
 namespace tools {
 namespace {
@@ -67,9 +68,10 @@ void require_own_folder(const fs::path& folder) {
   }
   vo::require(fs::is_directory(folder), folder.string(),
               ": is a file, expected a folder for the results");
-  vo::require(fs::exists(folder / "sequence" / "sequence.toml") || is_visibly_empty(folder),
-              folder.string(),
-              ": holds other files than edvo's, expected a folder for the results");
+  vo::require(
+      fs::exists(folder / "sequence" / "sequence.toml") ||
+          fs::exists(vo::StagedFolder::staging_of(folder / "sequence")) || is_visibly_empty(folder),
+      folder.string(), ": holds other files than edvo's, expected a folder for the results");
 }
 
 /// Returns an observer that calls both observers in turn; an empty one is skipped.
@@ -89,11 +91,11 @@ vo::FrameObserver in_turn(const vo::FrameObserver& first, const vo::FrameObserve
 class RunPictures {
  public:
   RunPictures(const Scenario& scenario, const fs::path& folder, int every,
-              vo::ExistingOutput existing) {
+              const vo::OutputPolicy& policy, const vo::WaitObserver& waiting) {
     if (scenario.odometry.mode == OdometryMode::rgbd) {
-      panels_.emplace(folder / "panels", every, existing);
+      panels_.emplace(folder / "panels", every, policy, waiting);
     } else {
-      maps_.emplace(folder / "maps", every, existing);
+      maps_.emplace(folder / "maps", every, policy, waiting);
       scale_ = map_scale(scenario.odometry);
     }
   }
@@ -139,16 +141,17 @@ class RunPictures {
 }  // namespace
 
 Outcome run_and_report(const Scenario& scenario, const fs::path& folder,
-                       vo::ExistingOutput existing, const RunReportOptions& options,
+                       const vo::OutputPolicy& policy, const RunReportOptions& options,
                        const RunProgress& progress) {
   require_own_folder(folder);
   scenario.require_scene();
   vo::make_folder(folder);
-  RunPictures pictures(scenario, folder, options.debug_images, existing);
-  Outcome outcome = run_scenario(scenario, folder, existing, pictures.observers(), progress);
+  RunPictures pictures(scenario, folder, options.debug_images, policy,
+                       [&] { progress.track(0, 0); });
+  Outcome outcome = run_scenario(scenario, folder, policy, pictures.observers(), progress);
   std::vector<vo::NamedBytes> files = result_files(scenario, outcome);
   files.push_back({"report.html", browser_report(scenario, outcome, options, pictures.gallery())});
-  vo::write_results(folder, files, existing);
+  vo::write_results(folder, files, policy);
   pictures.commit(outcome);
   return outcome;
 }

@@ -16,7 +16,7 @@ struct RunReportOptions {
 /// Renders a scenario's sequence into `folder`, tracks it and writes what `edvo run` leaves there:
 /// reports, trajectory, frames and pictures. Throws vo::Error where the folder holds other files.
 Outcome run_and_report(const Scenario& scenario, const std::filesystem::path& folder,
-                       vo::ExistingOutput existing, const RunReportOptions& options,
+                       const vo::OutputPolicy& policy, const RunReportOptions& options,
                        const RunProgress& progress);
 
 }  // namespace tools

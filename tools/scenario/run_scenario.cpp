@@ -134,10 +134,10 @@ Outcome track_scenario(const Scenario& scenario, const vo::SequenceReader& seque
 }
 
 Outcome run_scenario(const Scenario& scenario, const std::filesystem::path& folder,
-                     vo::ExistingOutput existing, const ScenarioObservers& observers,
+                     const vo::OutputPolicy& policy, const ScenarioObservers& observers,
                      const RunProgress& progress) {
   synth::RenderOutcome rendered =
-      synth::render_sequence(render_job(scenario), folder / "sequence", existing, progress.render);
+      synth::render_sequence(render_job(scenario), folder / "sequence", policy, progress.render);
   const vo::SequenceReader sequence(folder / "sequence");
   Outcome outcome = track_scenario(scenario, sequence, observers, progress.track);
   outcome.notes = std::move(rendered.notes);

@@ -62,7 +62,7 @@ struct RunProgress {
 
 /// Renders the scenario's sequence into `folder`/sequence (unless it is there) and tracks it.
 Outcome run_scenario(const Scenario& scenario, const std::filesystem::path& folder,
-                     vo::ExistingOutput existing, const ScenarioObservers& observers,
+                     const vo::OutputPolicy& policy, const ScenarioObservers& observers,
                      const RunProgress& progress);
 
 }  // namespace tools

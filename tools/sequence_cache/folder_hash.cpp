@@ -9,6 +9,7 @@
 #include "vo/core/error.h"
 #include "vo/files/input.h"
 #include "vo/hashing/content_hash.h"
+#include "vo/output_folders/file_records.h"
 
 namespace tools {
 namespace {
@@ -34,8 +35,9 @@ bool is_of_this_kind(const std::string& line) {
 std::vector<std::string> file_names(const fs::path& folder) {
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    if (!entry.is_directory()) {
-      names.push_back(entry.path().lexically_relative(folder).generic_string());
+    const std::string name = entry.path().lexically_relative(folder).generic_string();
+    if (!entry.is_directory() && name != vo::kFileList) {
+      names.push_back(name);
     }
   }
   std::sort(names.begin(), names.end());

@@ -5,7 +5,8 @@
 
 namespace tools {
 
-/// Returns a line `hash bytes name` for each file below a folder, sorted by name.
+/// Returns a line `hash bytes name` for each file below a folder, sorted by name; the list that a
+/// written folder has of its own files is left out.
 std::string list_file_hashes(const std::filesystem::path& folder);
 
 /// Returns a text on the first difference between the folder and such a list of its files; empty if

@@ -17,12 +17,17 @@
 #include "vo/files/output.h"
 #include "vo/files/result_files.h"
 #include "vo/hashing/content_hash.h"
+#include "vo/output_folders/staged_folder.h"
 #include "vo/text_files/toml_file.h"
 
 namespace tools {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Nothing here is waited for until it is on the disk: what a loss of power damages is found by its
+/// hash and made again.
+constexpr vo::OutputPolicy kVerifiedWhenRead{vo::ExistingOutput::replace, vo::Durability::unsynced};
 
 struct EntryPlaces {
   fs::path sequence;
@@ -73,7 +78,7 @@ void remove_unfinished(const fs::path& cache) {
   }
   for (const std::string& key : keys) {
     const EntryPlaces places = places_of(cache, key);
-    if (const auto lock = FileLock::try_lock(places.lock, LockKind::exclusive)) {
+    if (const auto lock = vo::FileLock::try_lock(places.lock, vo::LockKind::exclusive)) {
       std::error_code ignored;
       fs::remove_all(vo::StagedFolder::staging_of(places.sequence), ignored);
     }
@@ -148,19 +153,19 @@ CachedSequence cached_sequence(const fs::path& cache, const synth::RenderJob& jo
   vo::make_folder(cache / "sequences");
   vo::make_folder(cache / "locks");
   const EntryPlaces places = places_of(cache, key_of(job));
-  const WaitObserver waiting = [&] { progress(0, 0); };
+  const vo::WaitObserver waiting = [&] { progress(0, 0); };
   {
-    FileLock lock(places.lock, LockKind::shared, waiting);
+    vo::FileLock lock(places.lock, vo::LockKind::shared, waiting);
     if (fs::exists(places.sequence) && problem_of(places).empty()) {
       return {places.sequence, content_of(places), "", std::move(lock)};
     }
   }
-  FileLock lock(places.lock, LockKind::exclusive, waiting);
+  vo::FileLock lock(places.lock, vo::LockKind::exclusive, waiting);
   std::string problem = fs::exists(places.sequence) ? problem_of(places) : "";
   if (!fs::exists(places.sequence) || !problem.empty()) {
     remove_entry(places);
-    synth::render_sequence(job, places.sequence, vo::ExistingOutput::keep, progress);
-    vo::write_file(places.files, list_file_hashes(places.sequence));
+    synth::render_sequence(job, places.sequence, kVerifiedWhenRead, progress);
+    vo::write_file(places.files, list_file_hashes(places.sequence), kVerifiedWhenRead);
   }
   lock.share();
   return {places.sequence, content_of(places), std::move(problem), std::move(lock)};
@@ -184,7 +189,7 @@ std::vector<CacheEntry> verify_cache(const fs::path& cache, const vo::Progress& 
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const EntryPlaces places = places_of(cache, entries[i].key);
     const std::filesystem::file_time_type used = entries[i].last_used;
-    const auto lock = FileLock::try_lock(places.lock, LockKind::exclusive);
+    const auto lock = vo::FileLock::try_lock(places.lock, vo::LockKind::exclusive);
     if (lock) {
       entries[i].problem = problem_of(places);
       if (!entries[i].problem.empty()) {
@@ -208,8 +213,9 @@ std::vector<CacheEntry> prune_cache(const fs::path& cache, std::uintmax_t max_by
   std::vector<CacheEntry> removed;
   for (const CacheEntry& entry : entries) {
     const EntryPlaces places = places_of(cache, entry.key);
-    const auto lock = total > max_bytes ? FileLock::try_lock(places.lock, LockKind::exclusive)
-                                        : std::optional<FileLock>();
+    const auto lock = total > max_bytes
+                          ? vo::FileLock::try_lock(places.lock, vo::LockKind::exclusive)
+                          : std::optional<vo::FileLock>();
     if (lock) {
       remove_entry(places);
       total -= entry.bytes;

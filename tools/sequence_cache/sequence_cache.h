@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "synth/sequence/render_sequence.h"
-#include "tools/processes/file_lock.h"
 #include "vo/core/progress.h"
+#include "vo/files/file_lock.h"
 
 namespace tools {
 
@@ -23,7 +23,7 @@ struct CachedSequence {
   std::filesystem::path folder;
   std::string content;  ///< hash of the sequence's files
   std::string problem;  ///< why an existing entry was rendered again; usually empty
-  FileLock in_use;      ///< shared lock that keeps the sequence from being removed
+  vo::FileLock in_use;  ///< shared lock that keeps the sequence from being removed
 };
 
 /// Returns the folder that was chosen or, if that is empty, $XDG_CACHE_HOME/edvo, or ~/.cache/edvo

@@ -36,7 +36,7 @@ using Group = std::vector<Imperfection>;
 class Measurements {
  public:
   Measurements(const Scenario& scenario, const BudgetSettings& settings,
-               const vo::Progress& progress, const WaitObserver& waiting)
+               const vo::Progress& progress, const vo::WaitObserver& waiting)
       : scenario_(scenario), settings_(settings), progress_(progress), waiting_(waiting) {}
 
   /// Measures the sets without cached metrics; cache keys depend on the groups' contents.
@@ -55,7 +55,11 @@ class Measurements {
     }
     const std::vector<TrialResult> results = run_trials(jobs, settings_.run, progress_, waiting_);
     for (std::size_t i = 0; i < results.size(); ++i) {
-      vo::require(results[i].problem.empty(), scenario_.name, ": ", results[i].problem);
+      if (!results[i].problem.empty()) {
+        vo::fail_as(results[i].kind == ProblemKind::temporary ? vo::ErrorKind::temporary
+                                                              : vo::ErrorKind::input,
+                    scenario_.name, ": ", results[i].problem);
+      }
       known_[keys[i / seeds()]].push_back(results[i].metrics);
     }
   }
@@ -99,7 +103,7 @@ class Measurements {
   const Scenario& scenario_;
   const BudgetSettings& settings_;
   const vo::Progress& progress_;
-  const WaitObserver& waiting_;
+  const vo::WaitObserver& waiting_;
   std::map<std::string, std::vector<Metrics>> known_;  ///< by names switched off, then seed
 };
 
@@ -259,7 +263,7 @@ void BudgetSettings::validate() const {
 }
 
 StudyReport error_budget(const Scenario& scenario, const BudgetSettings& settings,
-                         const vo::Progress& progress, const WaitObserver& waiting) {
+                         const vo::Progress& progress, const vo::WaitObserver& waiting) {
   std::vector<Group> singles;
   for (const Imperfection& imperfection : find_imperfections(scenario)) {
     singles.push_back({imperfection});

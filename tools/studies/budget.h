@@ -17,6 +17,6 @@ struct BudgetSettings {
 /// which the imperfections may be switched on. The Shapley values and the error of a perfect camera
 /// sum to the total error. Throws vo::Error when the camera is perfect, or when a trial fails.
 StudyReport error_budget(const Scenario& scenario, const BudgetSettings& settings,
-                         const vo::Progress& progress, const WaitObserver& waiting);
+                         const vo::Progress& progress, const vo::WaitObserver& waiting);
 
 }  // namespace tools

@@ -93,7 +93,7 @@ std::vector<Assignments> combine(const std::vector<SweptOption>& options) {
 
 std::vector<Combination> measure(const std::vector<fs::path>& scenarios,
                                  const SweepSettings& settings, const vo::Progress& progress,
-                                 const WaitObserver& waiting) {
+                                 const vo::WaitObserver& waiting) {
   std::vector<Combination> rows;
   std::vector<TrialJob> jobs;
   for (const fs::path& file : scenarios) {
@@ -264,11 +264,24 @@ std::vector<std::string> medians_of(const std::vector<Combination>& rows,
   return sentences;
 }
 
+/// Throws vo::Error where a trial may succeed later, so that no table is kept that lacks it.
+void require_no_temporary_problem(const std::vector<Combination>& rows) {
+  for (const Combination& row : rows) {
+    for (const TrialResult& trial : row.result.trials) {
+      if (!trial.problem.empty() && trial.kind == ProblemKind::temporary) {
+        vo::fail_as(vo::ErrorKind::temporary, row.result.name, ": ", trial.problem,
+                    "; what was measured is kept, the same command continues there");
+      }
+    }
+  }
+}
+
 }  // namespace
 
 StudyReport sweep(const std::vector<fs::path>& scenarios, const SweepSettings& settings,
-                  const vo::Progress& progress, const WaitObserver& waiting) {
+                  const vo::Progress& progress, const vo::WaitObserver& waiting) {
   const std::vector<Combination> rows = measure(scenarios, settings, progress, waiting);
+  require_no_temporary_problem(rows);
   std::string title = "Sweep:";
   for (const auto& [key, values] : settings.options) {
     title += " " + key;

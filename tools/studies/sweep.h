@@ -23,6 +23,6 @@ struct SweepSettings {
 /// exist; a failed trial becomes a row without numbers and a finding.
 StudyReport sweep(const std::vector<std::filesystem::path>& scenarios,
                   const SweepSettings& settings, const vo::Progress& progress,
-                  const WaitObserver& waiting);
+                  const vo::WaitObserver& waiting);
 
 }  // namespace tools

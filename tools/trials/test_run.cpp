@@ -104,7 +104,7 @@ std::vector<fs::path> find_scenarios(const std::vector<fs::path>& paths, SlowSce
 }
 
 std::vector<TrialResult> run_trials(const std::vector<TrialJob>& jobs, const RunSettings& settings,
-                                    const vo::Progress& progress, const WaitObserver& waiting) {
+                                    const vo::Progress& progress, const vo::WaitObserver& waiting) {
   program_hash();  // once for the processes of all trials
   const ScratchFolder scratch;
   const int at_a_time = std::min(settings.jobs, static_cast<int>(jobs.size()));
@@ -124,7 +124,7 @@ std::vector<TrialResult> run_trials(const std::vector<TrialJob>& jobs, const Run
 }
 
 TestResults run_tests(const std::vector<fs::path>& files, const RunSettings& settings,
-                      const vo::Progress& progress, const WaitObserver& waiting) {
+                      const vo::Progress& progress, const vo::WaitObserver& waiting) {
   std::vector<LoadedScenario> scenarios;
   std::vector<TrialJob> jobs;
   for (const fs::path& file : files) {

@@ -35,12 +35,12 @@ struct TrialJob {
 /// which may have no other thread: a crash costs one trial. `progress` counts trials; `waiting` is
 /// called repeatedly, in this process and in those of the trials.
 std::vector<TrialResult> run_trials(const std::vector<TrialJob>& jobs, const RunSettings& settings,
-                                    const vo::Progress& progress, const WaitObserver& waiting);
+                                    const vo::Progress& progress, const vo::WaitObserver& waiting);
 
 /// Runs every scenario with every seed and checks the means against the bounds if the scenario's
 /// judge. A scenario whose file is unusable, or lacks the bounds that are to judge it, gets a trial
 /// with a problem.
 TestResults run_tests(const std::vector<std::filesystem::path>& files, const RunSettings& settings,
-                      const vo::Progress& progress, const WaitObserver& waiting);
+                      const vo::Progress& progress, const vo::WaitObserver& waiting);
 
 }  // namespace tools

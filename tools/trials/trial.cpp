@@ -21,6 +21,7 @@
 #include "vo/files/input.h"
 #include "vo/files/output.h"
 #include "vo/files/result_files.h"
+#include "vo/files/system_failure.h"
 #include "vo/hashing/content_hash.h"
 #include "vo/text_files/json_limits.h"
 #include "vo/text_files/toml_file.h"
@@ -76,7 +77,7 @@ void add_report(const Scenario& scenario, const Outcome& outcome, FrameGallery g
 }
 
 void measure_outside(const Scenario& scenario, const TrialSettings& settings,
-                     const fs::path& folder, const WaitObserver& waiting, TrialResult& trial) {
+                     const fs::path& folder, const vo::WaitObserver& waiting, TrialResult& trial) {
   const vo::SequenceReader sequence(folder);
   const auto content = scenario.odometry.mode == OdometryMode::rgbd
                            ? vo::SequenceContent::colour_and_depth
@@ -108,7 +109,7 @@ Metrics reported(const Scenario& scenario, const vo::SequenceReader& sequence,
 }
 
 void measure_trial(const Scenario& scenario, const TrialSettings& settings,
-                   const WaitObserver& waiting, TrialResult& trial) {
+                   const vo::WaitObserver& waiting, TrialResult& trial) {
   const vo::Progress progress = [&](std::size_t, std::size_t) { waiting(); };
   const CachedSequence cached =
       cached_sequence(settings.cache, render_job(with_seed(scenario, trial.seed)), progress);
@@ -125,7 +126,7 @@ void measure_trial(const Scenario& scenario, const TrialSettings& settings,
   }
   const std::string key = kept_key(scenario, cached.content);
   const fs::path file = settings.cache / "results" / (key + ".json");
-  const FileLock lock(settings.cache / "locks" / key, LockKind::exclusive, waiting);
+  const vo::FileLock lock(settings.cache / "locks" / key, vo::LockKind::exclusive, waiting);
   const bool again = settings.measure_again || is_reported(settings, trial);
   const std::optional<TrialResult> kept = again ? std::nullopt : read_kept(file);
   if (kept) {
@@ -137,7 +138,8 @@ void measure_trial(const Scenario& scenario, const TrialSettings& settings,
                       ? reported(scenario, sequence, *settings.pictures, progress, trial)
                       : track_scenario(scenario, sequence, {}, progress).metrics;
   vo::make_folder(file.parent_path());
-  vo::write_file(file, trial_json(trial).dump(2) + "\n", vo::ExistingOutput::replace);
+  vo::write_file(file, trial_json(trial).dump(2) + "\n",
+                 {vo::ExistingOutput::replace, vo::Durability::unsynced});
 }
 
 }  // namespace
@@ -148,7 +150,7 @@ const std::string& program_hash() {
 }
 
 TrialResult run_trial(const Scenario& scenario, int seed, const TrialSettings& settings,
-                      const WaitObserver& waiting) {
+                      const vo::WaitObserver& waiting) {
   const Clock::time_point start = Clock::now();
   TrialResult trial{.seed = seed};
   trial.metrics = make_metrics([](const std::string&) { return kUnknownMetric; });
@@ -162,7 +164,8 @@ TrialResult run_trial(const Scenario& scenario, int seed, const TrialSettings& s
         error.what());
   } catch (const fs::filesystem_error& error) {
     waiting();
-    set_problem(trial, ProblemKind::unusable,
+    const bool is_temporary = vo::kind_of_failure(error.code().value()) == vo::ErrorKind::temporary;
+    set_problem(trial, is_temporary ? ProblemKind::temporary : ProblemKind::unusable,
                 error.path1().string() + ": " + error.code().message());
   } catch (const std::bad_alloc&) {
     set_problem(trial, ProblemKind::temporary, "out of memory");

@@ -7,8 +7,8 @@
 #include "tools/laboratory/results.h"
 #include "tools/outside_tracker/outside_tracker.h"
 #include "tools/pictures/frame_gallery.h"
-#include "tools/processes/file_lock.h"
 #include "tools/scenario/scenario.h"
+#include "vo/core/progress.h"
 
 namespace tools {
 
@@ -28,6 +28,6 @@ const std::string& program_hash();
 /// and reused, except for a seed that is reported. An error becomes the result's `problem`; only
 /// exceptions thrown by `waiting` propagate.
 TrialResult run_trial(const Scenario& scenario, int seed, const TrialSettings& settings,
-                      const WaitObserver& waiting);
+                      const vo::WaitObserver& waiting);
 
 }  // namespace tools

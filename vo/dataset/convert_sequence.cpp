@@ -12,24 +12,10 @@
 #include "vo/dataset/sequence.h"
 #include "vo/dataset/timestamp.h"
 #include "vo/dataset/trajectory_file.h"
+#include "vo/output_folders/output_folder.h"
 
 namespace vo {
 namespace {
-
-/// Returns the marker file, which tells a folder of the format from somebody else's.
-const char* marker_of(SequenceFormat format) {
-  switch (format) {
-    case SequenceFormat::tum:
-      return "rgb.txt";
-    case SequenceFormat::euroc:
-      return "mav0/cam0/data.csv";
-    case SequenceFormat::icl_nuim:
-      return "scene_00_0000.png";
-    case SequenceFormat::icl_tum:
-      return "associations.txt";
-  }
-  return "";
-}
 
 SE3 pose_of(const SequenceSource& source, const RgbdFrame& frame) {
   const auto T_world_camera = pose_at(source.truth, frame.timestamp);
@@ -96,7 +82,7 @@ std::vector<NamedBytes> encode_lists(const SequenceSource& source, SequenceForma
 
 }  // namespace
 
-ConvertOutcome convert_sequence(const ConvertJob& job, ExistingOutput existing,
+ConvertOutcome convert_sequence(const ConvertJob& job, const OutputPolicy& policy,
                                 const Progress& progress) {
   ConvertOutcome outcome;
   outcome.from = job.from ? *job.from : detect_format(job.in);
@@ -104,7 +90,7 @@ ConvertOutcome convert_sequence(const ConvertJob& job, ExistingOutput existing,
   if (job.to == SequenceFormat::euroc) {
     require_nanoseconds_apart(source.timestamps);
   }
-  OutputFolder output(job.out, marker_of(job.to), existing);
+  OutputFolder output(job.out, policy, [&] { progress(0, 0); });
   bool has_depth = false;
   for (std::size_t i = 0; i < source.timestamps.size(); ++i) {
     const RgbdFrame frame = source.read(i);
@@ -115,10 +101,10 @@ ConvertOutcome convert_sequence(const ConvertJob& job, ExistingOutput existing,
       outcome.depth_beyond_16_bit +=
           count_beyond_16_bit(frame.depth, source.camera.depth_units_per_m);
     }
-    write_files(output.partial(), encode_frame(source, job.to, i, frame));
+    output.write(encode_frame(source, job.to, i, frame));
     progress(i + 1, source.timestamps.size());
   }
-  write_files(output.partial(), encode_lists(source, job.to, has_depth));
+  output.write(encode_lists(source, job.to, has_depth));
   output.commit();
   outcome.frames = source.timestamps.size();
   outcome.poses = source.truth.size();

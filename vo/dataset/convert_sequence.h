@@ -28,7 +28,7 @@ struct ConvertOutcome {
 };
 
 /// Converts a sequence to another format, in a folder that appears only when it is complete.
-ConvertOutcome convert_sequence(const ConvertJob& job, ExistingOutput existing,
+ConvertOutcome convert_sequence(const ConvertJob& job, const OutputPolicy& policy,
                                 const Progress& progress);
 
 }  // namespace vo

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "vo/core/error.h"
+#include "vo/files/system_failure.h"
 
 namespace vo {
 namespace {
@@ -32,10 +33,13 @@ class OpenFile {
  public:
   /// Opens without waiting, which a pipe without a writer would have one do.
   explicit OpenFile(const fs::path& path)
-      : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+      : path_(path), descriptor_(uninterrupted([&] {
+          return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+        })) {
     require(descriptor_ >= 0 || errno != ENOENT, path.string(), ": there is no such file");
-    require(descriptor_ >= 0, path.string(),
-            ": cannot be read: ", std::generic_category().message(errno));
+    if (descriptor_ < 0) {
+      fail_with(path, "cannot be read", errno);
+    }
   }
   ~OpenFile() { ::close(descriptor_); }
   OpenFile(const OpenFile&) = delete;

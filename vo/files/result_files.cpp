@@ -2,22 +2,24 @@
 
 #include <system_error>
 
-#include "vo/core/error.h"
+#include "vo/files/system_failure.h"
 
 namespace vo {
 
 void write_results(const std::filesystem::path& folder, const std::vector<NamedBytes>& files,
-                   ExistingOutput existing) {
+                   const OutputPolicy& policy) {
   for (const auto& [name, bytes] : files) {
-    require_no_conflict(folder / name, bytes, existing);
+    require_no_conflict(folder / name, bytes, policy.existing);
   }
-  write_files(folder, files, existing);
+  write_files(folder, files, policy);
 }
 
 void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  require(!error, folder.string(), ": cannot be made: ", error.message());
+  if (error) {
+    fail_with(folder, "cannot be made", error.value());
+  }
 }
 
 }  // namespace vo

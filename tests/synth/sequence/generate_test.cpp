@@ -10,6 +10,7 @@
 #include "synth/camera/make_renderer.h"
 #include "synth/path/camera_path.h"
 #include "synth/sequence/frame_share.h"
+#include "synth/sequence/share_renderer.h"
 #include "tests/support/error_text.h"
 #include "tests/support/folder_contents.h"
 #include "tests/support/quads.h"
@@ -47,8 +48,11 @@ vo::Trajectory short_orbit() {
 
 void generate(const Scene& scene, const SequenceRecipe& recipe, const fs::path& folder,
               const vo::Progress& progress = {}) {
-  generate_frames(scene, recipe, frames_of({}, recipe.truth.size()), folder, progress);
-  finish_sequence(recipe, folder);
+  const vo::StagedContent content = sequence_content(recipe, {"marker", ""});
+  vo::StagedFolder staged(folder, content, vo::ExistingOutput::keep, {});
+  ShareRenderer renderer({scene, recipe}, content, staged, progress);
+  renderer.render(frames_of({}, recipe.truth.size()));
+  ASSERT_THAT(staged.finish(), testing::IsEmpty());
 }
 
 void generate(const fs::path& folder, const vo::Progress& progress = {}) {
@@ -68,7 +72,7 @@ TEST(GenerateSequence, WritesTheSameBytesOnOneThreadAndOnTwo) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 2);
     generate(two.path());
   }
-  EXPECT_EQ(contents(one.path()).size(), 3 * 6 + 5U);
+  EXPECT_EQ(contents(one.path()).size(), 3 * 6 + 5 + 2U);
   EXPECT_EQ(contents(one.path()), contents(two.path()));
 }
 
@@ -161,12 +165,12 @@ TEST(GenerateSequence, MeasuresMovingThingsWhenEachRowIsRead) {
 
 TEST(GenerateSequence, AFrameOfAMovingSceneDependsOnItsIndexAlone) {
   const support::TempFolder all;
-  const support::TempFolder last;
   const SequenceRecipe recipe{.truth = {{5, {}}, {5.25, {}}, {5.75, {}}}, .camera = kCamera};
-  generate_frames(receding_wall(), recipe, {0, 1, 2}, all.path(), {});
-  generate_frames(receding_wall(), recipe, {2}, last.path(), {});
-  for (const std::string& file : frame_files(recipe, 2)) {
-    EXPECT_EQ(vo::read_file(all.path() / file), vo::read_file(last.path() / file)) << file;
+  const Scene scene = receding_wall();
+  generate(scene, recipe, all.path());
+  const FrameGenerator alone(scene, recipe);
+  for (const vo::NamedBytes& file : alone.make(2).files) {
+    EXPECT_EQ(vo::read_file(all.path() / file.name), file.bytes) << file.name;
   }
 }
 

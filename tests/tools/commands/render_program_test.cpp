@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/folder_contents.h"
 #include "tests/support/program_test.h"
 #include "vo/dataset/sequence.h"
 #include "vo/files/input.h"
@@ -110,6 +111,18 @@ TEST_F(RunProgram, LeavesAFolderOfSomebodyElseAlone) {
   EXPECT_EQ(read("mine/report.md"), "precious");
   fs::rename(file("mine/report.md"), file("mine/.panels.partial-1"));
   EXPECT_EQ(run_program(run).exit_code, 0) << "what a killed run leaves is no obstacle";
+}
+
+TEST_F(RunProgram, GoesOnWhereItWasKilledWhileItRendered) {
+  write_scenario("small", "0.01");
+  const std::string run = "run " + path("scenarios/small.toml") + " --quiet --out ";
+  ASSERT_EQ(run_program(run + path("whole")).exit_code, 0);
+  fs::create_directories(file("killed"));
+  fs::copy(file("whole/sequence"), file("killed/sequence.part"), fs::copy_options::recursive);
+  fs::remove(file("killed/sequence.part/rgb/000001.png"));
+  const ProgramResult result = run_program(run + path("killed"));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(support::contents(file("whole")), support::contents(file("killed")));
 }
 
 TEST_F(RunProgram, NamesFileAndLineOfAnUnknownKey) {

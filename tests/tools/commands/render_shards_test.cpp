@@ -38,7 +38,7 @@ TEST(RenderShards, GiveTheBytesOfOneRunInAnyOrderOnAnyNumberOfThreads) {
     EXPECT_FALSE(fs::exists(shards));
   }
   EXPECT_EQ(render_shard(shards, "--shard 1/4").exit_code, 0);
-  EXPECT_EQ(contents(whole).size(), 3 * 6 + 6U);
+  EXPECT_EQ(contents(whole).size(), 3 * 6 + 6 + 1U);
   EXPECT_EQ(contents(whole), contents(shards));
   EXPECT_FALSE(fs::exists(shards.string() + ".part"));
 }
@@ -158,6 +158,40 @@ TEST(RenderShards, FinishedFramesAreKeptAndMissingOnesMade) {
   EXPECT_EQ(contents(whole), contents(out));
 }
 
+TEST(RenderShards, DamagedFilesAreMadeAgainAndNeverHandedOn) {
+  const TempFolder folder;
+  const fs::path whole = folder.path() / "whole";
+  const fs::path out = folder.path() / "out";
+  const fs::path part = folder.path() / "out.part";
+  ASSERT_EQ(render_shard(whole, "").exit_code, 0);
+  ASSERT_EQ(render_shard(out, "--shard 1/2").exit_code, 0);
+  fs::resize_file(part / "depth_float/000000.npy", 0);
+  std::string bytes = vo::read_file(part / "rgb/000001.png");
+  bytes.back() = static_cast<char>(bytes.back() + 1);  // as long as before
+  folder.write("out.part/rgb/000001.png", bytes);
+  fs::remove(part / "edvo-done/000002.txt");  // as if copied without its record
+  const ProgramResult second = render_shard(out, "--shard 2/2 --json");
+  ASSERT_EQ(second.exit_code, 0) << second.err;
+  EXPECT_EQ(json::parse(second.out)["missing"], 2) << "frames 0 and 2";
+  const ProgramResult last = render_shard(out, "--json");
+  ASSERT_EQ(last.exit_code, 0) << last.err;
+  EXPECT_EQ(json::parse(last.out)["rendered"], 3) << "frames 0, 1 and 2";
+  EXPECT_EQ(contents(whole), contents(out));
+}
+
+TEST(RenderShards, OfOneSequenceAtOnceShareItByFrames) {
+  const TempFolder folder;
+  ASSERT_EQ(render_shard(folder.path() / "whole", "").exit_code, 0);
+  const std::string four_at_once =
+      "sh -c 'for k in 1 2 3 4; do \"$0\" \"$@\" & p=\"$p $!\"; done; "
+      "for q in $p; do wait $q || exit 9; done' ";
+  const ProgramResult result = support::render_room(
+      folder.path() / "out", "--duration 1 --size 32x24 --float-depth", four_at_once);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(contents(folder.path() / "whole"), contents(folder.path() / "out"));
+  EXPECT_FALSE(support::has_leftovers(folder.path()));
+}
+
 TEST(RenderShards, FramesOfOtherInputsAreRefusedUnlessForced) {
   const TempFolder folder;
   const fs::path out = folder.path() / "out";
@@ -203,7 +237,8 @@ TEST(RenderShards, APlanTellsFramesBytesAndTimeAndWritesNothing) {
   ASSERT_EQ(render_shard(out, "--shard 1/2").exit_code, 0);
   double bytes = 0;
   for (const auto& [name, content] : contents(folder.path() / "out.part")) {
-    bytes += name == "sequence.toml" ? 0 : static_cast<double>(content.size());
+    const bool is_of_a_frame = name.starts_with("rgb/") || name.starts_with("depth");
+    bytes += is_of_a_frame ? static_cast<double>(content.size()) : 0;
   }
   EXPECT_EQ(plan["bytes"], bytes) << "all three frames were measured";
   EXPECT_EQ(json::parse(render_shard(out, "--plan --json").out)["there"], 3);

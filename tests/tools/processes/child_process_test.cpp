@@ -45,14 +45,14 @@ class ChildProcess : public testing::Test {
  protected:
   ChildEnd run(
       const std::vector<std::string>& words, const tools::ChildLimits& limits = {},
-      const tools::WaitObserver& waiting = [] {}) const {
+      const vo::WaitObserver& waiting = [] {}) const {
     return tools::run_child({.words = words, .folder = folder_.path()}, limits, waiting);
   }
 
   /// Runs the daemon's parent; returns the daemon.
   pid_t run_daemon(
       const char* what, const tools::ChildLimits& limits,
-      const tools::WaitObserver& waiting = [] {}) const {
+      const vo::WaitObserver& waiting = [] {}) const {
     run({"python3", "-c", kDaemon, what}, limits, waiting);
     return daemon();
   }

@@ -30,4 +30,24 @@ TEST(ScratchFolder, IsRemovedWithWhatIsReadOnlyButNotWithWhatItLinksTo) {
             fs::perms::none);
 }
 
+/// The lock file of a folder.
+fs::path lock_of(const fs::path& folder) {
+  return folder.string() + ".lock";
+}
+
+TEST(ScratchFolder, OfAKilledProcessIsRemovedByTheNext) {
+  const tools::ScratchFolder in_use;
+  const fs::path abandoned = in_use.path().parent_path() / "edvo-testAB";
+  vo::write_files(abandoned, {{"a/file", "bytes"}});
+  vo::write_file(lock_of(abandoned), "");
+  const fs::path somebodys = in_use.path().parent_path() / "edvo-testCD";  // without a lock file
+  fs::create_directories(somebodys);
+  const tools::ScratchFolder next;
+  EXPECT_FALSE(fs::exists(abandoned));
+  EXPECT_FALSE(fs::exists(lock_of(abandoned)));
+  EXPECT_TRUE(fs::exists(in_use.path()));
+  EXPECT_TRUE(fs::exists(somebodys));
+  fs::remove(somebodys);
+}
+
 }  // namespace

@@ -164,6 +164,19 @@ def parse_markdown(path):
         require((path.parent / picture).exists(), f"there is no picture {picture}")
 
 
+def parse_file_list(path):
+    """The list of a folder's own files: `hash bytes name` for each, and each is there with its size."""
+    names = []
+    for line in path.read_text(encoding="utf-8").splitlines():
+        match = re.fullmatch(r"[0-9a-f]{32} (\d+) (.+)", line)
+        require(match is not None, f"no hash, size and name: {line}")
+        file = path.parent / match[2]
+        require(file.is_file() and file.stat().st_size == int(match[1]), f"{match[2]} is not there as listed")
+        names.append(match[2])
+    there = {str(file.relative_to(path.parent)) for file in path.parent.rglob("*") if file.is_file()}
+    require(set(names) | {path.name} == there, f"lists {len(names)} of {len(there) - 1} files")
+
+
 PARSERS = {".json": parse_json, ".toml": parse_toml, ".csv": parse_csv, ".svg": parse_svg,
            ".xml": parse_junit, ".html": parse_html, ".md": parse_markdown}
 OTHERS = {".png", ".npy", ".flo", ".txt", ".ply", ".gz", ".yaml", ".depth", ".freiburg", ".files", ""}
@@ -174,5 +187,7 @@ def parse(path):
     line in OTHERS."""
     extension = path.suffix.lower()
     require(extension in PARSERS or extension in OTHERS, f"no parser for {extension}")
+    if path.name == ".edvo-files":
+        parse_file_list(path)
     if extension in PARSERS:
         PARSERS[extension](path)

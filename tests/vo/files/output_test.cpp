@@ -1,5 +1,8 @@
 #include "vo/files/output.h"
 
+#include <memory>
+#include <optional>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +10,8 @@
 #include "tests/support/temp_folder.h"
 #include "vo/core/error.h"
 #include "vo/files/input.h"
+#include "vo/files/partial_file.h"
+#include "vo/output_folders/output_folder.h"
 
 namespace {
 
@@ -25,8 +30,8 @@ std::size_t entries(const fs::path& folder) {
 }
 
 void fill(const fs::path& path, const std::string& content, ExistingOutput existing) {
-  vo::OutputFolder output(path, "marker", existing);
-  vo::write_file(output.partial() / "marker", content);
+  vo::OutputFolder output(path, existing, {});
+  output.write({{"marker", content}});
   output.commit();
 }
 
@@ -74,6 +79,33 @@ TEST(WriteFile, WritesTheTargetOfALink) {
   EXPECT_EQ(vo::read_file(folder.path() / "real"), "new");
 }
 
+TEST(WriteFile, TakesOverWhatAKilledProcessLeft) {
+  const TempFolder folder;
+  folder.write(".a.partial-edvo", "longer than what is written now");
+  vo::write_file(folder.path() / "a", "new");
+  EXPECT_EQ(vo::read_file(folder.path() / "a"), "new");
+  EXPECT_EQ(entries(folder.path()), 1U);
+  folder.write(".a.partial-edvo", "of a run that would have replaced it");
+  vo::write_file(folder.path() / "a", "new");
+  EXPECT_EQ(entries(folder.path()), 1U) << "the file is there already";
+}
+
+TEST(WriteFile, IsDoneByOneProcessAtATime) {
+  const TempFolder folder;
+  const fs::path path = folder.path() / "a";
+  std::optional<vo::PartialFile> first = vo::PartialFile::try_open(path);
+  ASSERT_TRUE(first.has_value());
+  EXPECT_FALSE(vo::PartialFile::try_open(path).has_value());
+  first->commit("1", vo::Durability::unsynced);
+  std::optional<vo::PartialFile> second = vo::PartialFile::try_open(path);
+  ASSERT_TRUE(second.has_value()) << "the first has committed";
+  first.reset();
+  EXPECT_FALSE(vo::PartialFile::try_open(path).has_value()) << "the second still writes";
+  second->commit("2", vo::Durability::synced);
+  EXPECT_EQ(vo::read_file(path), "2");
+  EXPECT_EQ(entries(folder.path()), 1U);
+}
+
 TEST(OutputFolder, TouchesNoFileThatIsNotItsOwn) {
   const TempFolder folder;
   folder.write("result.partial/thesis", "precious");
@@ -98,13 +130,13 @@ TEST(OutputFolder, AppearsOnlyWhenCommitted) {
   const TempFolder folder;
   const fs::path path = folder.path() / "result";
   {
-    vo::OutputFolder output(path, "marker", ExistingOutput::keep);
-    vo::write_file(output.partial() / "marker", "1");
+    vo::OutputFolder output(path, ExistingOutput::keep, {});
+    output.write({{"marker", "1"}});
   }
   EXPECT_EQ(entries(folder.path()), 0U) << "abandoned without a trace";
   {
-    vo::OutputFolder output(path, "marker", ExistingOutput::keep);
-    vo::write_file(output.partial() / "marker", "1");
+    vo::OutputFolder output(path, ExistingOutput::keep, {});
+    output.write({{"marker", "1"}});
     output.commit();
   }
   EXPECT_EQ(vo::read_file(path / "marker"), "1");
@@ -122,6 +154,57 @@ TEST(OutputFolder, KeepsWhatDiffersUnlessToldToReplaceIt) {
   EXPECT_EQ(vo::read_file(path / "marker"), "2");
 }
 
+TEST(OutputFolder, RemovesWhatAKilledProcessLeft) {
+  const TempFolder folder;
+  const fs::path path = folder.path() / "result";
+  folder.write(".result.partial-edvo/half", "of a run that was killed");
+  folder.write(".result.lock-edvo", "");
+  fill(path, "1", ExistingOutput::keep);
+  EXPECT_EQ(entries(folder.path()), 1U);
+  EXPECT_EQ(entries(path), 2U) << "the file and the list";
+}
+
+TEST(OutputFolder, GivesBackAFolderWhoseReplacementWasKilled) {
+  const TempFolder folder;
+  const fs::path path = folder.path() / "result";
+  fill(path, "1", ExistingOutput::keep);
+  fs::rename(path, folder.path() / ".result.old-edvo");
+  { const vo::OutputFolder begun(path, ExistingOutput::keep, {}); }
+  EXPECT_EQ(vo::read_file(path / "marker"), "1");
+  EXPECT_EQ(entries(folder.path()), 1U);
+}
+
+TEST(OutputFolder, WaitsForAnotherThatMakesTheSame) {
+  const TempFolder folder;
+  const fs::path path = folder.path() / "result";
+  auto first = std::make_unique<vo::OutputFolder>(path, ExistingOutput::keep, vo::WaitObserver());
+  int looks = 0;
+  const vo::OutputFolder second(path, ExistingOutput::keep, [&] {
+    if (++looks == 2) {
+      first->write({{"marker", "of the first"}});
+      first->commit();
+      first.reset();
+    }
+  });
+  EXPECT_EQ(looks, 2);
+  EXPECT_EQ(vo::read_file(path / "marker"), "of the first");
+}
+
+TEST(OutputFolder, NeverRemovesAFileThatItDidNotWrite) {
+  const TempFolder folder;
+  const fs::path path = folder.path() / "result";
+  fill(path, "1", ExistingOutput::keep);
+  folder.write("result/notes/mine.txt", "precious");
+  const auto replace = [&] { fill(path, "2", ExistingOutput::replace); };
+  EXPECT_EQ(error_kind(replace), ErrorKind::input);
+  EXPECT_THAT(error_text(replace), HasSubstr("holds notes/mine.txt, which edvo did not write"));
+  EXPECT_EQ(vo::read_file(path / "notes/mine.txt"), "precious");
+  EXPECT_EQ(vo::read_file(path / "marker"), "1");
+  fs::remove_all(path / "notes");
+  fill(path, "2", ExistingOutput::replace);
+  EXPECT_EQ(vo::read_file(path / "marker"), "2");
+}
+
 TEST(OutputFolder, NeverReplacesWhatSomebodyElseMade) {
   const TempFolder folder;
   const fs::path path = folder.path() / "photos";
@@ -129,48 +212,6 @@ TEST(OutputFolder, NeverReplacesWhatSomebodyElseMade) {
   vo::write_file(path / "holiday", "precious");
   EXPECT_EQ(error_kind([&] { fill(path, "1", ExistingOutput::replace); }), ErrorKind::input);
   EXPECT_EQ(vo::read_file(path / "holiday"), "precious");
-}
-
-TEST(StagedFolder, WaitsBesideItsNameUntilItIsCommitted) {
-  const TempFolder folder;
-  const fs::path path = folder.path() / "result";
-  {
-    const vo::StagedFolder first(path, {"marker", "1"}, ExistingOutput::keep);
-    vo::write_file(first.staging() / "a", "of the first run");
-    vo::write_file(first.staging() / ".b.partial-7", "of a run that was killed");
-  }
-  EXPECT_FALSE(fs::exists(path));
-  vo::StagedFolder second(path, {"marker", "1"}, ExistingOutput::keep);
-  EXPECT_EQ(second.staging(), vo::StagedFolder::staging_of(path));
-  second.commit();
-  EXPECT_EQ(vo::read_file(path / "a"), "of the first run");
-  EXPECT_EQ(vo::read_file(path / "marker"), "1");
-  EXPECT_EQ(entries(path), 2U);
-  EXPECT_EQ(entries(folder.path()), 1U);
-}
-
-TEST(StagedFolder, IsBegunAnewForAnotherResultOnlyWhenToldToReplaceIt) {
-  const TempFolder folder;
-  const fs::path path = folder.path() / "result";
-  const auto stage = [&](const char* marker, ExistingOutput existing) {
-    return vo::StagedFolder(path, {"marker", marker}, existing).staging();
-  };
-  const fs::path staging = stage("1", ExistingOutput::keep);
-  vo::write_file(staging / "a", "of 1");
-  EXPECT_EQ(error_kind([&] { stage("2", ExistingOutput::keep); }), ErrorKind::output_exists);
-  EXPECT_EQ(stage("1", ExistingOutput::replace), staging);
-  EXPECT_TRUE(fs::exists(staging / "a")) << "the same result";
-  stage("2", ExistingOutput::replace);
-  EXPECT_FALSE(fs::exists(staging / "a"));
-}
-
-TEST(StagedFolder, NeverReplacesWhatSomebodyElseMade) {
-  const TempFolder folder;
-  const fs::path path = folder.path() / "photos";
-  folder.write("photos.part/holiday", "precious");
-  const auto stage = [&] { vo::StagedFolder(path, {"marker", "1"}, ExistingOutput::replace); };
-  EXPECT_EQ(error_kind(stage), ErrorKind::input);
-  EXPECT_EQ(vo::read_file(folder.path() / "photos.part/holiday"), "precious");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "tools/processes/file_lock.h"
+#include "vo/files/file_lock.h"
 
 #include <atomic>
 #include <future>
@@ -12,8 +12,8 @@
 namespace {
 
 using support::TempFolder;
-using tools::FileLock;
-using tools::LockKind;
+using vo::FileLock;
+using vo::LockKind;
 
 TEST(FileLock, IsHeldByManyShared) {
   const TempFolder folder;

@@ -1,0 +1,149 @@
+#include "vo/output_folders/output_folder.h"
+
+#include <algorithm>
+#include <system_error>
+#include <vector>
+
+#include <unistd.h>
+
+#include "vo/core/error.h"
+#include "vo/files/input.h"
+#include "vo/files/partial_file.h"
+#include "vo/files/system_failure.h"
+#include "vo/output_folders/file_records.h"
+
+namespace vo {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Returns the name of a folder while another takes its place.
+fs::path old_name(const fs::path& path) {
+  return path.parent_path() / ("." + path.filename().string() + ".old-edvo");
+}
+
+void remove_quietly(const fs::path& path) {
+  std::error_code ignored;
+  fs::remove_all(path, ignored);
+}
+
+bool have_same_files(const fs::path& a, const fs::path& b) {
+  const std::vector<std::string> files = files_below(a);
+  return files == files_below(b) &&
+         std::all_of(files.begin(), files.end(), [&](const std::string& file) {
+           return read_file(a / file) == read_file(b / file);
+         });
+}
+
+/// Throws Error if the current folder is `path` or lies in it, because `path` is to be replaced.
+void require_elsewhere(const fs::path& path) {
+  const std::string here = fs::current_path().string() + "/";
+  require(!here.starts_with(path.string() + "/") || !fs::exists(path) || fs::is_empty(path),
+          path.string(), ": is the current folder or one above it, expected another to write");
+}
+
+/// Waits until a folder and all that is below are on the disk.
+void sync_tree(const fs::path& folder) {
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_symlink()) {
+      sync_to_disk(entry.path());
+    }
+  }
+  sync_to_disk(folder);
+}
+
+void rename_to(const fs::path& from, const fs::path& path) {
+  if (uninterrupted([&] { return ::rename(from.c_str(), path.c_str()); }) != 0) {
+    fail_with(path, "cannot be written", errno);
+  }
+}
+
+}  // namespace
+
+void put_folder_in_place(const fs::path& made, const fs::path& path, Durability durability) {
+  if (durability == Durability::synced) {
+    sync_tree(made);
+  }
+  const bool is_replaced = fs::exists(path);
+  if (is_replaced) {
+    rename_to(path, old_name(path));
+  }
+  try {
+    rename_to(made, path);
+  } catch (const Error&) {
+    remove_leftovers(path);  // gives back the old folder's name
+    throw;
+  }
+  if (durability == Durability::synced) {
+    sync_to_disk(path.parent_path());
+  }
+  if (is_replaced) {
+    remove_quietly(old_name(path));
+  }
+}
+
+void remove_leftovers(const fs::path& path) {
+  const fs::path old = old_name(path);
+  if (fs::exists(old) && !fs::exists(path)) {
+    rename_to(old, path);
+  }
+  remove_quietly(old);
+  remove_quietly(partial_name(path));
+}
+
+void tidy_up_beside(const fs::path& path) {
+  try {
+    if (const auto lock = OutputLock::try_lock(path, LockKind::exclusive)) {
+      remove_leftovers(path);
+    }
+  } catch (const Error&) {  // the place is read-only: nobody has left anything there
+  }
+}
+
+void prepare_place(const fs::path& path) {
+  require_elsewhere(path);
+  std::error_code error;
+  fs::create_directories(path.parent_path(), error);
+  if (error) {
+    fail_with(path, "cannot be written", error.value());
+  }
+}
+
+OutputFolder::OutputFolder(const fs::path& path, const OutputPolicy& policy,
+                           const WaitObserver& waiting)
+    : path_(resolved_output(path)), partial_(partial_name(path_)), policy_(policy) {
+  prepare_place(path_);
+  lock_.emplace(path_, LockKind::exclusive, waiting);
+  remove_leftovers(path_);
+  if (policy_.existing == ExistingOutput::replace) {
+    require_replaceable(path_, policy_.existing);
+  }
+  std::error_code error;
+  fs::create_directory(partial_, error);
+  if (error) {
+    fail_with(path, "cannot be written", error.value());
+  }
+}
+
+OutputFolder::~OutputFolder() {
+  remove_quietly(partial_);
+}
+
+void OutputFolder::write(const std::vector<NamedBytes>& files) const {
+  write_files(partial_, files, {ExistingOutput::replace, Durability::unsynced});
+}
+
+void OutputFolder::commit() {
+  FileRecords records;
+  for (const std::string& file : files_below(partial_)) {
+    records[file] = record_of(read_file(partial_ / file));
+  }
+  write({{kFileList, format_records(records)}});
+  if (fs::is_directory(path_) && have_same_files(path_, partial_)) {
+    return;
+  }
+  require_replaceable(path_, policy_.existing);
+  put_folder_in_place(partial_, path_, policy_.durability);
+}
+
+}  // namespace vo

@@ -1,0 +1,227 @@
+#include "vo/output_folders/staged_folder.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "vo/core/error.h"
+#include "vo/files/input.h"
+#include "vo/files/system_failure.h"
+#include "vo/output_folders/file_records.h"
+#include "vo/output_folders/output_folder.h"
+
+namespace vo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr OutputPolicy kWithinStaging{ExistingOutput::replace, Durability::unsynced};
+
+/// Returns the list of what a folder will hold, nothing of it written.
+FileRecords planned(const StagedContent& content) {
+  FileRecords records;
+  for (const FolderPart& part : content.parts) {
+    for (const std::string& file : part.files) {
+      records[file];
+    }
+  }
+  for (const NamedBytes& file : content.rest) {
+    records[file.name];
+  }
+  records[content.marker.name];
+  return records;
+}
+
+void remove_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::remove_all(folder, error);
+  if (error) {
+    fail_with(folder, "cannot be removed", error.value());
+  }
+}
+
+bool holds_marker(const fs::path& folder, const NamedBytes& marker) {
+  const fs::path file = folder / marker.name;
+  return fs::is_regular_file(file) && read_file(file) == marker.bytes;
+}
+
+/// Removes all that `PartialFile` left in a folder that nobody else writes into.
+void remove_partial_files(const fs::path& folder) {
+  for (const std::string& file : files_below(folder)) {
+    if (is_partial_name(file)) {
+      fs::remove(folder / file);
+    }
+  }
+}
+
+}  // namespace
+
+StagedFolder::StagedFolder(const fs::path& path, const StagedContent& content,
+                           const OutputPolicy& policy, WaitObserver waiting)
+    : path_(resolved_output(path)),
+      staging_(staging_of(path)),
+      content_(content),
+      policy_(policy),
+      waiting_(std::move(waiting)) {
+  if (is_finished()) {
+    tidy_up_beside(path_);
+  } else {
+    prepare_place(path_);
+    join();
+  }
+  records_.emplace(staging_);
+}
+
+fs::path StagedFolder::staging_of(const fs::path& path) {
+  return resolved_output(path).string() + ".part";
+}
+
+bool StagedFolder::is_joined() const {
+  return holds_marker(staging_, content_.marker);
+}
+
+bool StagedFolder::is_finished() const {
+  if (!holds_marker(path_, content_.marker)) {
+    return false;
+  }
+  const FileRecords records = read_list(path_);
+  const FileRecords names = planned(content_);
+  return std::all_of(names.begin(), names.end(), [&](const auto& name) {
+    const auto found = records.find(name.first);
+    return found != records.end() && has_size(path_, name.first, found->second);
+  });
+}
+
+/// Makes the folder with its marker and the list of what is planned in it from the start.
+void StagedFolder::begin() const {
+  const fs::path fresh = partial_name(staging_);
+  remove_folder(fresh);
+  write_files(fresh, {content_.marker, {std::string(kFileList), format_records(planned(content_))}},
+              kWithinStaging);
+  std::error_code error;
+  fs::rename(fresh, staging_, error);
+  if (error) {
+    fail_with(staging_, "cannot be made", error.value());
+  }
+}
+
+/// Puts the place in order, alone: returns whether there is a folder to fill or a finished one.
+bool StagedFolder::begin_or_join_alone() {
+  remove_leftovers(path_);
+  if (is_finished()) {
+    return true;
+  }
+  require_replaceable(path_, policy_.existing);
+  if (fs::exists(staging_) && !is_joined()) {
+    require_replaceable(staging_, policy_.existing);
+    remove_folder(staging_);
+  }
+  if (!fs::exists(staging_)) {
+    begin();
+  }
+  lock_->share();
+  return is_finished() || is_joined();
+}
+
+void StagedFolder::join() {
+  for (;;) {
+    if (auto alone = OutputLock::try_lock(path_, LockKind::exclusive)) {
+      lock_.emplace(std::move(*alone));
+      if (begin_or_join_alone()) {
+        return;
+      }
+    } else if (auto with_others = OutputLock::try_lock(path_, LockKind::shared)) {
+      lock_.emplace(std::move(*with_others));
+      if (is_finished() || is_joined()) {
+        return;
+      }
+      if (fs::exists(staging_)) {
+        fail_as(ErrorKind::temporary, staging_.string(),
+                ": is being filled by another run for another result");
+      }
+    }
+    lock_.reset();
+    pause_for_others(waiting_);
+  }
+}
+
+bool StagedFolder::has(const FolderPart& part) const {
+  return records_->has(part.name, part.files);
+}
+
+std::optional<PartialFile> StagedFolder::claim(const FolderPart& part) const {
+  const fs::path record = staging_ / part_record_name(part.name);
+  std::error_code error;
+  fs::create_directories(record.parent_path(), error);
+  if (error) {
+    fail_with(record, "cannot be made", error.value());
+  }
+  std::optional<PartialFile> claim = PartialFile::try_open(record);
+  if (claim && has(part)) {
+    claim.reset();
+  }
+  return claim;
+}
+
+void StagedFolder::put(PartialFile claim, const std::vector<NamedBytes>& files) const {
+  FileRecords records;
+  for (const NamedBytes& file : files) {
+    records[file.name] = record_of(file.bytes);
+  }
+  write_files(staging_, files, kWithinStaging);
+  claim.commit(format_records(records), Durability::unsynced);
+}
+
+/// Returns the indices of damaged parts, whose files are gone then, and adds the records of the
+/// others.
+std::vector<std::size_t> StagedFolder::remove_damaged(FileRecords& records) const {
+  std::vector<std::size_t> damaged;
+  for (std::size_t i = 0; i < content_.parts.size(); ++i) {
+    const FolderPart& part = content_.parts[i];
+    const FileRecords own = records_->of(part.name, part.files);
+    bool is_whole = own.size() == part.files.size();
+    for (const auto& [file, record] : own) {
+      if (!is_intact(staging_, file, record)) {
+        is_whole = false;
+        fs::remove(staging_ / file);
+      }
+    }
+    if (!is_whole) {
+      damaged.push_back(i);
+    }
+    records.insert(own.begin(), own.end());
+  }
+  return damaged;
+}
+
+std::vector<std::size_t> StagedFolder::finish() {
+  lock_.reset();
+  lock_.emplace(path_, LockKind::exclusive, waiting_);
+  if (is_finished()) {
+    return {};
+  }
+  if (!is_joined()) {
+    fail_as(ErrorKind::temporary, staging_.string(), ": was begun anew by another run");
+  }
+  FileRecords records;
+  std::vector<std::size_t> damaged = remove_damaged(records);
+  if (!damaged.empty()) {
+    lock_.reset();
+    join();
+    records_.emplace(staging_);
+    return is_finished() ? std::vector<std::size_t>() : damaged;
+  }
+  remove_partial_files(staging_);
+  write_files(staging_, content_.rest, kWithinStaging);
+  for (const NamedBytes& file : content_.rest) {
+    records[file.name] = record_of(file.bytes);
+  }
+  records[content_.marker.name] = record_of(content_.marker.bytes);
+  write_files(staging_, {{std::string(kFileList), format_records(records)}}, kWithinStaging);
+  remove_folder(staging_ / part_record_name(""));
+  require_replaceable(path_, policy_.existing);
+  put_folder_in_place(staging_, path_, policy_.durability);
+  return {};
+}
+
+}  // namespace vo
