@@ -43,7 +43,8 @@ constexpr const char* kDescription =
     "  edvo sensor-check the noise of the sensor presets beside their formulas\n"
     "  edvo bench        ms per frame, ours beside others\n"
     "  edvo bench-render CPU s per rendered frame, and how it grows\n"
-    "  edvo ablate       the paper's experiments on a sequence or scenario\n\n"
+    "  edvo ablate       the paper's experiments on a sequence or scenario\n"
+    "  edvo completion   what a shell completes; edvo manual: pages for man\n\n"
     "`edvo help COMMAND` explains each with examples.";
 
 constexpr const char* kFooter =
@@ -76,6 +77,8 @@ int run(int argc, char** argv) {
   tools::add_budget_command(program, exit_code);
   tools::add_basin_command(program, exit_code);
   tools::add_sweep_command(program, exit_code);
+  tools::add_completion_command(program, exit_code);
+  tools::add_manual_command(program, exit_code);
   std::vector<std::string> words =
       tools::without_help_command(std::vector<std::string>(argv + 1, argv + argc));
   tools::require_known_words(program, words);

@@ -25,5 +25,7 @@ void add_compare_command(CLI::App& program, int& exit_code);
 void add_budget_command(CLI::App& program, int& exit_code);
 void add_basin_command(CLI::App& program, int& exit_code);
 void add_sweep_command(CLI::App& program, int& exit_code);
+void add_completion_command(CLI::App& program, int& exit_code);
+void add_manual_command(CLI::App& program, int& exit_code);
 
 }  // namespace tools

@@ -1,0 +1,27 @@
+cmake_policy(VERSION 3.25)
+
+# edvo_install_manual(program mandir datadir) installs the program's manual pages, which are compressed, and its
+# completion scripts, all below the prefix.
+function(edvo_install_manual program mandir datadir)
+  set(prefix $ENV{DESTDIR}${CMAKE_INSTALL_PREFIX})
+  execute_process(COMMAND ${program} manual --format markdown OUTPUT_VARIABLE reference COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX MATCHALL "\n## edvo [a-z-]+\n" commands "${reference}")
+  list(TRANSFORM commands REPLACE "\n## edvo ([a-z-]+)\n" "\\1")
+  file(MAKE_DIRECTORY ${prefix}/${mandir}/man1)
+  execute_process(COMMAND ${program} manual OUTPUT_FILE ${prefix}/${mandir}/man1/edvo.1 COMMAND_ERROR_IS_FATAL ANY)
+  set(pages ${prefix}/${mandir}/man1/edvo.1)
+  foreach(command IN LISTS commands)
+    set(page ${prefix}/${mandir}/man1/edvo-${command}.1)
+    execute_process(COMMAND ${program} manual ${command} OUTPUT_FILE ${page} COMMAND_ERROR_IS_FATAL ANY)
+    list(APPEND pages ${page})
+  endforeach()
+  execute_process(COMMAND gzip -9nf ${pages} COMMAND_ERROR_IS_FATAL ANY)
+  foreach(shell_and_file IN ITEMS bash=bash-completion/completions/edvo zsh=zsh/vendor-completions/_edvo
+                                  fish=fish/vendor_completions.d/edvo.fish)
+    string(REGEX MATCH "^([a-z]+)=(.*)$" match ${shell_and_file})
+    set(file ${prefix}/${datadir}/${CMAKE_MATCH_2})
+    cmake_path(GET file PARENT_PATH folder)
+    file(MAKE_DIRECTORY ${folder})
+    execute_process(COMMAND ${program} completion ${CMAKE_MATCH_1} OUTPUT_FILE ${file} COMMAND_ERROR_IS_FATAL ANY)
+  endforeach()
+endfunction()
