@@ -17,6 +17,7 @@
 #include "vo/files/output.h"
 #include "vo/files/result_files.h"
 #include "vo/hashing/content_hash.h"
+#include "vo/output_folders/output_folder.h"
 #include "vo/output_folders/staged_folder.h"
 #include "vo/text_files/toml_file.h"
 
@@ -157,6 +158,7 @@ CachedSequence cached_sequence(const fs::path& cache, const synth::RenderJob& jo
   {
     vo::FileLock lock(places.lock, vo::LockKind::shared, waiting);
     if (fs::exists(places.sequence) && problem_of(places).empty()) {
+      vo::tidy_up_beside(places.sequence);
       return {places.sequence, content_of(places), "", std::move(lock)};
     }
   }

@@ -96,12 +96,19 @@ bool StagedFolder::is_finished() const {
 void StagedFolder::begin() const {
   const fs::path fresh = partial_name(staging_);
   remove_folder(fresh);
-  write_files(fresh, {content_.marker, {std::string(kFileList), format_records(planned(content_))}},
-              kWithinStaging);
-  std::error_code error;
-  fs::rename(fresh, staging_, error);
-  if (error) {
-    fail_with(staging_, "cannot be made", error.value());
+  try {
+    write_files(fresh,
+                {content_.marker, {std::string(kFileList), format_records(planned(content_))}},
+                kWithinStaging);
+    std::error_code error;
+    fs::rename(fresh, staging_, error);
+    if (error) {
+      fail_with(staging_, "cannot be made", error.value());
+    }
+  } catch (const Error&) {
+    std::error_code ignored;
+    fs::remove_all(fresh, ignored);
+    throw;
   }
 }
 
