@@ -1,0 +1,77 @@
+"""Every command that writes, on inputs that take no time: what the torture disturbs."""
+
+import dataclasses
+
+SIZE = "--size 64x48 --samples 1"
+ORBIT = ("--path orbit --orbit.centre=-0.95,0.5,0.3 --orbit.radius 1.2 --orbit.height 0.8 --rate 15 "
+         "--duration 0.4")
+WALL = ("--path orbit --orbit.centre=0,0,0 --orbit.radius 2 --orbit.height 0.2 --rate 15 --duration 0.4")
+RENDER = f"render {{assets}}/plane_and_box/plane_and_box.gltf {WALL} {SIZE} --quiet"
+
+SCENARIO = """why = "torture"
+[scene]
+gltf = "{assets}/room/room.gltf"
+[camera]
+width = 64
+height = 48
+[path]
+kind = "orbit"
+rate = 15.0
+duration = 0.4
+orbit.centre = [-0.95, 0.5, 0.3]
+orbit.radius = 1.2
+orbit.height = 0.8
+[render]
+samples = 1
+[expect]
+tracked_fraction.min = 0.0
+"""
+MONO = """[odometry]
+mode = "mono"
+mono.bootstrap = "rgbd"
+"""
+SCENARIOS = {"rgbd.toml": SCENARIO, "mono.toml": SCENARIO + MONO}
+
+# Made once: the inputs of the commands below.
+INPUTS = [
+    f"render {{assets}}/room/room.gltf {ORBIT} --size 160x120 --samples 1 --quiet --float-depth --channels imu "
+    "--out {inputs}/sequence",
+    "track {inputs}/sequence --out {inputs}/track.txt --quiet",
+]
+
+
+@dataclasses.dataclass
+class Command:
+    """Commands that are run one after the other in an empty folder, as a shell reads them; those of
+    `before` are not disturbed. `ends` are the exit codes of an undisturbed run."""
+
+    name: str
+    words: list
+    before: list = dataclasses.field(default_factory=list)
+    ends: tuple = (0,)
+
+
+COMMANDS = [
+    Command("render", [f"{RENDER} --float-depth --channels imu,edges --out out"]),
+    Command("shards", [f"{RENDER} --shard 1/2 --out out", f"{RENDER} --shard 2/2 --out out"]),
+    Command("unsynced", [f"{RENDER} --no-sync --out out"]),
+    Command("force", [f"{RENDER} --ambient 0.5 --force --out out"], [f"{RENDER} --out out"]),
+    Command("run", ["run {inputs}/rgbd.toml --debug-images 3 --quiet --out out"]),
+    Command("run_mono", ["run {inputs}/mono.toml --debug-images 3 --quiet --out out"]),
+    Command("test", ["test {inputs}/rgbd.toml --cache cache --quiet --junit junit.xml --json results.json "
+                     "--report report.html --save-baseline baseline.json"]),
+    Command("test_tracker", ["test {inputs}/rgbd.toml --cache cache --quiet --bounds none --json results.json "
+                             "--tracker '{edvo} track {{sequence}} --out {{output}}'"]),
+    Command("track", ["track {inputs}/sequence --out track.txt --frame-log track.csv --debug-images 3 --quiet"]),
+    Command("track_force", ["track {inputs}/sequence --preset paper --out track.txt --debug-images 3 --force --quiet"],
+            ["track {inputs}/sequence --out track.txt --debug-images 3 --quiet"]),
+    Command("track_mono", ["track {inputs}/sequence --mode mono --bootstrap rgbd --out mono.txt --quiet"], ends=(0, 5)),
+    Command("depth", ["depth {inputs}/sequence --out out --every 3 --quiet"]),
+    Command("euroc", ["convert {inputs}/sequence out --format euroc --quiet"]),
+    Command("icl_nuim", ["convert {inputs}/sequence out --format icl-nuim --quiet"]),
+    Command("tum", ["convert {inputs}/sequence out --format tum --quiet"]),
+    Command("ablate", ["ablate {inputs}/sequence --study levels --max-frames 4 --seeds 1 --quiet --out out"]),
+    Command("sweep", ["sweep {inputs}/rgbd.toml --set odometry.tracker.pyramid.levels=2,3 --cache cache --quiet "
+                      "--out out"]),
+    Command("evaluate", ["evaluate {inputs}/sequence/groundtruth.txt {inputs}/track.txt --json"]),
+]
