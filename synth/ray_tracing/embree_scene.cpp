@@ -109,7 +109,12 @@ float shadow_reach(const PlacedLight& light) {
 
 EmbreeScene::EmbreeScene(const WorldGeometry& world)
     : shadow_coherence_(shadow_coherence(world)), device_(rtcNewDevice(nullptr)) {
-  vo::require(device_ != nullptr, "Embree: no device, error ", rtcGetDeviceError(nullptr));
+  if (device_ == nullptr) {
+    const RTCError error = rtcGetDeviceError(nullptr);
+    vo::fail_as(error == RTC_ERROR_OUT_OF_MEMORY ? vo::ErrorKind::temporary : vo::ErrorKind::input,
+                "Embree: no device, error ", error,
+                error == RTC_ERROR_OUT_OF_MEMORY ? ", out of memory" : "");
+  }
   std::string error;
   rtcSetDeviceErrorFunction(device_.get(), keep_first_error, &error);
   for (const SharedMesh& shared : world.shared_meshes) {
