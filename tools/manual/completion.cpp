@@ -69,18 +69,26 @@ complete -o default -F _)",
                     program.name, " ", program.name, "\n");
 }
 
+/// Returns the first sentence of an option's help as zsh has it between brackets.
+std::string zsh_help(const OptionOutline& option) {
+  std::string help;
+  for (const char c : summary(option.help)) {
+    if (c == '[' || c == ']' || c == ':' || c == '\\') {
+      help += '\\';
+    }
+    help += c;
+  }
+  return help;
+}
+
 /// Returns the arguments of zsh's _arguments for a command's options, one a line.
 std::string zsh_arguments(const CommandOutline& command) {
   std::string lines;
   for (const OptionOutline& option : command.options) {
     if (!option.is_positional) {
-      std::string help;
-      for (const char c : summary(option.help)) {
-        help += (c == '[' || c == ']' || c == ':' || c == '\\' ? "\\" : "") + std::string(1, c);
-      }
       const char* value = option.value == OptionValue::none ? "" : ":value:_files";
-      lines += vo::concat(" \\\n        ",
-                          quoted(vo::concat("*", option.name, "[", help, "]", value), R"('\'')"));
+      const std::string spec = vo::concat("*", option.name, "[", zsh_help(option), "]", value);
+      lines += vo::concat(" \\\n        ", quoted(spec, R"('\'')"));
     }
   }
   return lines;
@@ -97,7 +105,8 @@ std::string zsh_commands(const std::vector<CommandOutline>& commands) {
 std::string zsh_script(const CommandOutline& program) {
   std::string cases;
   for (const auto& [first, second, command] : commands_below(program)) {
-    cases += vo::concat("    ", quoted(first + " " + second, ""), second.empty() ? "*" : "", ")\n");
+    cases += vo::concat("    ", quoted(vo::concat(first, " ", second), ""),
+                        second.empty() ? "*" : "", ")\n");
     if (!command->commands.empty()) {
       cases += vo::concat("      commands=(", zsh_commands(command->commands),
                           ")\n      ((CURRENT == 3)) && _describe command commands\n");
