@@ -16,6 +16,17 @@
 
 namespace {
 
+/// Returns the real clip as an alteration makes it; nothing where there is no such data.
+std::optional<tools::Clip> altered_clip(const std::string& alteration) {
+  const std::filesystem::path folder = std::filesystem::path(EDVO_SHARED_DATA) / "tum_fr1_xyz";
+  if (!std::filesystem::exists(folder)) {
+    return {};
+  }
+  const vo::SequenceReader sequence(folder, vo::load_camera("tum-fr1"));
+  return tools::altered(tools::load_clip(sequence, "clip", 0, [](std::size_t, std::size_t) {}),
+                        alteration);
+}
+
 /// An independent implementation of the paper, frame to frame, measured 0.0319 m and 0.0440 m on
 /// this clip (on the whole sequence 0.0276 m, where the paper prints 0.0277 m).
 TEST(RealData, ThePaperPresetReproducesThePapersAccuracy) {
@@ -46,14 +57,12 @@ struct AlteredClip {
 class DefaultPreset : public testing::TestWithParam<AlteredClip> {};
 
 TEST_P(DefaultPreset, KeepsItsAccuracyInOtherCircumstances) {
-  const std::filesystem::path folder = std::filesystem::path(EDVO_SHARED_DATA) / "tum_fr1_xyz";
-  if (!std::filesystem::exists(folder)) {
-    GTEST_SKIP() << "no TUM data at " << folder;
+  const std::optional<tools::Clip> found = altered_clip(GetParam().alteration);
+  if (!found) {
+    GTEST_SKIP() << "no TUM data beside the repository";
   }
-  const vo::SequenceReader sequence(folder, vo::load_camera("tum-fr1"));
-  const tools::Clip clip = tools::load_clip(sequence, "clip", 0, [](std::size_t, std::size_t) {});
-  const tools::ClipScore score = tools::score(tools::altered(clip, GetParam().alteration),
-                                              vo::preset_options(vo::TrackerPreset::best_measured));
+  const tools::ClipScore score =
+      tools::score(*found, vo::preset_options(vo::TrackerPreset::best_measured));
   EXPECT_EQ(score.tracked_percent, 100);
   EXPECT_LE(score.rpe_mm, GetParam().max_rpe_mm);
   EXPECT_LE(score.ate_mm, GetParam().max_ate_mm);
@@ -70,13 +79,11 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// Sixty frames repeat one image while the camera goes on.
 TEST(RealData, FrozenImagesAreUncertainAndNoOtherPoseIsWrong) {
-  const std::filesystem::path folder = std::filesystem::path(EDVO_SHARED_DATA) / "tum_fr1_xyz";
-  if (!std::filesystem::exists(folder)) {
-    GTEST_SKIP() << "no TUM data at " << folder;
+  const std::optional<tools::Clip> found = altered_clip("frozen");
+  if (!found) {
+    GTEST_SKIP() << "no TUM data beside the repository";
   }
-  const vo::SequenceReader sequence(folder, vo::load_camera("tum-fr1"));
-  const tools::Clip clip = tools::altered(
-      tools::load_clip(sequence, "clip", 0, [](std::size_t, std::size_t) {}), "frozen");
+  const tools::Clip& clip = *found;
   vo::RgbdOdometry odometry(clip.camera);
   vo::Trajectory sure;
   int repeated = 0;
@@ -94,13 +101,11 @@ TEST(RealData, FrozenImagesAreUncertainAndNoOtherPoseIsWrong) {
 /// A patch that slides over 70 % of the view takes the camera with it. Nothing says which of the
 /// two motions is the world's, so no pose may be sure once it is wrong.
 TEST(RealData, NoPoseIsWrongAndSureWhereMostOfTheViewMoves) {
-  const std::filesystem::path folder = std::filesystem::path(EDVO_SHARED_DATA) / "tum_fr1_xyz";
-  if (!std::filesystem::exists(folder)) {
-    GTEST_SKIP() << "no TUM data at " << folder;
+  const std::optional<tools::Clip> found = altered_clip("patch_70");
+  if (!found) {
+    GTEST_SKIP() << "no TUM data beside the repository";
   }
-  const vo::SequenceReader sequence(folder, vo::load_camera("tum-fr1"));
-  const tools::Clip clip = tools::altered(
-      tools::load_clip(sequence, "clip", 0, [](std::size_t, std::size_t) {}), "patch_70");
+  const tools::Clip& clip = *found;
   vo::RgbdOdometry odometry(clip.camera);
   const std::optional<vo::SE3> T_truth_first =
       vo::pose_at(clip.truth, clip.frames.front().timestamp);
