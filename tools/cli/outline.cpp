@@ -2,6 +2,10 @@
 
 namespace tools {
 
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
 CommandOutline outline_of(const CLI::App& program) {
   CommandOutline outline{.name = program.get_name(),
                          .description = program.get_description(),
@@ -19,7 +23,7 @@ CommandOutline outline_of(const CLI::App& program) {
           {"--" + name, value, option->get_description(), is_positional, option->get_required()});
     }
   }
-  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+  for (const CLI::App* command : commands_of(program)) {
     outline.commands.push_back(outline_of(*command));
   }
   return outline;

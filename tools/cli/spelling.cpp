@@ -2,15 +2,12 @@
 
 #include <algorithm>
 
+#include "tools/cli/outline.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 
 namespace tools {
 namespace {
-
-std::vector<const CLI::App*> commands_of(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App*) { return true; });
-}
 
 /// Returns the command of this name; null where there is none.
 const CLI::App* find_command(const CLI::App& app, const std::string& name) {
