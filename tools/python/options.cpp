@@ -6,6 +6,19 @@ namespace python {
 
 namespace py = pybind11;
 
+namespace {
+
+/// Returns the numbers of a text that has commas between them.
+py::list list_of_reals(const std::string& text) {
+  py::list numbers;
+  for (const py::handle part : py::str(text).attr("split")(",")) {
+    numbers.append(vo::parse_real(py::cast<std::string>(part)));
+  }
+  return numbers;
+}
+
+}  // namespace
+
 py::object value_of(const vo::Field& field) {
   const std::string text = field.get();
   switch (field.type) {
@@ -16,7 +29,7 @@ py::object value_of(const vo::Field& field) {
     case vo::FieldType::real:
       return py::float_(vo::parse_real(text));
     case vo::FieldType::reals:
-      return py::str(text).attr("split")(",");
+      return list_of_reals(text);
     default:
       return py::str(text);
   }
