@@ -18,7 +18,7 @@ vo::FolderPart frame_part(const SequenceRecipe& recipe, std::size_t frame);
 /// Returns what the folder of a sequence will hold: a part for each frame, in order, and `marker`.
 vo::StagedContent sequence_content(const SequenceRecipe& recipe, vo::NamedBytes marker);
 
-/// What frames are made of.
+/// A SequenceSubject is the scene and the recipe that the frames of a sequence are made of.
 struct SequenceSubject {
   const Scene& scene;
   const SequenceRecipe& recipe;

@@ -5,7 +5,7 @@
 
 namespace tools {
 
-/// What the value of an option is, as far as a shell can complete it.
+/// An OptionValue says what a shell may propose after an option.
 enum class OptionValue {
   none,  ///< the option is a flag
   text,  ///< a text, a number or the name of a file

@@ -6,7 +6,7 @@
 
 namespace tools {
 
-/// What a manual page says of the program's release.
+/// A ManualEdition is what every manual page of one release of the program has in common.
 struct ManualEdition {
   std::string version;     ///< `0.2.0`
   std::string exit_codes;  ///< what each means, as the program's help ends

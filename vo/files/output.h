@@ -19,7 +19,8 @@ enum class ExistingOutput {
   replace,  ///< remove the existing output once the new one is complete
 };
 
-/// Whether an output is on the disk, and not only in the system's memory, before it has its name.
+/// A Durability says whether an output is on the disk, and not only in the system's memory, before
+/// it has its name.
 enum class Durability {
   synced,   ///< fsync of files and folders, before and after the rename: survives a loss of power
   unsynced  ///< a loss of power soon after may leave a file empty
