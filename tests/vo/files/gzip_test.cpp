@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 std::string many_bytes() {
   std::string bytes;
-  for (int i = 0; i < 2'500'000; ++i) {
+  for (unsigned i = 0; i < 2'500'000; ++i) {
     bytes.push_back(static_cast<char>(i * i / 7));
   }
   return bytes;
