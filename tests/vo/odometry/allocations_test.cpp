@@ -36,6 +36,12 @@ void* counted(void* memory) {
   return counted(std::aligned_alloc(unit, (bytes + unit - 1) / unit * unit));
 }
 
+// Clang's sanitizer has an operator of its own for what is not defined here.
+[[gnu::noinline]] void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+  ++allocations();
+  return std::malloc(bytes);
+}
+
 [[gnu::noinline]] void operator delete(void* memory) noexcept {
   std::free(memory);
 }
