@@ -6,6 +6,7 @@
 #include <new>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -14,6 +15,7 @@
 
 #include "tools/cli/exit_code.h"
 #include "tools/cli/interrupt.h"
+#include "tools/cli/session.h"
 #include "tools/cli/spelling.h"
 #include "tools/commands/commands.h"
 #include "vo/core/error.h"
@@ -52,35 +54,37 @@ constexpr const char* kFooter =
     "4 a bound was violated, 5 tracking was lost, 6 the output exists and differs (--force),\n"
     "75 try again (disk full, too many files, no memory, terminated), 130 interrupted.";
 
-int run(int argc, char** argv) {
+int run(std::vector<std::string> words, tools::Session& session) {
   CLI::App program(kDescription, "edvo");
   program.footer(kFooter);
   program.set_version_flag("--version", std::string("edvo ") + vo::version());
   program.require_subcommand(1);
-  int exit_code = tools::exit_code::kOk;
-  tools::add_inspect_command(program, exit_code);
-  tools::add_render_command(program, exit_code);
-  tools::add_path_command(program, exit_code);
-  tools::add_convert_command(program, exit_code);
-  tools::add_track_command(program, exit_code);
-  tools::add_evaluate_command(program, exit_code);
-  tools::add_run_command(program, exit_code);
-  tools::add_depth_command(program, exit_code);
-  tools::add_bench_command(program, exit_code);
-  tools::add_bench_render_command(program, exit_code);
-  tools::add_ablate_command(program, exit_code);
-  tools::add_sensor_check_command(program, exit_code);
-  tools::add_train_edges_command(program, exit_code);
-  tools::add_test_command(program, exit_code);
-  tools::add_cache_command(program, exit_code);
-  tools::add_compare_command(program, exit_code);
-  tools::add_budget_command(program, exit_code);
-  tools::add_basin_command(program, exit_code);
-  tools::add_sweep_command(program, exit_code);
-  tools::add_completion_command(program, exit_code);
-  tools::add_manual_command(program, exit_code);
-  std::vector<std::string> words =
-      tools::without_help_command(std::vector<std::string>(argv + 1, argv + argc));
+  tools::add_inspect_command(program, session);
+  tools::add_render_command(program, session);
+  tools::add_path_command(program, session);
+  tools::add_convert_command(program, session);
+  tools::add_track_command(program, session);
+  tools::add_evaluate_command(program, session);
+  tools::add_run_command(program, session);
+  tools::add_depth_command(program, session);
+  tools::add_bench_command(program, session);
+  tools::add_bench_render_command(program, session);
+  tools::add_ablate_command(program, session);
+  tools::add_sensor_check_command(program, session);
+  tools::add_train_edges_command(program, session);
+  tools::add_test_command(program, session);
+  tools::add_cache_command(program, session);
+  tools::add_compare_command(program, session);
+  tools::add_budget_command(program, session);
+  tools::add_basin_command(program, session);
+  tools::add_sweep_command(program, session);
+  tools::add_completion_command(program, session);
+  tools::add_manual_command(program, session);
+  tools::add_colour_option(program);
+  program.failure_message([&](const CLI::App* app, const CLI::Error& error) {
+    return tools::error_text(session.err, CLI::FailureMessage::simple(app, error));
+  });
+  words = tools::without_help_command(std::move(words));
   tools::require_known_words(program, words);
   words = tools::without_json_place(program, std::move(words));
   try {
@@ -92,7 +96,7 @@ int run(int argc, char** argv) {
   if (!std::cout.flush()) {
     vo::fail_as(vo::ErrorKind::temporary, "the result cannot be written to stdout");
   }
-  return exit_code;
+  return session.status;
 }
 
 /// Every frame needs images of the same sizes: what one gives back is not returned to the system,
@@ -108,33 +112,35 @@ void keep_freed_memory() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  tools::Session session = tools::start_session(words);
+  const auto fail = [&](const std::string& text, int code) {
+    std::cerr << tools::error_line(session.err, text);
+    return code;
+  };
   try {
     tools::remember_signals();
     cv::setNumThreads(1);
     keep_freed_memory();
     vo::available_instruction_set();  // a name in the environment that is none ends here
-    return run(argc, argv);
+    return run(words, session);
   } catch (const vo::Error& error) {
-    std::cerr << "edvo: " << error.what() << "\n";
-    return tools::exit_code::of(error.kind());
+    return fail(error.what(), tools::exit_code::of(error.kind()));
   } catch (const std::filesystem::filesystem_error& error) {
-    std::cerr << "edvo: " << error.path1().string() << ": " << error.code().message() << "\n";
-    return tools::exit_code::of(vo::kind_of_failure(error.code().value()));
+    return fail(error.path1().string() + ": " + error.code().message(),
+                tools::exit_code::of(vo::kind_of_failure(error.code().value())));
   } catch (const cv::Exception& error) {
     const bool is_memory = error.code == cv::Error::StsNoMem;
-    std::cerr << "edvo: " << (is_memory ? "out of memory: " : "internal error: ") << error.err
-              << "\n";
-    return is_memory ? tools::exit_code::kTemporary : tools::exit_code::kInternalError;
+    return fail((is_memory ? "out of memory: " : "internal error: ") + error.err,
+                is_memory ? tools::exit_code::kTemporary : tools::exit_code::kInternalError);
   } catch (const std::system_error& error) {
     const bool is_scarce = error.code() == std::errc::resource_unavailable_try_again;
-    std::cerr << "edvo: " << (is_scarce ? "no memory for another thread: " : "internal error: ")
-              << error.what() << "\n";
-    return is_scarce ? tools::exit_code::kTemporary : tools::exit_code::kInternalError;
+    return fail(std::string(is_scarce ? "no memory for another thread: " : "internal error: ") +
+                    error.what(),
+                is_scarce ? tools::exit_code::kTemporary : tools::exit_code::kInternalError);
   } catch (const std::bad_alloc&) {
-    std::cerr << "edvo: out of memory\n";
-    return tools::exit_code::kTemporary;
+    return fail("out of memory", tools::exit_code::kTemporary);
   } catch (const std::exception& error) {
-    std::cerr << "edvo: internal error: " << error.what() << "\n";
-    return tools::exit_code::kInternalError;
+    return fail(std::string("internal error: ") + error.what(), tools::exit_code::kInternalError);
   }
 }

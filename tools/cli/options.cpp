@@ -89,10 +89,12 @@ std::string format_assignments(const std::vector<std::string>& assignments) {
   return text;
 }
 
-void apply_assignment(const std::string& assignment, std::vector<vo::Field>& fields) {
+void apply_assignment(const std::string& assignment, std::vector<vo::Field>& fields,
+                      const Colours& colours) {
   const auto [key, value] = split_assignment(assignment);
   if (const std::string current = vo::current_key(key); current != key) {
-    std::cerr << "edvo: note: " << key << " is " << current << " now\n";
+    std::cerr << "edvo: " << colours.paint(Tone::caution, "note") << ": " << key << " is "
+              << current << " now\n";
   }
   try {
     vo::set_field(fields, key, value);

@@ -10,6 +10,7 @@
 #include <tbb/global_control.h>
 
 #include "tools/cli/progress_bar.h"
+#include "tools/colour/colour.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/files/output.h"
@@ -64,8 +65,10 @@ std::vector<std::pair<std::string, std::string>> split_assignments(
 /// Returns the options that give the assignments: ` --set key=value` for each.
 std::string format_assignments(const std::vector<std::string>& assignments);
 
-/// Applies `key=value` to the fields. Throws vo::Error of kind usage.
-void apply_assignment(const std::string& assignment, std::vector<vo::Field>& fields);
+/// Applies `key=value` to the fields; a note on stderr, in these colours, says where the key has a
+/// new name. Throws vo::Error of kind usage.
+void apply_assignment(const std::string& assignment, std::vector<vo::Field>& fields,
+                      const Colours& colours);
 
 /// Returns all fields with default and meaning, one per line, for the end of `--help`.
 std::string describe_fields(const std::vector<vo::Field>& fields);

@@ -171,7 +171,7 @@ void ablate(AblateArguments& arguments) {
 
 }  // namespace
 
-void add_ablate_command(CLI::App& program, int& /*exit_code*/) {
+void add_ablate_command(CLI::App& program, Session& /*session*/) {
   CLI::App& command = *program.add_subcommand("ablate", kAblateHelp);
   const auto arguments = std::make_shared<AblateArguments>();
   command.footer(kAblateExamples);

@@ -60,7 +60,7 @@ void basin(BasinArguments& arguments) {
 
 }  // namespace
 
-void add_basin_command(CLI::App& program, int& /*exit_code*/) {
+void add_basin_command(CLI::App& program, Session& /*session*/) {
   CLI::App& command = *program.add_subcommand("basin", kBasinHelp);
   const auto arguments = std::make_shared<BasinArguments>();
   command.footer(kBasinExamples);

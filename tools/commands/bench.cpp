@@ -106,7 +106,7 @@ void bench(const BenchArguments& arguments) {
 
 }  // namespace
 
-void add_bench_command(CLI::App& program, int& /*exit_code*/) {
+void add_bench_command(CLI::App& program, Session& /*session*/) {
   CLI::App& command = *program.add_subcommand("bench", kBenchHelp);
   const auto arguments = std::make_shared<BenchArguments>();
   command.footer(kBenchExamples);

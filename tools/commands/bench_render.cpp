@@ -45,7 +45,7 @@ void bench_render(const BenchRenderArguments& arguments) {
 
 }  // namespace
 
-void add_bench_render_command(CLI::App& program, int& /*exit_code*/) {
+void add_bench_render_command(CLI::App& program, Session& /*session*/) {
   CLI::App& command = *program.add_subcommand("bench-render", kBenchRenderHelp);
   const auto arguments = std::make_shared<BenchRenderArguments>();
   command.footer(kBenchRenderExamples);

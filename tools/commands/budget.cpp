@@ -51,7 +51,7 @@ void budget(BudgetArguments& arguments) {
 
 }  // namespace
 
-void add_budget_command(CLI::App& program, int& /*exit_code*/) {
+void add_budget_command(CLI::App& program, Session& /*session*/) {
   CLI::App& command = *program.add_subcommand("budget", kBudgetHelp);
   const auto arguments = std::make_shared<BudgetArguments>();
   arguments->lab.run.seeds = 3;

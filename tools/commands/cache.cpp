@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,8 @@ namespace {
 constexpr const char* kCacheHelp =
     "The sequences that `edvo test` has rendered and keeps. Any number of programs may use one\n"
     "cache at once; nothing in use is removed, and what is removed is rendered again when needed.";
+
+constexpr std::string_view kSound = "ok";  // state of a sequence without a problem
 
 struct CacheArguments {
   bool json = false;
@@ -68,73 +71,81 @@ void print_json(const CacheArguments& arguments, const char* action,
       {{"action", action}, {"folder", arguments.cache().string()}, {"sequences", sequences}}));
 }
 
-void print_table(const std::vector<CacheEntry>& entries, const std::string& what) {
-  Table table{.columns = {{"sequence"}, {"scene"}, {"frames"}, {"MB", 1}, {"state"}}};
+std::optional<Tone> tone_of_state(std::string_view state) {
+  return state == kSound ? std::optional<Tone>() : Tone::bad;
+}
+
+void print_table(const std::vector<CacheEntry>& entries, const std::string& what,
+                 const Colours& colours) {
+  Table table{
+      .columns = {{"sequence"}, {"scene"}, {"frames"}, {"MB", 1}, {"state", 0, tone_of_state}}};
   double bytes = 0;
   for (const CacheEntry& entry : entries) {
     bytes += static_cast<double>(entry.bytes);
     table.add_row({entry.key, entry.scene, static_cast<double>(entry.frames),
                    static_cast<double>(entry.bytes) / kBytesPerMegabyte,
-                   entry.problem.empty() ? "ok" : entry.problem});
+                   entry.problem.empty() ? std::string(kSound) : entry.problem});
   }
-  std::cout << (entries.empty() ? "" : as_text(table)) << entries.size() << " " << what << ", "
-            << format_decimals(bytes / kBytesPerMegabyte, 1) << " MB\n";
+  std::cout << (entries.empty() ? "" : as_text(table, colours)) << entries.size() << " " << what
+            << ", " << format_decimals(bytes / kBytesPerMegabyte, 1) << " MB\n";
 }
 
 /// Prints what an action did, for people or as JSON; `what` ends the sentence on how many sequences
 /// there are.
 void print(const CacheArguments& arguments, const char* action,
-           const std::vector<CacheEntry>& entries, const std::string& what) {
+           const std::vector<CacheEntry>& entries, const std::string& what,
+           const Session& session) {
   if (arguments.json) {
     print_json(arguments, action, entries);
   } else {
-    print_table(entries, what);
+    print_table(entries, what, session.out);
   }
 }
 
-void list(const CacheArguments& arguments) {
+void list(const CacheArguments& arguments, const Session& session) {
   print(arguments, "list", list_cache(arguments.cache()),
-        "sequences in " + arguments.cache().string());
+        "sequences in " + arguments.cache().string(), session);
 }
 
-void verify(const CacheArguments& arguments) {
+void verify(const CacheArguments& arguments, const Session& session) {
   ProgressBar bar("verifying", Verbosity::normal);
   const std::vector<CacheEntry> entries = verify_cache(arguments.cache(), bar.callback());
   const auto broken = std::count_if(entries.begin(), entries.end(),
                                     [](const CacheEntry& entry) { return !entry.problem.empty(); });
   print(arguments, "verify", entries,
-        vo::concat("sequences, of which ", broken, " were broken and are removed"));
+        vo::concat("sequences, of which ", broken, " were broken and are removed"), session);
 }
 
-void prune(const CacheArguments& arguments) {
+void prune(const CacheArguments& arguments, const Session& session) {
   print(arguments, "prune", prune_cache(arguments.cache(), parse_bytes(arguments.max_size)),
-        "sequences removed");
+        "sequences removed", session);
 }
 
 void add_action(CLI::App& command, const std::shared_ptr<CacheArguments>& arguments,
                 const std::pair<const char*, const char*>& name_and_help,
-                void (*action)(const CacheArguments&)) {
+                void (*action)(const CacheArguments&, const Session&), const Session& session) {
   CLI::App& sub = *command.add_subcommand(name_and_help.first, name_and_help.second);
   sub.add_option("--cache", arguments->folder, "folder of the cache [$XDG_CACHE_HOME/edvo]");
   add_json_flag(sub, arguments->json);
   if (action == prune) {
     sub.add_option("--max-size", arguments->max_size, "what may stay: bytes, 500M, 2G")->required();
   }
-  sub.callback([arguments, action] { action(*arguments); });
+  sub.callback([arguments, action, &session] { action(*arguments, session); });
 }
 
 }  // namespace
 
-void add_cache_command(CLI::App& program, int& /*exit_code*/) {
+void add_cache_command(CLI::App& program, Session& session) {
   CLI::App& command = *program.add_subcommand("cache", kCacheHelp);
   const auto arguments = std::make_shared<CacheArguments>();
   command.require_subcommand(1);
-  add_action(command, arguments, {"list", "what is in it, the longest unused first"}, list);
+  add_action(command, arguments, {"list", "what is in it, the longest unused first"}, list,
+             session);
   add_action(command, arguments,
              {"verify", "reads every file; removes sequences that are not as they were written"},
-             verify);
+             verify, session);
   add_action(command, arguments, {"prune", "removes the longest unused until the rest is small"},
-             prune);
+             prune, session);
 }
 
 }  // namespace tools

@@ -115,7 +115,7 @@ int tell_power(const CompareArguments& arguments) {
   return exit_code::kOk;
 }
 
-int compare(const CompareArguments& arguments) {
+int compare(const CompareArguments& arguments, const Session& session) {
   check_usage([&] { arguments.options.validate(); });
   if (arguments.power) {
     return tell_power(arguments);
@@ -137,7 +137,7 @@ int compare(const CompareArguments& arguments) {
   if (arguments.json) {
     std::cout << json_text(comparison_json(a, b, changes, arguments.options));
   } else {
-    std::cout << format_changes(changes);
+    std::cout << format_changes(changes, session.out);
     print_missing(a, b);
   }
   return has_alarm(changes) ? exit_code::kBoundViolated : exit_code::kOk;
@@ -145,7 +145,7 @@ int compare(const CompareArguments& arguments) {
 
 }  // namespace
 
-void add_compare_command(CLI::App& program, int& exit_code) {
+void add_compare_command(CLI::App& program, Session& session) {
   CLI::App& command = *program.add_subcommand("compare", kCompareHelp);
   const auto arguments = std::make_shared<CompareArguments>();
   command.footer(kCompareExamples);
@@ -160,7 +160,7 @@ void add_compare_command(CLI::App& program, int& exit_code) {
   command.add_flag("--power", arguments->power, "tell what growth of a metric is found");
   command.add_option("--metric", arguments->metric, "of --power [ate_rmse_m]");
   add_field_options(command, vo::fields_of(arguments->options), "Alarms");
-  command.callback([arguments, &exit_code] { exit_code = compare(*arguments); });
+  command.callback([arguments, &session] { session.status = compare(*arguments, session); });
 }
 
 }  // namespace tools

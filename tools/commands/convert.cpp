@@ -77,7 +77,7 @@ void print(const ConvertArguments& arguments, const vo::ConvertOutcome& outcome)
 
 }  // namespace
 
-void add_convert_command(CLI::App& program, int& /*exit_code*/) {
+void add_convert_command(CLI::App& program, Session& /*session*/) {
   CLI::App& command = *program.add_subcommand("convert", kConvertHelp);
   const auto arguments = std::make_shared<ConvertArguments>();
   command.footer(kConvertExamples);

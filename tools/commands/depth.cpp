@@ -59,24 +59,24 @@ std::string examples() {
 
 /// Returns the options with the command line's assignments applied.
 template <typename Options>
-Options assigned(const DepthArguments& arguments, Options options) {
+Options assigned(const DepthArguments& arguments, Options options, const Colours& colours) {
   std::vector<vo::Field> fields = vo::fields_of(options);
   for (const std::string& assignment : arguments.assignments) {
-    apply_assignment(assignment, fields);
+    apply_assignment(assignment, fields, colours);
   }
   return options;
 }
 
-MappingOptions mapping_options(const DepthArguments& arguments) {
+MappingOptions mapping_options(const DepthArguments& arguments, const Colours& colours) {
   MappingOptions initial;
   initial.depth_noise = arguments.depth_noise;
-  MappingOptions options = assigned(arguments, initial);
+  MappingOptions options = assigned(arguments, initial, colours);
   check_usage([&] { options.validate(); });
   return options;
 }
 
-vo::MonoOptions tracking_options(const DepthArguments& arguments) {
-  vo::MonoOptions options = assigned(arguments, vo::mono_options());
+vo::MonoOptions tracking_options(const DepthArguments& arguments, const Colours& colours) {
+  vo::MonoOptions options = assigned(arguments, vo::mono_options(), colours);
   check_usage([&] {
     options.bootstrap = vo::parse_enum<vo::MonoBootstrap>(arguments.bootstrap);
     options.validate();
@@ -105,13 +105,13 @@ void print(const DepthArguments& arguments, const nlohmann::ordered_json& option
             << format_decimals(median_mapping_ms(frames), 2) << " ms per frame (median)\n";
 }
 
-int depth(const DepthArguments& arguments) {
+int depth(const DepthArguments& arguments, const Session& session) {
   MappingOptions mapping;
   vo::MonoOptions tracking = vo::mono_options();
   if (arguments.track) {
-    tracking = tracking_options(arguments);
+    tracking = tracking_options(arguments, session.err);
   } else {
-    mapping = mapping_options(arguments);
+    mapping = mapping_options(arguments, session.err);
   }
   const std::optional<vo::RgbdCamera> camera = given_camera(arguments.camera);
   std::optional<DepthOutput> output;
@@ -147,7 +147,7 @@ int depth(const DepthArguments& arguments) {
 
 }  // namespace
 
-void add_depth_command(CLI::App& program, int& exit_code) {
+void add_depth_command(CLI::App& program, Session& session) {
   CLI::App& command = *program.add_subcommand("depth", kDepthHelp);
   const auto arguments = std::make_shared<DepthArguments>();
   command.footer(examples());
@@ -176,7 +176,7 @@ void add_depth_command(CLI::App& program, int& exit_code) {
                   "of the sequence's depth, sigma / depth^2, 1/m: 0.0019 for a Kinect [0]")
       ->check(CLI::NonNegativeNumber);
   add_common_options(command, arguments->common);
-  command.callback([arguments, &exit_code] { exit_code = depth(*arguments); });
+  command.callback([arguments, &session] { session.status = depth(*arguments, session); });
 }
 
 }  // namespace tools

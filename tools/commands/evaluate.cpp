@@ -181,7 +181,7 @@ void evaluate(EvaluateArguments& arguments) {
 
 }  // namespace
 
-void add_evaluate_command(CLI::App& program, int& /*exit_code*/) {
+void add_evaluate_command(CLI::App& program, Session& /*session*/) {
   CLI::App& command = *program.add_subcommand("evaluate", kEvaluateHelp);
   const auto arguments = std::make_shared<EvaluateArguments>();
   command.footer(kEvaluateExamples);

@@ -122,7 +122,7 @@ std::string as_text(const std::vector<std::string>& names) {
   return names.empty() ? "none" : text;
 }
 
-void print_table(const synth::GltfSummary& summary) {
+void print_table(const synth::GltfSummary& summary, const Colours& colours) {
   std::vector<std::string> animations;
   for (const synth::AnimationSummary& animation : summary.animations) {
     animations.push_back(vo::concat(animation.name, " (", animation.duration, " s)"));
@@ -147,29 +147,29 @@ void print_table(const synth::GltfSummary& summary) {
             << "extensions      " << as_text(summary.extensions_used) << "\n"
             << "  required      " << as_text(summary.extensions_required) << "\n";
   for (const std::string& note : summary.notes) {
-    std::cout << "note            " << note << "\n";
+    std::cout << colours.paint(Tone::caution, "note") << "            " << note << "\n";
   }
 }
 
-void inspect(const InspectArguments& arguments) {
+void inspect(const InspectArguments& arguments, const Session& session) {
   const synth::GltfSummary summary = synth::summarize_gltf(arguments.scene, arguments.options);
   if (arguments.common.json) {
     std::cout << json_text(json_document({"inspect"}, as_json(arguments, summary)));
   } else {
-    print_table(summary);
+    print_table(summary, session.out);
   }
 }
 
 }  // namespace
 
-void add_inspect_command(CLI::App& program, int& /*exit_code*/) {
+void add_inspect_command(CLI::App& program, Session& session) {
   CLI::App& command = *program.add_subcommand("inspect", kInspectHelp);
   const auto arguments = std::make_shared<InspectArguments>();
   command.footer(kInspectExamples);
   command.add_option("SCENE", arguments->scene, "glTF 2.0 file, .gltf or .glb")->required();
   add_scene_options(command, arguments->options);
   add_common_options(command, arguments->common);
-  command.callback([arguments] { inspect(*arguments); });
+  command.callback([arguments, &session] { inspect(*arguments, session); });
 }
 
 }  // namespace tools

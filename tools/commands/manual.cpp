@@ -49,7 +49,7 @@ void print_manual(const CLI::App& program, const ManualArguments& arguments) {
 
 }  // namespace
 
-void add_completion_command(CLI::App& program, int& /*exit_code*/) {
+void add_completion_command(CLI::App& program, Session& /*session*/) {
   CLI::App& command = *program.add_subcommand(
       "completion",
       "Prints the script by which a shell completes commands and options. For bash:\n"
@@ -61,7 +61,7 @@ void add_completion_command(CLI::App& program, int& /*exit_code*/) {
   });
 }
 
-void add_manual_command(CLI::App& program, int& /*exit_code*/) {
+void add_manual_command(CLI::App& program, Session& /*session*/) {
   CLI::App& command = *program.add_subcommand(
       "manual",
       "Prints the manual page of the program or of a command, made of its own --help. To read it:\n"

@@ -76,7 +76,7 @@ nlohmann::ordered_json to_json(const synth::PathReport& report) {
   return json;
 }
 
-void print(const synth::PathReport& report) {
+void print(const synth::PathReport& report, const Colours& colours) {
   std::cout << std::fixed << std::setprecision(3) << report.frames.size() << " frames, "
             << report.duration << " s, " << report.length << " m; " << report.collisions
             << " collisions, " << report.blank_views << " blank views\n"
@@ -90,11 +90,11 @@ void print(const synth::PathReport& report) {
               << quantity.unit << "\n";
   }
   for (const std::string& violation : report.violations) {
-    std::cout << "violated: " << violation << "\n";
+    std::cout << colours.paint(Tone::bad, "violated") << ": " << violation << "\n";
   }
 }
 
-void check(const CheckArguments& arguments, int& exit_code) {
+void check(const CheckArguments& arguments, Session& session) {
   vo::RgbdCamera camera;
   check_usage([&] {
     camera = chosen_camera(arguments.camera);
@@ -108,16 +108,16 @@ void check(const CheckArguments& arguments, int& exit_code) {
   if (arguments.common.json) {
     std::cout << json_text(json_document({"path_check"}, to_json(report)));
   } else {
-    print(report);
+    print(report, session.out);
   }
   if (!report.violations.empty()) {
-    exit_code = tools::exit_code::kBoundViolated;
+    session.status = exit_code::kBoundViolated;
   }
 }
 
 }  // namespace
 
-void add_path_command(CLI::App& program, int& exit_code) {
+void add_path_command(CLI::App& program, Session& session) {
   CLI::App& path = *program.add_subcommand("path", "Camera paths: see `edvo path check --help`.");
   path.require_subcommand(1);
   CLI::App& command = *path.add_subcommand("check", kCheckHelp);
@@ -129,7 +129,7 @@ void add_path_command(CLI::App& program, int& exit_code) {
   add_scene_options(command, arguments->file);
   add_field_options(command, vo::fields_of(arguments->limits, "limit."), "Limits, 0 = none");
   add_common_options(command, arguments->common);
-  command.callback([arguments, &exit_code] { check(*arguments, exit_code); });
+  command.callback([arguments, &session] { check(*arguments, session); });
 }
 
 }  // namespace tools

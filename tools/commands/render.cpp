@@ -65,10 +65,11 @@ struct RenderArguments {
   std::string out;
 };
 
-void print_notes(const RenderArguments& arguments, const std::vector<std::string>& notes) {
+void print_notes(const RenderArguments& arguments, const std::vector<std::string>& notes,
+                 const Colours& colours) {
   for (const std::string& note : notes) {
     if (!arguments.common.quiet) {
-      std::cerr << "note: " << note << "\n";
+      std::cerr << colours.paint(Tone::caution, "note") << ": " << note << "\n";
     }
   }
 }
@@ -88,7 +89,8 @@ std::string summary(const RenderArguments& arguments, const synth::RenderOutcome
                     " frames", depth, "; ", arguments.out, " appears when all are there");
 }
 
-void print(const RenderArguments& arguments, const synth::RenderOutcome& outcome) {
+void print(const RenderArguments& arguments, const synth::RenderOutcome& outcome,
+           const Colours& colours) {
   std::vector<std::string> notes = outcome.notes;
   if (outcome.depth_beyond_16_bit > 0) {
     const double units = arguments.job.recipe.camera.depth_units_per_m;
@@ -98,9 +100,9 @@ void print(const RenderArguments& arguments, const synth::RenderOutcome& outcome
                                " units per m, and became 0; --float-depth has "
                                "them, and a camera with fewer depth_units_per_m"));
   }
-  print_notes(arguments, notes);
+  print_notes(arguments, notes, colours);
   if (!outcome.warning.empty()) {
-    std::cerr << "warning: " << outcome.warning << "\n";
+    std::cerr << colours.paint(Tone::caution, "warning") << ": " << outcome.warning << "\n";
   }
   if (!arguments.common.json) {
     std::cout << summary(arguments, outcome) << "\n";
@@ -171,7 +173,7 @@ synth::RenderJob chosen_job(const RenderArguments& arguments) {
   return job;
 }
 
-void render(RenderArguments& arguments) {
+void render(RenderArguments& arguments, const Session& session) {
   const auto limit = arguments.common.limit_threads();
   arguments.job = chosen_job(arguments);
   if (arguments.plan) {
@@ -179,8 +181,10 @@ void render(RenderArguments& arguments) {
     return;
   }
   ProgressBar bar("rendering", arguments.common.verbosity());
-  print(arguments, synth::render_sequence(arguments.job, arguments.out,
-                                          arguments.common.output_policy(), bar.callback()));
+  print(arguments,
+        synth::render_sequence(arguments.job, arguments.out, arguments.common.output_policy(),
+                               bar.callback()),
+        session.err);
 }
 
 std::vector<vo::Field> render_fields(synth::RenderJob& job) {
@@ -203,7 +207,7 @@ std::vector<vo::Field> sensor_fields(synth::SensorOptions& sensor) {
 
 }  // namespace
 
-void add_render_command(CLI::App& program, int& /*exit_code*/) {
+void add_render_command(CLI::App& program, Session& session) {
   CLI::App& command = *program.add_subcommand("render", kRenderHelp);
   const auto arguments = std::make_shared<RenderArguments>();
   command.footer(kRenderExamples);
@@ -233,7 +237,7 @@ void add_render_command(CLI::App& program, int& /*exit_code*/) {
   add_field_options(command, render_fields(arguments->job), "Rendering");
   add_field_options(command, sensor_fields(arguments->job.recipe.sensor), "Sensor");
   add_common_options(command, arguments->common);
-  command.callback([arguments] { render(*arguments); });
+  command.callback([arguments, &session] { render(*arguments, session); });
 }
 
 }  // namespace tools

@@ -42,7 +42,8 @@ struct RunArguments {
   RunReportOptions report;
 };
 
-void print(const RunArguments& arguments, const Scenario& scenario, const Outcome& outcome) {
+void print(const RunArguments& arguments, const Scenario& scenario, const Outcome& outcome,
+           const Colours& colours) {
   if (arguments.common.json) {
     nlohmann::ordered_json report = report_json(scenario, outcome);
     report["ms_per_frame"] = time_json(vo::summarize(outcome.tracking.times));
@@ -51,14 +52,14 @@ void print(const RunArguments& arguments, const Scenario& scenario, const Outcom
     return;
   }
   const char* folder = scenario.odometry.mode == OdometryMode::rgbd ? "/panels/" : "/maps/";
-  std::cout << report_table(scenario, outcome) << "report    " << arguments.out << "/report.html, "
-            << arguments.out << "/report.md\n"
+  std::cout << report_table(scenario, outcome, colours) << "report    " << arguments.out
+            << "/report.html, " << arguments.out << "/report.md\n"
             << "pictures  "
             << (outcome.tracking.trajectory.empty() ? "" : arguments.out + "/trajectory.svg, ")
             << (arguments.report.debug_images > 0 ? arguments.out + folder : "") << "\n";
 }
 
-int run(const RunArguments& arguments) {
+int run(const RunArguments& arguments, const Session& session) {
   const auto limit = arguments.common.limit_threads();
   const Scenario scenario = load_scenario(arguments.scenario);
   ProgressBar render_bar("rendering", arguments.common.verbosity());
@@ -66,13 +67,13 @@ int run(const RunArguments& arguments) {
   const Outcome outcome =
       run_and_report(scenario, arguments.out, arguments.common.output_policy(), arguments.report,
                      {render_bar.callback(), track_bar.callback()});
-  print(arguments, scenario, outcome);
+  print(arguments, scenario, outcome, session.out);
   return outcome.passed() ? exit_code::kOk : exit_code::kBoundViolated;
 }
 
 }  // namespace
 
-void add_run_command(CLI::App& program, int& exit_code) {
+void add_run_command(CLI::App& program, Session& session) {
   CLI::App& command = *program.add_subcommand("run", kRunHelp);
   const auto arguments = std::make_shared<RunArguments>();
   command.footer(kRunExamples);
@@ -85,7 +86,7 @@ void add_run_command(CLI::App& program, int& exit_code) {
   command.add_flag("--report-times", arguments->report.times,
                    "times of each stage in report.html, which then differs from run to run");
   add_common_options(command, arguments->common);
-  command.callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command.callback([arguments, &session] { session.status = run(*arguments, session); });
 }
 
 }  // namespace tools

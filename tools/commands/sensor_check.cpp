@@ -74,7 +74,7 @@ void sensor_check(const SensorCheckArguments& arguments) {
 
 }  // namespace
 
-void add_sensor_check_command(CLI::App& program, int& /*exit_code*/) {
+void add_sensor_check_command(CLI::App& program, Session& /*session*/) {
   CLI::App& command = *program.add_subcommand("sensor-check", kSensorCheckHelp);
   const auto arguments = std::make_shared<SensorCheckArguments>();
   arguments->path.duration = 1;

@@ -86,7 +86,7 @@ void run(SweepArguments& arguments) {
 
 }  // namespace
 
-void add_sweep_command(CLI::App& program, int& /*exit_code*/) {
+void add_sweep_command(CLI::App& program, Session& /*session*/) {
   CLI::App& command = *program.add_subcommand("sweep", kSweepHelp);
   const auto arguments = std::make_shared<SweepArguments>();
   command.footer(kSweepExamples);

@@ -198,24 +198,25 @@ std::optional<TestResults> read_baseline(const TestArguments& arguments) {
   return read_results(arguments.baseline);
 }
 
-void print_notes(const std::vector<std::string>& notes) {
+void print_notes(const std::vector<std::string>& notes, const Session& session) {
   for (const std::string& note : notes) {
-    std::cerr << "edvo: " << note << "\n";
+    std::cerr << session.err.paint(Tone::caution, "edvo:") << " " << note << "\n";
   }
 }
 
 std::vector<Change> changes_from(const TestResults& baseline, const TestResults& results,
-                                 const ComparisonOptions& options) {
-  print_notes(baseline_notes(baseline, results));
+                                 const ComparisonOptions& options, const Session& session) {
+  print_notes(baseline_notes(baseline, results), session);
   return compare_results(baseline, results, options);
 }
 
 /// Prints the table and writes the files that the user named. Where the JSON goes to stdout, the
 /// table is on stderr.
 void write_results(const TestArguments& arguments, const TestResults& results,
-                   const std::vector<Change>& changes) {
+                   const std::vector<Change>& changes, const Session& session) {
   const bool is_json_on_stdout = arguments.json == kStdout;
-  (is_json_on_stdout ? std::cerr : std::cout) << format_verdicts(results, changes);
+  (is_json_on_stdout ? std::cerr : std::cout)
+      << format_verdicts(results, changes, is_json_on_stdout ? session.err : session.out);
   if (is_json_on_stdout) {
     std::cout << json_text(results_json(results));
   } else {
@@ -227,11 +228,11 @@ void write_results(const TestArguments& arguments, const TestResults& results,
                 policy_of(arguments));
   }
   if (!arguments.save_baseline.empty()) {
-    print_notes(save_baseline(arguments.save_baseline, results, policy_of(arguments)));
+    print_notes(save_baseline(arguments.save_baseline, results, policy_of(arguments)), session);
   }
 }
 
-int test(TestArguments& arguments) {
+int test(TestArguments& arguments, const Session& session) {
   complete(arguments);
   const auto limit = CommonOptions{.threads = arguments.threads}.limit_threads();
   const std::optional<TestResults> baseline = read_baseline(arguments);
@@ -244,8 +245,9 @@ int test(TestArguments& arguments) {
   ProgressBar bar("testing", arguments.quiet ? Verbosity::quiet : Verbosity::normal);
   const TestResults results = run_tests(files, arguments.run, bar.callback(), throw_if_interrupted);
   const std::vector<Change> changes =
-      baseline ? changes_from(*baseline, results, arguments.comparison) : std::vector<Change>();
-  write_results(arguments, results, changes);
+      baseline ? changes_from(*baseline, results, arguments.comparison, session)
+               : std::vector<Change>();
+  write_results(arguments, results, changes, session);
   return worst_code(results, changes, arguments.run.trial.tracker.has_value());
 }
 
@@ -268,7 +270,7 @@ void add_run_options(CLI::App& command, TestArguments& arguments) {
 
 }  // namespace
 
-void add_test_command(CLI::App& program, int& exit_code) {
+void add_test_command(CLI::App& program, Session& session) {
   CLI::App& command = *program.add_subcommand("test", kTestHelp);
   const auto arguments = std::make_shared<TestArguments>();
   command.footer(kFooter);
@@ -287,7 +289,7 @@ void add_test_command(CLI::App& program, int& exit_code) {
                    "--save-baseline to the file of --baseline, without comparing");
   add_field_options(command, vo::fields_of(arguments->comparison), "Baseline");
   add_field_options(command, vo::fields_of(arguments->limits), "Limits of --tracker");
-  command.callback([arguments, &exit_code] { exit_code = test(*arguments); });
+  command.callback([arguments, &session] { session.status = test(*arguments, session); });
 }
 
 }  // namespace tools

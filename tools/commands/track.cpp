@@ -65,19 +65,19 @@ std::string track_examples() {
          describe_fields(vo::fields_of(mono));
 }
 
-vo::TrackerOptions chosen_options(const TrackArguments& arguments) {
+vo::TrackerOptions chosen_options(const TrackArguments& arguments, const Colours& colours) {
   vo::TrackerOptions options =
       vo::preset_options(vo::parse_enum<vo::TrackerPreset>(arguments.preset));
   std::vector<vo::Field> fields = vo::fields_of(options);
-  apply_arguments(arguments, fields);
+  apply_arguments(arguments, fields, colours);
   check_usage([&] { options.validate(); });
   return options;
 }
 
-vo::MonoOptions chosen_mono_options(const TrackArguments& arguments) {
+vo::MonoOptions chosen_mono_options(const TrackArguments& arguments, const Colours& colours) {
   vo::MonoOptions options = vo::mono_options();
   std::vector<vo::Field> fields = vo::fields_of(options);
-  apply_arguments(arguments, fields);
+  apply_arguments(arguments, fields, colours);
   check_usage([&] {
     if (!arguments.bootstrap.empty()) {
       options.bootstrap = vo::parse_enum<vo::MonoBootstrap>(arguments.bootstrap);
@@ -175,26 +175,38 @@ nlohmann::ordered_json summary(const TrackArguments& arguments, const Tracked& t
   return json;
 }
 
+/// Returns how many frames have a pose, and how many of those are uncertain, for people.
+std::string describe_status(const vo::SequenceResult& result, const Colours& colours) {
+  const std::string counts =
+      vo::concat(result.trajectory.size(), " of ", result.frames.size(), " frames tracked");
+  const bool is_lost = result.trajectory.size() < result.frames.size();
+  const std::string uncertain =
+      result.uncertain() > 0 ? vo::concat(result.uncertain(), " of them uncertain") : "";
+  return (is_lost ? colours.paint(Tone::bad, counts) : counts) + ", " +
+         colours.paint(Tone::caution, uncertain) + (uncertain.empty() ? "" : ", ");
+}
+
 /// Prints the result, its note last, and returns the exit code.
-int print(const TrackArguments& arguments, const Tracked& tracked) {
-  std::ostream& out = vo::is_stream(arguments.out) ? std::cerr : std::cout;
+int print(const TrackArguments& arguments, const Tracked& tracked, const Session& session) {
+  const bool is_out_taken = vo::is_stream(arguments.out);
+  std::ostream& out = is_out_taken ? std::cerr : std::cout;
+  const Colours& colours = is_out_taken ? session.err : session.out;
   const vo::SequenceResult& result = tracked.result;
   if (arguments.common.json) {
     out << json_text(json_document({"track"}, summary(arguments, tracked)));
   } else {
     const vo::TimeSummary times = vo::summarize(result.times);
-    out << arguments.out << ": " << result.trajectory.size() << " of " << result.frames.size()
-        << " frames tracked, "
-        << (result.uncertain() > 0 ? vo::concat(result.uncertain(), " of them uncertain, ") : "")
-        << result.keyframes() << " keyframes, " << times.median_ms
-        << " ms per frame (median; pyramid " << times.pyramid_ms << ", edges " << times.edges_ms
-        << ", alignment " << times.alignment_ms
+    out << arguments.out << ": " << describe_status(result, colours) << result.keyframes()
+        << " keyframes, " << times.median_ms << " ms per frame (median; pyramid "
+        << times.pyramid_ms << ", edges " << times.edges_ms << ", alignment " << times.alignment_ms
         << (tracked.mono != nullptr ? vo::concat(", mapping ", tracked.mono->mapping_ms()) : "")
         << ")\n"
-        << (result.trajectory.empty() || tracked.note.empty() ? "" : tracked.note + "\n");
+        << (result.trajectory.empty() || tracked.note.empty()
+                ? ""
+                : colours.paint(Tone::caution, tracked.note) + "\n");
   }
   if (result.trajectory.empty() && !tracked.note.empty()) {
-    std::cerr << "edvo: " << tracked.note << "\n";
+    std::cerr << error_line(session.err, tracked.note);
   }
   return tracked.is_complete() ? exit_code::kOk : exit_code::kTrackingLost;
 }
@@ -207,8 +219,9 @@ void write_pictures(const TrackArguments& arguments, const vo::SequenceReader& s
       arguments.common.output_policy());
 }
 
-int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera) {
-  const vo::TrackerOptions chosen = chosen_options(arguments);
+int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera,
+               const Session& session) {
+  const vo::TrackerOptions chosen = chosen_options(arguments, session.err);
   cv::setNumThreads(chosen.align.threads);
   const vo::SequenceReader sequence(arguments.sequence, camera, arguments.max_time_difference);
   vo::TrackerOptions options = chosen.starting_from(sequence.camera());
@@ -225,7 +238,7 @@ int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCame
     panels.commit();
     write_pictures(arguments, sequence, tracked.result);
   }
-  return print(arguments, tracked);
+  return print(arguments, tracked, session);
 }
 
 /// Returns what a user must know of a monocular trajectory to use it.
@@ -248,11 +261,12 @@ std::string note_on(const vo::MonoSequenceResult& result, vo::MonoBootstrap boot
   return note;
 }
 
-int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera) {
+int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera,
+               const Session& session) {
   vo::require(arguments.debug_images == 0,
               "track: --debug-images is for --mode rgbd; "
               "`edvo depth --track` draws monocular maps");
-  vo::MonoOptions options = chosen_mono_options(arguments);
+  vo::MonoOptions options = chosen_mono_options(arguments, session.err);
   const vo::MonoInput input{arguments.sequence, camera, arguments.max_time_difference,
                             arguments.depth_file};
   ProgressBar bar("tracking", arguments.common.verbosity());
@@ -263,10 +277,10 @@ int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCame
                         .mono = &result,
                         .note = note_on(result, options.bootstrap)};
   write_results(arguments, tracked);
-  return print(arguments, tracked);
+  return print(arguments, tracked, session);
 }
 
-int track(TrackArguments& arguments) {
+int track(TrackArguments& arguments, const Session& session) {
   read_config(arguments);
   const std::optional<vo::RgbdCamera> camera = given_camera(arguments.camera);
   vo::require_writable(arguments.out);
@@ -274,13 +288,13 @@ int track(TrackArguments& arguments) {
     vo::require_writable(arguments.frame_log);
   }
   return vo::parse_enum<TrackMode>(arguments.mode) == TrackMode::mono
-             ? track_mono(arguments, camera)
-             : track_rgbd(arguments, camera);
+             ? track_mono(arguments, camera, session)
+             : track_rgbd(arguments, camera, session);
 }
 
 }  // namespace
 
-void add_track_command(CLI::App& program, int& exit_code) {
+void add_track_command(CLI::App& program, Session& session) {
   CLI::App& command = *program.add_subcommand("track", kTrackHelp);
   const auto arguments = std::make_shared<TrackArguments>();
   command.footer(track_examples());
@@ -311,7 +325,7 @@ void add_track_command(CLI::App& program, int& exit_code) {
   command.add_option("--max-time-difference", arguments->max_time_difference,
                      "between the stamps of colour and depth, s [0.02]");
   add_common_options(command, arguments->common);
-  command.callback([arguments, &exit_code] { exit_code = track(*arguments); });
+  command.callback([arguments, &session] { session.status = track(*arguments, session); });
 }
 
 }  // namespace tools

@@ -43,10 +43,11 @@ void read_config(TrackArguments& arguments) {
   }
 }
 
-void apply_arguments(const TrackArguments& arguments, std::vector<vo::Field>& fields) {
+void apply_arguments(const TrackArguments& arguments, std::vector<vo::Field>& fields,
+                     const Colours& colours) {
   vo::assign_fields(arguments.config_keys, fields);
   for (const std::string& assignment : arguments.assignments) {
-    apply_assignment(assignment, fields);
+    apply_assignment(assignment, fields, colours);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/cli/options.h"
+#include "tools/colour/colour.h"
 #include "vo/text_files/toml_file.h"
 
 namespace tools {
@@ -40,8 +41,10 @@ struct TrackArguments {
 /// names none. Throws vo::Error with file:line.
 void read_config(TrackArguments& arguments);
 
-/// Sets the fields that the configuration and --set name, in this order. Throws vo::Error.
-void apply_arguments(const TrackArguments& arguments, std::vector<vo::Field>& fields);
+/// Sets the fields that the configuration and --set name, in this order; notes on stderr in these
+/// colours. Throws vo::Error.
+void apply_arguments(const TrackArguments& arguments, std::vector<vo::Field>& fields,
+                     const Colours& colours);
 
 /// Writes all that a run was tracked with, so that `--config` repeats it, beside the trajectory:
 /// `estimate_config.toml` for `estimate.txt`; nothing where the trajectory goes to stdout.

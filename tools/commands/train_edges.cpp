@@ -177,7 +177,7 @@ void run(const TrainArguments& arguments) {
 
 }  // namespace
 
-void add_train_edges_command(CLI::App& program, int& /*exit_code*/) {
+void add_train_edges_command(CLI::App& program, Session& /*session*/) {
   CLI::App& command = *program.add_subcommand("train-edges", kTrainEdgesHelp);
   const auto arguments = std::make_shared<TrainArguments>();
   command.footer(kTrainEdgesExamples);

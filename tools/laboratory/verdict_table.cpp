@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <string_view>
 
 #include "tools/plot/table.h"
 #include "tools/report/report.h"
@@ -10,6 +12,9 @@
 
 namespace tools {
 namespace {
+
+constexpr std::string_view kChanged = "CHANGED";
+constexpr std::string_view kAlarm = "ALARM";
 
 struct ShownMetric {
   const char* metric;
@@ -45,8 +50,22 @@ bool has_alarm(const std::string& scenario, const std::vector<Change>& changes) 
   });
 }
 
+/// Returns the tone of a verdict in the table of a test.
+std::optional<Tone> tone_of_verdict(std::string_view verdict) {
+  return verdict == to_text(Verdict::passed) ? Tone::good : Tone::bad;
+}
+
+/// Returns the tone of a verdict on a change: none unless it is an alarm, which one to the better
+/// is too as long as nobody explained it.
+std::optional<Tone> tone_of_change(std::string_view verdict) {
+  if (verdict.starts_with(kAlarm)) {
+    return verdict.ends_with(to_text(ChangeKind::better)) ? Tone::caution : Tone::bad;
+  }
+  return {};
+}
+
 Table table_of(const TestResults& results, const std::vector<Change>& changes) {
-  Table table{.columns = {{"scenario"}, {"verdict"}, {"frames"}}};
+  Table table{.columns = {{"scenario"}, {"verdict", 0, tone_of_verdict}, {"frames"}}};
   for (const ShownMetric& shown : kShown) {
     table.columns.push_back({shown.title});
   }
@@ -55,8 +74,8 @@ Table table_of(const TestResults& results, const std::vector<Change>& changes) {
     const bool changed = scenario.verdict() == Verdict::passed && has_alarm(scenario.name, changes);
     const double frames =
         scenario.trials.empty() ? 0 : static_cast<double>(scenario.trials.front().frames);
-    std::vector<TableCell> row{scenario.name, changed ? "CHANGED" : to_text(scenario.verdict()),
-                               frames};
+    std::vector<TableCell> row{
+        scenario.name, changed ? std::string(kChanged) : to_text(scenario.verdict()), frames};
     for (const ShownMetric& shown : kShown) {
       row.emplace_back(estimate_text(estimate_mean(values_of(scenario, shown.metric)), shown));
     }
@@ -88,7 +107,7 @@ std::string count_text(const TestResults& results, Verdict verdict, const char* 
 
 std::string verdict_of(const Change& change) {
   if (change.is_alarm()) {
-    return "ALARM: ";
+    return std::string(kAlarm) + ": ";
   }
   if (change.is_significant) {
     return "small: ";
@@ -98,8 +117,9 @@ std::string verdict_of(const Change& change) {
 
 }  // namespace
 
-std::string format_verdicts(const TestResults& results, const std::vector<Change>& changes) {
-  std::string text = as_text(table_of(results, changes));
+std::string format_verdicts(const TestResults& results, const std::vector<Change>& changes,
+                            const Colours& colours) {
+  std::string text = as_text(table_of(results, changes), colours);
   for (const ScenarioResult& scenario : results.scenarios) {
     text += sentences_of(scenario);
   }
@@ -110,18 +130,23 @@ std::string format_verdicts(const TestResults& results, const std::vector<Change
   }
   const bool passed = results.passed() && alarms == 0;
   const char* good = results.bounds == BoundsSource::scenario ? "within their bounds" : "measured";
-  return text + vo::concat(passed ? "PASS" : "FAIL", "  ", results.scenarios.size(), " scenarios",
-                           count_text(results, Verdict::passed, good),
-                           count_text(results, Verdict::failed, "FAILED"),
-                           count_text(results, Verdict::error, "not measured"),
-                           alarms > 0 ? vo::concat(", ", alarms, " changes of the baseline") : "",
-                           "\n");
+  return text +
+         vo::concat(passed ? colours.paint(Tone::good, "PASS") : colours.paint(Tone::bad, "FAIL"),
+                    "  ", results.scenarios.size(), " scenarios",
+                    count_text(results, Verdict::passed, good),
+                    count_text(results, Verdict::failed, "FAILED"),
+                    count_text(results, Verdict::error, "not measured"),
+                    alarms > 0 ? vo::concat(", ", alarms, " changes of the baseline") : "", "\n");
 }
 
-std::string format_changes(const std::vector<Change>& changes) {
-  Table table{
-      .columns = {
-          {"scenario"}, {"metric"}, {"before"}, {"after"}, {"change_%"}, {"p"}, {"verdict"}}};
+std::string format_changes(const std::vector<Change>& changes, const Colours& colours) {
+  Table table{.columns = {{"scenario"},
+                          {"metric"},
+                          {"before"},
+                          {"after"},
+                          {"change_%"},
+                          {"p"},
+                          {"verdict", 0, tone_of_change}}};
   std::size_t same = 0;
   for (const Change& change : changes) {
     if (!change.is_alarm() && !change.is_large && !change.is_significant) {
@@ -134,11 +159,11 @@ std::string format_changes(const std::vector<Change>& changes) {
   }
   std::stable_sort(table.rows.begin(), table.rows.end(), [](const auto& a, const auto& b) {
     const auto is_alarm = [](const std::vector<TableCell>& row) {
-      return std::get<std::string>(row.back()).starts_with("ALARM");
+      return std::get<std::string>(row.back()).starts_with(kAlarm);
     };
     return is_alarm(a) && !is_alarm(b);
   });
-  return (table.rows.empty() ? "" : as_text(table)) +
+  return (table.rows.empty() ? "" : as_text(table, colours)) +
          vo::concat(same, " of ", changes.size(), " metrics are the same within chance\n");
 }
 

@@ -55,11 +55,6 @@ std::string csv_cell(const TableCell& cell) {
   return std::isfinite(value) ? vo::format_real(value) : "";
 }
 
-std::string padded(const std::string& text, std::size_t width, bool right) {
-  const std::string blanks(width - text.size(), ' ');
-  return right ? blanks + text : text + blanks;
-}
-
 }  // namespace
 
 void Table::add_row(std::vector<TableCell> row) {
@@ -108,7 +103,7 @@ std::string as_markdown(const Table& table) {
   return text;
 }
 
-std::string as_text(const Table& table) {
+std::string as_text(const Table& table, const Colours& colours) {
   const Lines lines = shown(table);
   std::vector<std::size_t> widths(table.columns.size());
   for (const std::vector<std::string>& line : lines) {
@@ -120,7 +115,11 @@ std::string as_text(const Table& table) {
   for (const std::vector<std::string>& line : lines) {
     std::string row;
     for (std::size_t i = 0; i < line.size(); ++i) {
-      row += (i == 0 ? "" : "  ") + padded(line[i], widths[i], is_number_column(table, i));
+      const auto tone_of = table.columns[i].tone_of;
+      const std::optional<Tone> tone = tone_of == nullptr ? std::nullopt : tone_of(line[i]);
+      const std::string blanks(widths[i] - line[i].size(), ' ');
+      const std::string cell = tone ? colours.paint(*tone, line[i]) : line[i];
+      row += (i == 0 ? "" : "  ") + (is_number_column(table, i) ? blanks + cell : cell + blanks);
     }
     text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
   }

@@ -22,11 +22,12 @@ Json number_or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-std::string verdict(const Outcome& outcome) {
+std::string verdict(const Outcome& outcome, const Colours& colours) {
   const auto held = std::count_if(outcome.checks.begin(), outcome.checks.end(),
                                   [](const BoundCheck& check) { return check.holds; });
-  return vo::concat(outcome.passed() ? "PASS" : "FAIL", "  ", held, " of ", outcome.checks.size(),
-                    " bounds");
+  return vo::concat(
+      outcome.passed() ? colours.paint(Tone::good, "PASS") : colours.paint(Tone::bad, "FAIL"), "  ",
+      held, " of ", outcome.checks.size(), " bounds");
 }
 
 Json field_json(const vo::Field& field) {
@@ -101,10 +102,10 @@ Json report_json(const Scenario& scenario, const Outcome& outcome) {
 }
 
 std::string report_markdown(const Scenario& scenario, const Outcome& outcome) {
-  std::string text = vo::concat("# ", scenario.name, "\n\n", scenario.why, "\n\n", verdict(outcome),
-                                "; ", outcome.tracking.frames.size(), " frames, ",
-                                shown_number(vo::path_length(outcome.truth)), " m of path.\n\n",
-                                "| metric | measured | bound | |\n|---|---:|---|---|\n");
+  std::string text = vo::concat(
+      "# ", scenario.name, "\n\n", scenario.why, "\n\n", verdict(outcome, {}), "; ",
+      outcome.tracking.frames.size(), " frames, ", shown_number(vo::path_length(outcome.truth)),
+      " m of path.\n\n", "| metric | measured | bound | |\n|---|---:|---|---|\n");
   for (const auto& [metric, value] : metric_values(outcome.metrics)) {
     const BoundCheck* check = find_check(outcome, metric);
     if (!is_shown(value, check)) {
@@ -123,7 +124,7 @@ std::string report_markdown(const Scenario& scenario, const Outcome& outcome) {
                            vo::version(), ").\n");
 }
 
-std::string report_table(const Scenario& scenario, const Outcome& outcome) {
+std::string report_table(const Scenario& scenario, const Outcome& outcome, const Colours& colours) {
   constexpr std::size_t kNameWidth = 28;
   constexpr std::size_t kValueWidth = 14;
   std::string text = padded(scenario.name, kNameWidth) + padded("measured", kValueWidth) +
@@ -135,11 +136,13 @@ std::string report_table(const Scenario& scenario, const Outcome& outcome) {
     }
     text += padded(metric, kNameWidth) + padded(shown_number(value), kValueWidth);
     if (check != nullptr) {
-      text += padded(bound_text(check->bound), kValueWidth) + (check->holds ? "ok" : "VIOLATED");
+      text +=
+          padded(bound_text(check->bound), kValueWidth) +
+          (check->holds ? colours.paint(Tone::good, "ok") : colours.paint(Tone::bad, "VIOLATED"));
     }
     text += "\n";
   }
-  return text + verdict(outcome) + "\n";
+  return text + verdict(outcome, colours) + "\n";
 }
 
 Json fields_json(const std::vector<vo::Field>& fields) {

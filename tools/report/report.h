@@ -5,6 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "tools/colour/colour.h"
 #include "tools/scenario/run_scenario.h"
 #include "tools/scenario/scenario.h"
 #include "vo/core/fields.h"
@@ -18,7 +19,8 @@ nlohmann::ordered_json report_json(const Scenario& scenario, const Outcome& outc
 std::string report_markdown(const Scenario& scenario, const Outcome& outcome);
 
 /// Returns the table that `edvo run` prints: metric, measured value, bound; then the verdict.
-std::string report_table(const Scenario& scenario, const Outcome& outcome);
+std::string report_table(const Scenario& scenario, const Outcome& outcome,
+                         const Colours& colours = {});
 
 std::string shown_number(double value);  ///< the value with six significant digits
 
