@@ -52,7 +52,8 @@ constexpr const char* kDescription =
 constexpr const char* kFooter =
     "Exit codes: 0 ok, 1 internal error, 2 wrong command line, 3 unusable input or output place,\n"
     "4 a bound was violated, 5 tracking was lost, 6 the output exists and differs (--force),\n"
-    "75 try again (disk full, too many files, no memory, terminated), 130 interrupted.";
+    "75 try again (disk full, too many files, no memory, terminated), 130 interrupted;\n"
+    "nobody reads stdout: ended by SIGPIPE, which a shell shows as 141.";
 
 int run(std::vector<std::string> words, tools::Session& session) {
   CLI::App program(kDescription, "edvo");

@@ -26,6 +26,7 @@ void remember_signals() {
   std::signal(SIGTERM, remember);
   std::signal(SIGHUP, remember);
   std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_DFL);
 }
 
 void throw_if_interrupted() {

@@ -10,6 +10,7 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/scene_arguments.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/study_commands.h"
 #include "tools/scenario/run_scenario.h"
@@ -116,9 +117,8 @@ fs::path sequence_folder(const AblateArguments& arguments) {
   if (arguments.study == "pairs") {
     return rendered(arguments, pose_pairs_job(input), "pairs");
   }
-  return input.extension() == ".toml"
-             ? rendered(arguments, render_job(load_scenario(input)), "sequence")
-             : input;
+  return names_scenario(input) ? rendered(arguments, render_job(load_scenario(input)), "sequence")
+                               : input;
 }
 
 std::string clip_name(const AblateArguments& arguments) {
@@ -197,6 +197,7 @@ void add_ablate_command(CLI::App& program, Session& /*session*/) {
   command.add_option("--max-error-deg", arguments->settings.max_error_deg,
                      "of an alignment that converged (levels, pairs), deg [0.15]");
   add_common_options(command, arguments->common);
+  take_streams(command, {.inputs = {"INPUT", "--camera"}, .others = {"--out"}});
   command.callback([arguments] { ablate(*arguments); });
 }
 

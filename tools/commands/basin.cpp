@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tools/cli/progress_bar.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/study_commands.h"
 #include "vo/files/result_files.h"
@@ -69,6 +70,7 @@ void add_basin_command(CLI::App& program, Session& /*session*/) {
       ->allow_extra_args(false);
   add_laboratory_options(command, arguments->lab);
   add_field_options(command, vo::fields_of(arguments->settings), "Map");
+  take_streams(command, {.inputs = {"SCENARIO"}, .others = {"--out", "--cache"}});
   command.callback([arguments] { basin(*arguments); });
 }
 

@@ -15,6 +15,7 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/scene_arguments.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
 #include "tools/scenario/run_scenario.h"
@@ -59,7 +60,7 @@ struct BenchArguments {
 Frames load_input(const BenchArguments& arguments) {
   const auto count = static_cast<std::size_t>(arguments.frames);
   ProgressBar loading("loading", arguments.common.verbosity());
-  if (std::filesystem::path(arguments.input).extension() != ".toml") {
+  if (!names_scenario(arguments.input)) {
     return load_frames(vo::SequenceReader(arguments.input, given_camera(arguments.camera)), count,
                        loading.callback());
   }
@@ -88,7 +89,7 @@ BenchReport measure(const BenchArguments& arguments, const Frames& input) {
   return report;
 }
 
-void bench(const BenchArguments& arguments) {
+void bench(const BenchArguments& arguments, const Session& session) {
   check_usage([&] {
     arguments.race.validate();
     default_with(split_assignments(arguments.assignments));
@@ -101,12 +102,13 @@ void bench(const BenchArguments& arguments) {
   if (!arguments.out.empty()) {
     vo::write_file(arguments.out, json, arguments.common.output_policy());
   }
-  std::cout << (arguments.common.json ? json : bench_table(report));
+  speech_beside(session, {arguments.out}).stream
+      << (arguments.common.json ? json : bench_table(report));
 }
 
 }  // namespace
 
-void add_bench_command(CLI::App& program, Session& /*session*/) {
+void add_bench_command(CLI::App& program, Session& session) {
   CLI::App& command = *program.add_subcommand("bench", kBenchHelp);
   const auto arguments = std::make_shared<BenchArguments>();
   command.footer(kBenchExamples);
@@ -129,7 +131,8 @@ void add_bench_command(CLI::App& program, Session& /*session*/) {
                    "also how preset default's time grows with points, levels and resolution");
   command.add_option("--out", arguments->out, "the result as JSON, also to this file");
   add_common_options(command, arguments->common);
-  command.callback([arguments] { bench(*arguments); });
+  take_streams(command, {.inputs = {"INPUT", "--camera"}, .outputs = {"--out"}});
+  command.callback([arguments, &session] { bench(*arguments, session); });
 }
 
 }  // namespace tools

@@ -5,6 +5,7 @@
 #include "synth/gltf/gltf.h"
 #include "tools/bench/render_bench.h"
 #include "tools/cli/options.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "vo/dataset/trajectory_file.h"
 
@@ -55,6 +56,7 @@ void add_bench_render_command(CLI::App& program, Session& /*session*/) {
   command.add_option("--trajectory", arguments->trajectory,
                      "TUM trajectory of the views; else four from the middle of the scene");
   add_common_options(command, arguments->common);
+  take_streams(command, {.inputs = {"SCENE", "--trajectory"}});
   command.callback([arguments] { bench_render(*arguments); });
 }
 

@@ -5,6 +5,7 @@
 
 #include "tools/cli/interrupt.h"
 #include "tools/cli/progress_bar.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/study_commands.h"
 #include "vo/files/result_files.h"
@@ -63,6 +64,7 @@ void add_budget_command(CLI::App& program, Session& /*session*/) {
   command.add_option("--set", arguments->lab.assignments, "key=value of the scenario, repeatable")
       ->allow_extra_args(false);
   add_laboratory_options(command, arguments->lab);
+  take_streams(command, {.inputs = {"SCENARIO"}, .others = {"--out", "--cache"}});
   command.callback([arguments] { budget(*arguments); });
 }
 

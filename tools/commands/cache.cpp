@@ -13,6 +13,7 @@
 
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
 #include "tools/plot/table.h"
@@ -130,6 +131,7 @@ void add_action(CLI::App& command, const std::shared_ptr<CacheArguments>& argume
   if (action == prune) {
     sub.add_option("--max-size", arguments->max_size, "what may stay: bytes, 500M, 2G")->required();
   }
+  take_streams(sub, {.others = {"--cache"}});
   sub.callback([arguments, action, &session] { action(*arguments, session); });
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -9,6 +10,7 @@
 #include "tools/cli/exit_code.h"
 #include "tools/cli/interrupt.h"
 #include "tools/cli/options.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
 #include "tools/laboratory/build_test.h"
@@ -128,6 +130,11 @@ int compare(const CompareArguments& arguments, const Session& session) {
     vo::fail_as(vo::ErrorKind::usage,
                 "compare: expected two results, or --build-a, --build-b and scenarios");
   }
+  if (has_builds && std::find(arguments.inputs.begin(), arguments.inputs.end(), "/dev/stdin") !=
+                        arguments.inputs.end()) {
+    vo::fail_as(vo::ErrorKind::usage,
+                "RESULTS: - cannot be read by both builds, expected scenarios");
+  }
   const TestResults a =
       has_builds ? run_build(arguments, arguments.build_a) : read_results(arguments.inputs[0]);
   const TestResults b =
@@ -160,6 +167,7 @@ void add_compare_command(CLI::App& program, Session& session) {
   command.add_flag("--power", arguments->power, "tell what growth of a metric is found");
   command.add_option("--metric", arguments->metric, "of --power [ate_rmse_m]");
   add_field_options(command, vo::fields_of(arguments->options), "Alarms");
+  take_streams(command, {.inputs = {"RESULTS"}, .others = {"--build-a", "--build-b"}});
   command.callback([arguments, &session] { session.status = compare(*arguments, session); });
 }
 

@@ -7,6 +7,7 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/scene_arguments.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
 #include "vo/core/error.h"
@@ -87,6 +88,7 @@ void add_convert_command(CLI::App& program, Session& /*session*/) {
   command.add_option("--from", arguments->from, "the format of IN, where it is not found out");
   command.add_option("--camera", arguments->camera, "preset or FILE.toml, instead of IN's own");
   add_common_options(command, arguments->common);
+  take_streams(command, {.inputs = {"--camera"}, .others = {"IN", "OUT"}});
   command.callback([arguments] {
     const vo::ConvertJob job = chosen_job(*arguments);
     ProgressBar bar("converting", arguments->common.verbosity());

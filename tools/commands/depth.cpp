@@ -11,6 +11,7 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/scene_arguments.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/depth/depth_output.h"
 #include "tools/depth/depth_table.h"
@@ -176,6 +177,7 @@ void add_depth_command(CLI::App& program, Session& session) {
                   "of the sequence's depth, sigma / depth^2, 1/m: 0.0019 for a Kinect [0]")
       ->check(CLI::NonNegativeNumber);
   add_common_options(command, arguments->common);
+  take_streams(command, {.inputs = {"--camera", "--depth-file"}, .others = {"SEQUENCE", "--out"}});
   command.callback([arguments, &session] { session.status = depth(*arguments, session); });
 }
 

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/cli/options.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
 #include "vo/core/error.h"
@@ -200,6 +201,7 @@ void add_evaluate_command(CLI::App& program, Session& /*session*/) {
   command.add_option("--sequence", arguments->sequence,
                      "the sequence that was tracked, for tracked_fraction");
   add_common_options(command, arguments->common);
+  take_streams(command, {.inputs = {"TRUTH", "ESTIMATE"}, .others = {"--sequence"}});
   command.callback([arguments] { evaluate(*arguments); });
 }
 

@@ -8,6 +8,7 @@
 #include "synth/gltf/gltf_summary.h"
 #include "tools/cli/options.h"
 #include "tools/cli/scene_arguments.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
 
@@ -169,6 +170,7 @@ void add_inspect_command(CLI::App& program, Session& session) {
   command.add_option("SCENE", arguments->scene, "glTF 2.0 file, .gltf or .glb")->required();
   add_scene_options(command, arguments->options);
   add_common_options(command, arguments->common);
+  take_streams(command, {.inputs = {"SCENE"}});
   command.callback([arguments, &session] { inspect(*arguments, session); });
 }
 

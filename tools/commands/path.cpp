@@ -10,6 +10,7 @@
 #include "tools/cli/exit_code.h"
 #include "tools/cli/options.h"
 #include "tools/cli/scene_arguments.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
 
@@ -129,6 +130,7 @@ void add_path_command(CLI::App& program, Session& session) {
   add_scene_options(command, arguments->file);
   add_field_options(command, vo::fields_of(arguments->limits, "limit."), "Limits, 0 = none");
   add_common_options(command, arguments->common);
+  take_streams(command, {.inputs = {"SCENE", "--trajectory", "--camera"}});
   command.callback([arguments, &session] { check(*arguments, session); });
 }
 

@@ -13,6 +13,7 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/scene_arguments.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
 #include "vo/core/error.h"
@@ -237,6 +238,7 @@ void add_render_command(CLI::App& program, Session& session) {
   add_field_options(command, render_fields(arguments->job), "Rendering");
   add_field_options(command, sensor_fields(arguments->job.recipe.sensor), "Sensor");
   add_common_options(command, arguments->common);
+  take_streams(command, {.inputs = {"SCENE", "--trajectory", "--camera"}, .others = {"--out"}});
   command.callback([arguments, &session] { render(*arguments, session); });
 }
 

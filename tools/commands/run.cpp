@@ -7,6 +7,7 @@
 #include "tools/cli/exit_code.h"
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
 #include "tools/report/report.h"
@@ -86,6 +87,7 @@ void add_run_command(CLI::App& program, Session& session) {
   command.add_flag("--report-times", arguments->report.times,
                    "times of each stage in report.html, which then differs from run to run");
   add_common_options(command, arguments->common);
+  take_streams(command, {.inputs = {"SCENARIO"}, .others = {"--out"}});
   command.callback([arguments, &session] { session.status = run(*arguments, session); });
 }
 

@@ -7,6 +7,7 @@
 
 #include "synth/path_planning/path_options.h"
 #include "tools/cli/options.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
 #include "tools/sensor_check/contact_sheet.h"
@@ -91,6 +92,7 @@ void add_sensor_check_command(CLI::App& program, Session& /*session*/) {
       ->group("Contact sheet");
   add_field_options(command, vo::fields_of(arguments->path, "path."), "Contact sheet");
   add_common_options(command, arguments->common);
+  take_streams(command, {.inputs = {"--scene"}, .others = {"--out"}});
   command.callback([arguments] { sensor_check(*arguments); });
 }
 

@@ -7,6 +7,7 @@
 
 #include "tools/cli/interrupt.h"
 #include "tools/cli/progress_bar.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/study_commands.h"
 #include "vo/core/error.h"
@@ -96,6 +97,7 @@ void add_sweep_command(CLI::App& program, Session& /*session*/) {
       ->required();
   command.add_option("--seeds", arguments->lab.run.seeds, "with so many random numbers each [1]");
   add_laboratory_options(command, arguments->lab);
+  take_streams(command, {.inputs = {"SCENARIOS"}, .others = {"--out", "--cache"}});
   command.callback([arguments] { run(*arguments); });
 }
 

@@ -11,6 +11,7 @@
 #include "tools/cli/interrupt.h"
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
 #include "tools/laboratory/baseline.h"
@@ -45,8 +46,6 @@ constexpr const char* kTestHelp =
     "in\n"
     "it, every difference counts) and larger than the tolerance, to the worse or, unexplained, to\n"
     "the better.";
-
-constexpr const char* kStdout = "-";  // a file's name that means stdout
 
 constexpr const char* kFooter =
     "An outside tracker is a program with its arguments, quoted as for a shell but started "
@@ -130,9 +129,8 @@ void complete(TestArguments& arguments) {
   });
   complete_judges(arguments);
   run.trial.cache = cache_folder(arguments.cache);
-  const std::string json = arguments.json == kStdout ? "" : arguments.json;
   for (const std::string& file :
-       {arguments.junit, json, arguments.report, arguments.save_baseline}) {
+       {arguments.junit, arguments.json, arguments.report, arguments.save_baseline}) {
     if (!file.empty()) {
       vo::require_writable(file);
     }
@@ -210,18 +208,14 @@ std::vector<Change> changes_from(const TestResults& baseline, const TestResults&
   return compare_results(baseline, results, options);
 }
 
-/// Prints the table and writes the files that the user named. Where the JSON goes to stdout, the
-/// table is on stderr.
+/// Prints the table and writes the files that the user named. Where one of them is stdout,
+/// the table is on stderr.
 void write_results(const TestArguments& arguments, const TestResults& results,
                    const std::vector<Change>& changes, const Session& session) {
-  const bool is_json_on_stdout = arguments.json == kStdout;
-  (is_json_on_stdout ? std::cerr : std::cout)
-      << format_verdicts(results, changes, is_json_on_stdout ? session.err : session.out);
-  if (is_json_on_stdout) {
-    std::cout << json_text(results_json(results));
-  } else {
-    write_asked(arguments.json, json_text(results_json(results)), policy_of(arguments));
-  }
+  const auto [out, colours] =
+      speech_beside(session, {arguments.junit, arguments.json, arguments.report});
+  out << format_verdicts(results, changes, colours);
+  write_asked(arguments.json, json_text(results_json(results)), policy_of(arguments));
   write_asked(arguments.junit, format_junit(results, changes), policy_of(arguments));
   if (!arguments.report.empty()) {
     write_asked(arguments.report, html_report(test_reports(results, changes)),
@@ -276,8 +270,7 @@ void add_test_command(CLI::App& program, Session& session) {
   command.footer(kFooter);
   add_run_options(command, *arguments);
   command.add_option("--junit", arguments->junit, "write JUnit XML; replaces the file");
-  command.add_option("--json", arguments->json,
-                     "write the results, - for stdout; replaces the file");
+  command.add_option("--json", arguments->json, "write the results; replaces the file");
   command.add_option("--report", arguments->report,
                      "write an HTML report of all scenarios, tracked for it; replaces the file");
   command.add_option("--bounds", arguments->bounds, "what judges: scenario, baseline or none")
@@ -289,6 +282,9 @@ void add_test_command(CLI::App& program, Session& session) {
                    "--save-baseline to the file of --baseline, without comparing");
   add_field_options(command, vo::fields_of(arguments->comparison), "Baseline");
   add_field_options(command, vo::fields_of(arguments->limits), "Limits of --tracker");
+  take_streams(command, {.inputs = {"PATHS", "--baseline"},
+                         .outputs = {"--junit", "--json", "--report"},
+                         .others = {"--save-baseline", "--cache"}});
   command.callback([arguments, &session] { session.status = test(*arguments, session); });
 }
 

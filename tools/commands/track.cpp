@@ -16,6 +16,7 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/scene_arguments.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/track_arguments.h"
 #include "tools/depth/mono_run.h"
@@ -188,9 +189,7 @@ std::string describe_status(const vo::SequenceResult& result, const Colours& col
 
 /// Prints the result, its note last, and returns the exit code.
 int print(const TrackArguments& arguments, const Tracked& tracked, const Session& session) {
-  const bool is_out_taken = vo::is_stream(arguments.out);
-  std::ostream& out = is_out_taken ? std::cerr : std::cout;
-  const Colours& colours = is_out_taken ? session.err : session.out;
+  const auto [out, colours] = speech_beside(session, {arguments.out, arguments.frame_log});
   const vo::SequenceResult& result = tracked.result;
   if (arguments.common.json) {
     out << json_text(json_document({"track"}, summary(arguments, tracked)));
@@ -287,6 +286,11 @@ int track(TrackArguments& arguments, const Session& session) {
   if (!arguments.frame_log.empty()) {
     vo::require_writable(arguments.frame_log);
   }
+  if (arguments.debug_images > 0 && vo::is_stream(arguments.out)) {
+    vo::fail_as(vo::ErrorKind::usage,
+                "--debug-images: are written beside --out, expected a file there and not ",
+                arguments.out);
+  }
   return vo::parse_enum<TrackMode>(arguments.mode) == TrackMode::mono
              ? track_mono(arguments, camera, session)
              : track_rgbd(arguments, camera, session);
@@ -307,9 +311,9 @@ void add_track_command(CLI::App& program, Session& session) {
   command.add_option(
       "--bootstrap", arguments->bootstrap,
       "mono: where first depths come from, rgbd | file | flat | random | auto [auto]");
-  command.add_option(
-      "--depth-file", arguments->depth_file,
-      "mono, bootstrap file: depth of the first image, 16-bit PNG or .npy in metres");
+  command.add_option("--depth-file", arguments->depth_file,
+                     "mono, bootstrap file: depth of the first image, 16-bit PNG or .npy in "
+                     "metres; a stream is PNG");
   command.add_option("--config", arguments->config,
                      "TOML file with the keys of --set, and mode and preset");
   command.add_option("--preset", arguments->preset, "paper | authors | default [default]")
@@ -325,6 +329,9 @@ void add_track_command(CLI::App& program, Session& session) {
   command.add_option("--max-time-difference", arguments->max_time_difference,
                      "between the stamps of colour and depth, s [0.02]");
   add_common_options(command, arguments->common);
+  take_streams(command, {.inputs = {"--camera", "--config", "--depth-file"},
+                         .outputs = {"--out", "--frame-log"},
+                         .others = {"SEQUENCE"}});
   command.callback([arguments, &session] { session.status = track(*arguments, session); });
 }
 

@@ -9,6 +9,7 @@
 
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
 #include "tools/train_edges/comparison_picture.h"
@@ -64,7 +65,7 @@ std::vector<LabelledView> render_views(const TrainArguments& arguments) {
   return all;
 }
 
-void train(const TrainArguments& arguments) {
+void train(const TrainArguments& arguments, const Session& session) {
   vo::require_writable(arguments.out);
   const std::vector<LabelledView> views = render_views(arguments);
   ProgressBar bar("training", arguments.common.verbosity());
@@ -82,9 +83,10 @@ void train(const TrainArguments& arguments) {
                          {"nodes", forest.nodes().children.size()}};
     std::cout << json_text(json_document({"train_edges"}, result));
   } else {
-    std::cout << arguments.out << ": " << forest.parameters().trees << " trees, "
-              << forest.nodes().children.size() << " nodes, " << bytes.size() << " bytes, from "
-              << views.size() << " views\n";
+    speech_beside(session, {arguments.out}).stream
+        << arguments.out << ": " << forest.parameters().trees << " trees, "
+        << forest.nodes().children.size() << " nodes, " << bytes.size() << " bytes, from "
+        << views.size() << " views\n";
   }
 }
 
@@ -114,13 +116,13 @@ Json as_json(const std::vector<DetectorCurve>& curves, std::size_t views) {
   return json;
 }
 
-void print_table(const std::vector<DetectorCurve>& curves, std::size_t views) {
-  std::cout << views << " views, tolerance " << kEdgeTolerance << " px; recall also by cause\n";
+void print_table(const std::vector<DetectorCurve>& curves, std::size_t views, std::ostream& out) {
+  out << views << " views, tolerance " << kEdgeTolerance << " px; recall also by cause\n";
   std::array<char, 200> line{};
   std::snprintf(line.data(), line.size(), "%-18s %-22s %9s %7s %7s   %7s %7s %7s %7s\n", "detector",
                 "best threshold", "precision", "recall", "F", "depth", "crease", "albedo",
                 "shadow");
-  std::cout << line.data();
+  out << line.data();
   for (const DetectorCurve& curve : curves) {
     const SweepPoint& best = curve.best();
     const EdgeScore& score = best.score;
@@ -133,11 +135,11 @@ void print_table(const std::vector<DetectorCurve>& curves, std::size_t views) {
         score.f_measure(), score.recall_of(synth::EdgeCause::depth),
         score.recall_of(synth::EdgeCause::crease), score.recall_of(synth::EdgeCause::albedo),
         score.recall_of(synth::EdgeCause::shadow));
-    std::cout << line.data();
+    out << line.data();
   }
 }
 
-void evaluate(const TrainArguments& arguments) {
+void evaluate(const TrainArguments& arguments, const Session& session) {
   if (!arguments.picture.empty()) {
     vo::require_writable(arguments.picture);
   }
@@ -154,11 +156,11 @@ void evaluate(const TrainArguments& arguments) {
   if (arguments.common.json) {
     std::cout << json_text(json_document({"edge_detectors"}, as_json(curves, views.size())));
   } else {
-    print_table(curves, views.size());
+    print_table(curves, views.size(), speech_beside(session, {arguments.picture}).stream);
   }
 }
 
-void run(const TrainArguments& arguments) {
+void run(const TrainArguments& arguments, const Session& session) {
   const auto limit = arguments.common.limit_threads();
   const bool is_evaluation = !arguments.evaluated_model.empty();
   check_usage([&] {
@@ -169,15 +171,15 @@ void run(const TrainArguments& arguments) {
     vo::require(is_evaluation || arguments.picture.empty(), "--picture: expected --evaluate too");
   });
   if (is_evaluation) {
-    evaluate(arguments);
+    evaluate(arguments, session);
   } else {
-    train(arguments);
+    train(arguments, session);
   }
 }
 
 }  // namespace
 
-void add_train_edges_command(CLI::App& program, Session& /*session*/) {
+void add_train_edges_command(CLI::App& program, Session& session) {
   CLI::App& command = *program.add_subcommand("train-edges", kTrainEdgesHelp);
   const auto arguments = std::make_shared<TrainArguments>();
   command.footer(kTrainEdgesExamples);
@@ -189,7 +191,8 @@ void add_train_edges_command(CLI::App& program, Session& /*session*/) {
   add_field_options(command, vo::fields_of(arguments->views), "Views");
   add_field_options(command, vo::fields_of(arguments->training), "Training");
   add_common_options(command, arguments->common);
-  command.callback([arguments] { run(*arguments); });
+  take_streams(command, {.inputs = {"SCENE", "--evaluate"}, .outputs = {"--out", "--picture"}});
+  command.callback([arguments, &session] { run(*arguments, session); });
 }
 
 }  // namespace tools

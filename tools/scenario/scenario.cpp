@@ -7,6 +7,7 @@
 #include "synth/sensor/preset.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
+#include "vo/files/output.h"
 #include "vo/text_files/toml_file.h"
 
 namespace tools {
@@ -32,6 +33,12 @@ std::vector<vo::Field> bound_fields(std::map<std::string, Bound>& bounds) {
     add(".max", &Bound::max);
   }
   return fields;
+}
+
+/// Returns the folder that names in a scenario start from: its own, or for one that is read from a
+/// stream the working folder.
+fs::path folder_of(const fs::path& file) {
+  return vo::is_stream(file) ? fs::current_path() : fs::absolute(file).parent_path();
 }
 
 void apply(const Assignments& changes, std::vector<vo::Field>& fields) {
@@ -178,8 +185,12 @@ Metrics make_metrics(const std::function<double(const std::string& name)>& value
   return metrics;
 }
 
+bool names_scenario(const fs::path& path) {
+  return path.extension() == ".toml" || vo::is_stream(path);
+}
+
 fs::path Scenario::scene_file() const {
-  return resolved(scene.gltf, fs::absolute(file).parent_path() / ".." / "assets");
+  return resolved(scene.gltf, folder_of(file) / ".." / "assets");
 }
 
 void Scenario::require_scene() const {
@@ -189,7 +200,7 @@ void Scenario::require_scene() const {
 
 synth::PathOptions Scenario::resolved_path() const {
   synth::PathOptions result = path;
-  result.file = resolved(path.file, fs::absolute(file).parent_path());
+  result.file = resolved(path.file, folder_of(file));
   return result;
 }
 

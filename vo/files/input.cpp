@@ -7,10 +7,12 @@
 #include <system_error>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "vo/core/error.h"
+#include "vo/files/partial_file.h"
 #include "vo/files/system_failure.h"
 
 namespace vo {
@@ -97,6 +99,35 @@ std::string read_file(const fs::path& path, std::uintmax_t max_bytes) {
   }
   file.read(bytes);
   return bytes;
+}
+
+void copy_stream(int from, int to, const std::string& name, std::uintmax_t max_bytes,
+                 const WaitObserver& waiting) {
+  constexpr std::size_t kPartBytes = 1 << 20;
+  constexpr int kWaitMs = 100;
+  std::string part(kPartBytes, '\0');
+  std::uintmax_t size = 0;
+  for (;;) {
+    waiting();
+    pollfd ready{.fd = from, .events = POLLIN, .revents = 0};
+    if (::poll(&ready, 1, kWaitMs) <= 0) {
+      continue;
+    }
+    const ssize_t count = ::read(from, part.data(), part.size());
+    if (count < 0 && (errno == EINTR || errno == EAGAIN)) {
+      continue;
+    }
+    if (count < 0) {
+      fail_with(name, "cannot be read", errno);
+    }
+    if (count == 0) {
+      return;
+    }
+    size += static_cast<std::uintmax_t>(count);
+    require(size <= max_bytes, name, ": gives more than ", max_bytes,
+            " bytes, expected at most those");
+    write_bytes(to, std::string_view(part).substr(0, static_cast<std::size_t>(count)), name);
+  }
 }
 
 bool leads_out(const fs::path& folder, const fs::path& relative) {

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "vo/core/progress.h"
+
 namespace vo {
 
 /// The greatest sizes of files that come from outside, bytes; what is larger is not read.
@@ -16,6 +18,13 @@ inline constexpr std::uintmax_t kMaxConfigurationBytes = 16'000'000;
 /// (a folder, a pipe, a device), is larger than `max_bytes` or cannot be read; `temporary` if there
 /// is not enough memory for it. It never waits for a pipe's other end.
 std::string read_file(const std::filesystem::path& path, std::uintmax_t max_bytes = kMaxFileBytes);
+
+/// Copies all that an open stream (a pipe, a terminal, a file) gives until its end into another
+/// descriptor. `waiting` is called before each read and ten times a second while nothing comes.
+/// Throws Error naming the stream `name`: `input` if it gives more than `max_bytes` or cannot be
+/// read, `temporary` if there is no room for it.
+void copy_stream(int from, int to, const std::string& name, std::uintmax_t max_bytes,
+                 const WaitObserver& waiting);
 
 /// Returns whether a symbolic link on the way from `folder` to `relative`, a path without "..",
 /// leads to a place outside the folder.

@@ -15,10 +15,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Opens a device or pipe. Stdout is taken as it is: opening it anew would fail for a socket, and
+/// cut a file that it is appended to.
+int open_stream(const fs::path& path) {
+  if (path == "/dev/stdout") {
+    return ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
+  }
+  return uninterrupted(
+      [&] { return ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_CREAT | O_TRUNC, 0666); });
+}
+
 /// Writes a device or pipe.
 void write_stream(const fs::path& path, std::string_view bytes) {
-  const int stream = uninterrupted(
-      [&] { return ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_CREAT | O_TRUNC, 0666); });
+  const int stream = open_stream(path);
   if (stream < 0) {
     fail_with(path, "cannot be written", errno);
   }

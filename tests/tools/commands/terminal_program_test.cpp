@@ -71,8 +71,8 @@ TEST_F(Colour, IsNeverInFiles) {
   for (const char* name : {"out/report.md", "out/report.json", "out/frames.csv"}) {
     EXPECT_THAT(read(name), Not(HasSubstr(kEscape))) << name;
   }
-  const std::string json = run_program(run_words() + " --json --color always").out;
-  EXPECT_THAT(json, Not(HasSubstr(kEscape)));
+  const std::string printed = run_program(run_words() + " --json --color always").out;
+  EXPECT_THAT(printed, Not(HasSubstr(kEscape)));
 }
 
 TEST_F(Colour, TakesTheValuesThatItsHelpNames) {

@@ -1,11 +1,15 @@
 #include "vo/files/input.h"
 
+#include <array>
 #include <filesystem>
+#include <memory>
 #include <string>
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
@@ -77,6 +81,29 @@ TEST(PathIn, StaysInTheFolder) {
     EXPECT_THAT(error_text([&] { vo::path_in("seq", name, "rgb.txt:7"); }),
                 HasSubstr("rgb.txt:7: '" + std::string(name) + "' leads out of seq"));
   }
+}
+
+TEST(CopyStream, CopiesAPipeToItsEndAndNoMoreThanItsLimit) {
+  const TempFolder folder;
+  const std::filesystem::path kept = folder.write("kept", "");
+  const auto copy = [&](std::uintmax_t max_bytes, const vo::WaitObserver& waiting) {
+    std::array<int, 2> pipe{};
+    ASSERT_EQ(::pipe(pipe.data()), 0);
+    ASSERT_EQ(::write(pipe[1], "12345", 5), 5);
+    ::close(pipe[1]);
+    const int to = ::open(kept.c_str(), O_WRONLY | O_TRUNC);
+    const auto close_both = [&](const int* /*unused*/) {
+      ::close(pipe[0]);
+      ::close(to);
+    };
+    const std::unique_ptr<const int, decltype(close_both)> closing(&to, close_both);
+    vo::copy_stream(pipe[0], to, "stream", max_bytes, waiting);
+  };
+  copy(5, [] {});
+  EXPECT_EQ(vo::read_file(kept), "12345");
+  EXPECT_EQ(error_text([&] { copy(4, [] {}); }),
+            "stream: gives more than 4 bytes, expected at most those");
+  EXPECT_EQ(error_text([&] { copy(5, [] { vo::fail("stopped"); }); }), "stopped");
 }
 
 }  // namespace

@@ -1,0 +1,127 @@
+#include "tools/cli/standard_streams.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <functional>
+#include <iostream>
+#include <memory>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include "tools/cli/interrupt.h"
+#include "vo/core/error.h"
+#include "vo/files/input.h"
+#include "vo/files/output.h"
+#include "vo/files/system_failure.h"
+
+namespace tools {
+namespace {
+
+constexpr const char* kStreamWord = "-";
+constexpr const char* kStdin = "/dev/stdin";
+constexpr const char* kStdout = "/dev/stdout";
+
+/// The options of one command line that have taken the streams; empty names where none has.
+struct TakenStreams {
+  std::string input;
+  std::string output;
+};
+
+/// Reads stdin to its end and puts a file of what came in its place.
+void hold_stdin() {
+  vo::require(::fcntl(STDIN_FILENO, F_GETFD) >= 0, kStdin, ": is closed, expected a file or pipe");
+  const int held = ::memfd_create("stdin", MFD_CLOEXEC);
+  if (held < 0) {
+    vo::fail_with(kStdin, "cannot be held", errno);
+  }
+  try {
+    vo::copy_stream(STDIN_FILENO, held, kStdin, vo::kMaxFileBytes, throw_if_interrupted);
+  } catch (const vo::Error&) {
+    ::close(held);
+    throw;
+  }
+  const int stream = ::dup2(held, STDIN_FILENO);
+  ::close(held);
+  if (stream < 0) {
+    vo::fail_with(kStdin, "cannot be held", errno);
+  }
+}
+
+/// Lets an option take `-` for the stream `path`, once for all that share `taken`.
+void take_stream(CLI::Option& option, const char* path,
+                 const std::function<std::string&()>& taken) {
+  const std::string name = option.get_name();
+  option.transform([name, path, taken](std::string word) -> std::string {
+    if (word != kStreamWord) {
+      return word;
+    }
+    if (std::string& first = taken(); !first.empty()) {
+      vo::fail_as(vo::ErrorKind::usage, name, ": ", path, " is taken by ", first,
+                  " already, expected at most one -");
+    } else {
+      first = name;
+    }
+    return path;
+  });
+}
+
+void refuse_stream(CLI::Option& option) {
+  const std::string name = option.get_name();
+  option.transform([name](std::string word) -> std::string {
+    if (word == kStreamWord) {
+      vo::fail_as(vo::ErrorKind::usage, name,
+                  ": - stands for a stream, which cannot be used here; ./- is a name");
+    }
+    return word;
+  });
+}
+
+void add_to_help(CLI::Option& option, const char* text) {
+  option.description(option.get_description() + text);
+}
+
+/// Throws where `--json`, which prints on stdout, is given together with an output there.
+void require_one_output(const CLI::App& command, const TakenStreams& taken) {
+  const CLI::Option* json = command.get_option_no_throw("--json");
+  const bool is_flag = json != nullptr && json->get_items_expected_max() == 0;
+  if (is_flag && json->count() > 0 && !taken.output.empty()) {
+    vo::fail_as(vo::ErrorKind::usage, "--json: ", kStdout, " is taken by ", taken.output,
+                " already, expected at most one of both");
+  }
+}
+
+}  // namespace
+
+void take_streams(CLI::App& command, const FileArguments& files) {
+  const auto taken = std::make_shared<TakenStreams>();
+  for (const std::string& name : files.inputs) {
+    CLI::Option& option = *command.get_option(name);
+    take_stream(option, kStdin, [taken]() -> std::string& { return taken->input; });
+    add_to_help(option, "; - is stdin");
+  }
+  for (const std::string& name : files.outputs) {
+    CLI::Option& option = *command.get_option(name);
+    take_stream(option, kStdout, [taken]() -> std::string& { return taken->output; });
+    add_to_help(option, "; - is stdout");
+  }
+  for (const std::string& name : files.others) {
+    refuse_stream(*command.get_option(name));
+  }
+  command.parse_complete_callback([&command, taken] {
+    require_one_output(command, *taken);
+    if (!taken->input.empty()) {
+      hold_stdin();
+    }
+  });
+}
+
+Speech speech_beside(const Session& session, const std::vector<std::filesystem::path>& outputs) {
+  const bool is_taken = std::any_of(outputs.begin(), outputs.end(), [](const auto& path) {
+    return !path.empty() && vo::is_stream(path);
+  });
+  return is_taken ? Speech{std::cerr, session.err} : Speech{std::cout, session.out};
+}
+
+}  // namespace tools

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "tools/cli/session.h"
+
+namespace tools {
+
+/// The files and folders among a command's arguments, by the names of its options.
+struct FileArguments {
+  std::vector<std::string> inputs;   ///< files that are read whole: `-` is stdin
+  std::vector<std::string> outputs;  ///< files that are written whole: `-` is stdout
+  std::vector<std::string> others;   ///< folders and programs: `-` is an error
+};
+
+/// Lets a command take `-` for stdin and stdout, at most once each, and says so in its help. What
+/// comes from stdin is read to its end before the command starts; libraries find it as the regular
+/// file /dev/stdin, as often as they like, and write /dev/stdout. `./-` is a file of this name.
+void take_streams(CLI::App& command, const FileArguments& files);
+
+/// Where a command says something to people, and with which colours.
+struct Speech {
+  std::ostream& stream;
+  Colours colours;
+};
+
+/// Returns stdout, or stderr where one of the outputs is a stream, such as /dev/stdout.
+Speech speech_beside(const Session& session, const std::vector<std::filesystem::path>& outputs);
+
+}  // namespace tools
