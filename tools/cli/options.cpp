@@ -31,6 +31,10 @@ void add_json_flag(CLI::App& command, bool& json) {
   command.add_flag("--json", json, "print the result as JSON on stdout; --json - is the same");
 }
 
+void add_quiet_flag(CLI::App& command, bool& quiet) {
+  command.add_flag("--quiet,-q", quiet, "no progress on stderr");
+}
+
 void add_no_sync_flag(CLI::App& command, bool& no_sync) {
   command.add_flag("--no-sync", no_sync,
                    "do not wait until outputs are on the disk: faster, lost with the power");
@@ -38,7 +42,7 @@ void add_no_sync_flag(CLI::App& command, bool& no_sync) {
 
 void add_common_options(CLI::App& command, CommonOptions& options) {
   add_json_flag(command, options.json);
-  command.add_flag("--quiet,-q", options.quiet, "no progress on stderr");
+  add_quiet_flag(command, options.quiet);
   command.add_flag("--force", options.force,
                    "replace an output that exists and differs; files of others are kept");
   add_no_sync_flag(command, options.no_sync);

@@ -41,6 +41,9 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 /// Adds the flag `--json` alone; `add_common_options` has it, too.
 void add_json_flag(CLI::App& command, bool& json);
 
+/// Adds the flag `--quiet` alone; `add_common_options` has it, too.
+void add_quiet_flag(CLI::App& command, bool& quiet);
+
 /// Adds the flag `--no-sync` alone; `add_common_options` has it, too.
 void add_no_sync_flag(CLI::App& command, bool& no_sync);
 

@@ -108,6 +108,7 @@ void complete(AblateArguments& arguments) {
 fs::path rendered(const AblateArguments& arguments, const synth::RenderJob& job, const char* name) {
   fs::path folder = fs::path(arguments.out) / name;
   ProgressBar bar("rendering", arguments.common.verbosity());
+  bar.announce();
   synth::render_sequence(job, folder, arguments.common.output_policy(), bar.callback());
   return folder;
 }
@@ -131,8 +132,10 @@ std::string clip_name(const AblateArguments& arguments) {
 
 Clip load(const AblateArguments& arguments) {
   const std::optional<vo::RgbdCamera> camera = given_camera(arguments.camera);
-  const vo::SequenceReader sequence(sequence_folder(arguments), camera);
+  const fs::path folder = sequence_folder(arguments);
   ProgressBar bar("reading", arguments.common.verbosity());
+  bar.announce();
+  const vo::SequenceReader sequence(folder, camera);
   return load_clip(sequence, clip_name(arguments), arguments.max_frames, bar.callback());
 }
 
@@ -165,7 +168,9 @@ void ablate(AblateArguments& arguments) {
   vo::make_folder(arguments.out);
   const Clip clip = load(arguments);
   ProgressBar bar(arguments.study, arguments.common.verbosity());
+  bar.announce();
   const StudyReport report = study->second(clip, arguments.settings, bar.callback());
+  bar.erase();
   deliver_study(report, command_line(arguments), arguments.out, arguments.common);
 }
 

@@ -51,12 +51,16 @@ void basin(BasinArguments& arguments) {
   check_usage([&] { arguments.settings.validate(); });
   vo::make_folder(arguments.lab.out);
   ProgressBar rendering("rendering", arguments.lab.common.verbosity());
+  rendering.announce();
   ProgressBar reading("reading", Verbosity::quiet);
   const Clip clip = load_clip(scenario, arguments.lab.run.trial.cache,
                               {rendering.callback(), reading.callback()});
+  rendering.erase();
   ProgressBar aligning("aligning", arguments.lab.common.verbosity());
-  deliver_study(study_basin(clip, arguments.settings, aligning.callback()), command_line(arguments),
-                arguments.lab.out, arguments.lab.common);
+  aligning.announce();
+  const StudyReport report = study_basin(clip, arguments.settings, aligning.callback());
+  aligning.erase();
+  deliver_study(report, command_line(arguments), arguments.lab.out, arguments.lab.common);
 }
 
 }  // namespace

@@ -60,6 +60,7 @@ struct BenchArguments {
 Frames load_input(const BenchArguments& arguments) {
   const auto count = static_cast<std::size_t>(arguments.frames);
   ProgressBar loading("loading", arguments.common.verbosity());
+  loading.announce();
   if (!names_scenario(arguments.input)) {
     return load_frames(vo::SequenceReader(arguments.input, given_camera(arguments.camera)), count,
                        loading.callback());
@@ -69,12 +70,14 @@ Frames load_input(const BenchArguments& arguments) {
   }
   const auto limit = arguments.common.limit_threads();
   ProgressBar rendering("rendering", arguments.common.verbosity());
+  rendering.announce();
   return render_frames(render_job(load_scenario(arguments.input)), count, rendering.callback(),
                        loading.callback());
 }
 
 BenchReport measure(const BenchArguments& arguments, const Frames& input) {
   ProgressBar racing("racing", arguments.common.verbosity());
+  racing.announce();
   const vo::TrackerOptions options = default_with(split_assignments(arguments.assignments));
   LineUp line = line_up(arguments.peers);
   if (!arguments.assignments.empty()) {
@@ -84,6 +87,7 @@ BenchReport measure(const BenchArguments& arguments, const Frames& input) {
       race_peers(arguments.input, input, std::move(line), arguments.race, racing.callback());
   if (arguments.growth) {
     ProgressBar growing("growing", arguments.common.verbosity());
+    growing.announce();
     report.growth = measure_growth(input, options, arguments.race, growing.callback());
   }
   return report;

@@ -5,6 +5,7 @@
 #include "synth/gltf/gltf.h"
 #include "tools/bench/render_bench.h"
 #include "tools/cli/options.h"
+#include "tools/cli/progress_bar.h"
 #include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "vo/dataset/trajectory_file.h"
@@ -35,12 +36,16 @@ void bench_render(const BenchRenderArguments& arguments) {
   const auto [width, height] = parse_size(arguments.size);
   const vo::PinholeCamera camera =
       vo::PinholeCamera::from_horizontal_fov(width, height, arguments.fov_deg);
+  ProgressBar bar("measuring", arguments.common.verbosity());
+  bar.announce("reading " + arguments.scene);
   const synth::Scene scene = synth::load_gltf(arguments.scene);
   const vo::Trajectory views = arguments.trajectory.empty()
                                    ? views_from_the_middle(scene)
                                    : vo::read_trajectory(arguments.trajectory);
   vo::require(!views.empty(), arguments.trajectory, ": no poses, expected at least one");
+  bar.announce();
   const RenderBench bench = bench_rendering(scene, camera, views);
+  bar.erase();
   std::cout << (arguments.common.json ? format_json(bench) : format_table(bench));
 }
 

@@ -46,8 +46,11 @@ void budget(BudgetArguments& arguments) {
       load_scenario(arguments.scenario, split_assignments(arguments.lab.assignments));
   vo::make_folder(arguments.lab.out);
   ProgressBar bar("measuring", arguments.lab.common.verbosity());
-  deliver_study(error_budget(scenario, arguments.settings, bar.callback(), throw_if_interrupted),
-                command_line(arguments), arguments.lab.out, arguments.lab.common);
+  bar.announce();
+  const StudyReport report =
+      error_budget(scenario, arguments.settings, bar.callback(), throw_if_interrupted);
+  bar.erase();
+  deliver_study(report, command_line(arguments), arguments.lab.out, arguments.lab.common);
 }
 
 }  // namespace

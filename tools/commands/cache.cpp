@@ -31,6 +31,7 @@ constexpr std::string_view kSound = "ok";  // state of a sequence without a prob
 
 struct CacheArguments {
   bool json = false;
+  bool quiet = false;
   std::string folder;
   std::string max_size;
 
@@ -109,8 +110,10 @@ void list(const CacheArguments& arguments, const Session& session) {
 }
 
 void verify(const CacheArguments& arguments, const Session& session) {
-  ProgressBar bar("verifying", Verbosity::normal);
+  ProgressBar bar("verifying", arguments.quiet ? Verbosity::quiet : Verbosity::normal);
+  bar.announce();
   const std::vector<CacheEntry> entries = verify_cache(arguments.cache(), bar.callback());
+  bar.erase();
   const auto broken = std::count_if(entries.begin(), entries.end(),
                                     [](const CacheEntry& entry) { return !entry.problem.empty(); });
   print(arguments, "verify", entries,
@@ -128,6 +131,9 @@ void add_action(CLI::App& command, const std::shared_ptr<CacheArguments>& argume
   CLI::App& sub = *command.add_subcommand(name_and_help.first, name_and_help.second);
   sub.add_option("--cache", arguments->folder, "folder of the cache [$XDG_CACHE_HOME/edvo]");
   add_json_flag(sub, arguments->json);
+  if (action == verify) {
+    add_quiet_flag(sub, arguments->quiet);
+  }
   if (action == prune) {
     sub.add_option("--max-size", arguments->max_size, "what may stay: bytes, 500M, 2G")->required();
   }

@@ -10,6 +10,7 @@
 #include "tools/cli/exit_code.h"
 #include "tools/cli/interrupt.h"
 #include "tools/cli/options.h"
+#include "tools/cli/progress_bar.h"
 #include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
@@ -47,6 +48,7 @@ constexpr const char* kCompareExamples =
 
 struct CompareArguments {
   bool json = false;
+  bool quiet = false;
   std::vector<std::string> inputs;
   std::string build_a;
   std::string build_b;
@@ -58,9 +60,13 @@ struct CompareArguments {
 };
 
 /// Returns the results of another build's own `edvo test`.
-TestResults run_build(const CompareArguments& arguments, const std::string& build) {
+TestResults run_build(const CompareArguments& arguments, const std::string& build,
+                      ProgressBar& bar) {
   vo::require(std::filesystem::exists(build), build, ": there is no such program");
-  std::cerr << build << " test --seeds " << arguments.seeds << "\n";
+  bar.erase();
+  if (!arguments.quiet) {
+    std::cerr << build << " test --seeds " << arguments.seeds << "\n";
+  }
   return test_build(build, arguments.inputs, arguments.seeds, throw_if_interrupted);
 }
 
@@ -73,12 +79,13 @@ void print_missing(const TestResults& a, const TestResults& b) {
   }
 }
 
-int compare_halves(const CompareArguments& arguments) {
+int compare_halves(const CompareArguments& arguments, ProgressBar& bar) {
   if (arguments.inputs.size() != 1) {
     vo::fail_as(vo::ErrorKind::usage, "compare: expected one result with --halves");
   }
   const TestResults results = read_results(arguments.inputs[0]);
   const int alarms = count_false_alarms(results, arguments.halves, arguments.options);
+  bar.erase();
   if (arguments.json) {
     std::cout << json_text(self_comparison_json(alarms, arguments.halves, arguments.options));
     return exit_code::kOk;
@@ -92,7 +99,7 @@ std::string growth_text(double percent) {
   return std::isfinite(percent) ? "+" + format_decimals(percent, 0) + " %" : "> x100";
 }
 
-int tell_power(const CompareArguments& arguments) {
+int tell_power(const CompareArguments& arguments, ProgressBar& bar) {
   const std::size_t count = arguments.inputs.size();
   if (count != 1 && count != 2) {
     vo::fail_as(vo::ErrorKind::usage, "compare: expected one or two results with --power");
@@ -112,18 +119,21 @@ int tell_power(const CompareArguments& arguments) {
     }
     table.add_row(std::move(row));
   }
+  bar.erase();
   std::cout << "growth of " << arguments.metric << " that is an alarm in 90 % of comparisons\n"
             << as_text(table);
   return exit_code::kOk;
 }
 
 int compare(const CompareArguments& arguments, const Session& session) {
+  ProgressBar bar("comparing", arguments.quiet ? Verbosity::quiet : Verbosity::normal);
   check_usage([&] { arguments.options.validate(); });
+  bar.announce();
   if (arguments.power) {
-    return tell_power(arguments);
+    return tell_power(arguments, bar);
   }
   if (arguments.halves > 0) {
-    return compare_halves(arguments);
+    return compare_halves(arguments, bar);
   }
   const bool has_builds = !arguments.build_a.empty() && !arguments.build_b.empty();
   if (!has_builds && arguments.inputs.size() != 2) {
@@ -136,10 +146,11 @@ int compare(const CompareArguments& arguments, const Session& session) {
                 "RESULTS: - cannot be read by both builds, expected scenarios");
   }
   const TestResults a =
-      has_builds ? run_build(arguments, arguments.build_a) : read_results(arguments.inputs[0]);
+      has_builds ? run_build(arguments, arguments.build_a, bar) : read_results(arguments.inputs[0]);
   const TestResults b =
-      has_builds ? run_build(arguments, arguments.build_b) : read_results(arguments.inputs[1]);
+      has_builds ? run_build(arguments, arguments.build_b, bar) : read_results(arguments.inputs[1]);
   const std::vector<Change> changes = compare_results(a, b, arguments.options);
+  bar.erase();
   vo::require(!changes.empty(), "the two results have no scenario in common");
   if (arguments.json) {
     std::cout << json_text(comparison_json(a, b, changes, arguments.options));
@@ -164,6 +175,7 @@ void add_compare_command(CLI::App& program, Session& session) {
   command.add_option("--halves", arguments->halves, "compare one result with itself so often")
       ->check(CLI::PositiveNumber);
   add_json_flag(command, arguments->json);
+  add_quiet_flag(command, arguments->quiet);
   command.add_flag("--power", arguments->power, "tell what growth of a metric is found");
   command.add_option("--metric", arguments->metric, "of --power [ate_rmse_m]");
   add_field_options(command, vo::fields_of(arguments->options), "Alarms");

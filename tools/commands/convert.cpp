@@ -92,7 +92,11 @@ void add_convert_command(CLI::App& program, Session& /*session*/) {
   command.callback([arguments] {
     const vo::ConvertJob job = chosen_job(*arguments);
     ProgressBar bar("converting", arguments->common.verbosity());
-    print(*arguments, vo::convert_sequence(job, arguments->common.output_policy(), bar.callback()));
+    bar.announce("reading " + arguments->in);
+    const vo::ConvertOutcome outcome =
+        vo::convert_sequence(job, arguments->common.output_policy(), bar.callback());
+    bar.erase();
+    print(*arguments, outcome);
   });
 }
 

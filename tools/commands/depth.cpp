@@ -124,6 +124,7 @@ int depth(const DepthArguments& arguments, const Session& session) {
     return output ? output->observer(scale) : MapObserver();
   };
   ProgressBar bar("mapping", arguments.common.verbosity());
+  bar.announce("reading " + arguments.sequence);
   std::vector<MappedFrame> frames;
   if (arguments.track) {
     frames = track_and_judge(
@@ -141,6 +142,7 @@ int depth(const DepthArguments& arguments, const Session& session) {
   if (output) {
     output->commit(frames);
   }
+  bar.erase();
   print(arguments, fields_json(arguments.track ? vo::fields_of(tracking) : vo::fields_of(mapping)),
         frames);
   return exit_code::kOk;

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/cli/options.h"
+#include "tools/cli/progress_bar.h"
 #include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
@@ -157,6 +158,8 @@ void print_table(const EvaluateArguments& arguments, const Report& report) {
 void evaluate(EvaluateArguments& arguments) {
   arguments.options.alignment = vo::parse_enum<vo::TrajectoryAlignment>(arguments.align);
   arguments.options.interval = parse_interval(arguments.interval);
+  ProgressBar bar("evaluating", arguments.common.verbosity());
+  bar.announce();
   const vo::Trajectory truth = vo::read_trajectory(arguments.truth);
   const vo::Trajectory estimate = vo::read_trajectory(arguments.estimate);
 
@@ -173,6 +176,7 @@ void evaluate(EvaluateArguments& arguments) {
     report.has_offset = true;
     report.offset = vo::estimate_time_offset(truth, estimate, arguments.options);
   }
+  bar.erase();
   if (arguments.common.json) {
     std::cout << json_text(json_document({"evaluate"}, as_json(arguments, report)));
   } else {

@@ -7,6 +7,7 @@
 
 #include "synth/gltf/gltf_summary.h"
 #include "tools/cli/options.h"
+#include "tools/cli/progress_bar.h"
 #include "tools/cli/scene_arguments.h"
 #include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
@@ -153,7 +154,10 @@ void print_table(const synth::GltfSummary& summary, const Colours& colours) {
 }
 
 void inspect(const InspectArguments& arguments, const Session& session) {
+  ProgressBar bar("reading " + arguments.scene, arguments.common.verbosity());
+  bar.announce();
   const synth::GltfSummary summary = synth::summarize_gltf(arguments.scene, arguments.options);
+  bar.erase();
   if (arguments.common.json) {
     std::cout << json_text(json_document({"inspect"}, as_json(arguments, summary)));
   } else {

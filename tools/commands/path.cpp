@@ -9,6 +9,7 @@
 #include "synth/path_planning/path_check.h"
 #include "tools/cli/exit_code.h"
 #include "tools/cli/options.h"
+#include "tools/cli/progress_bar.h"
 #include "tools/cli/scene_arguments.h"
 #include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
@@ -102,10 +103,13 @@ void check(const CheckArguments& arguments, Session& session) {
     camera.validate();
     arguments.limits.validate();
   });
+  ProgressBar bar("checking", arguments.common.verbosity());
+  bar.announce("checking the path in " + arguments.scene);
   const synth::SceneFile file(arguments.scene, arguments.file);
   const synth::TimedPath timed = synth::make_path(chosen_path(arguments.path), file);
   const synth::PathReport report =
       synth::check_path(file.scene(), camera.pinhole, timed, arguments.limits);
+  bar.erase();
   if (arguments.common.json) {
     std::cout << json_text(json_document({"path_check"}, to_json(report)));
   } else {

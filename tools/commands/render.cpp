@@ -176,16 +176,21 @@ synth::RenderJob chosen_job(const RenderArguments& arguments) {
 
 void render(RenderArguments& arguments, const Session& session) {
   const auto limit = arguments.common.limit_threads();
+  ProgressBar bar("rendering", arguments.common.verbosity());
+  bar.announce("reading " + arguments.scene);
   arguments.job = chosen_job(arguments);
   if (arguments.plan) {
-    print(arguments, synth::plan_sequence(arguments.job, arguments.out));
+    bar.announce("planning");
+    const synth::RenderPlan plan = synth::plan_sequence(arguments.job, arguments.out);
+    bar.erase();
+    print(arguments, plan);
     return;
   }
-  ProgressBar bar("rendering", arguments.common.verbosity());
-  print(arguments,
-        synth::render_sequence(arguments.job, arguments.out, arguments.common.output_policy(),
-                               bar.callback()),
-        session.err);
+  bar.announce();
+  const synth::RenderOutcome outcome = synth::render_sequence(
+      arguments.job, arguments.out, arguments.common.output_policy(), bar.callback());
+  bar.erase();
+  print(arguments, outcome, session.err);
 }
 
 std::vector<vo::Field> render_fields(synth::RenderJob& job) {

@@ -63,11 +63,12 @@ void print(const RunArguments& arguments, const Scenario& scenario, const Outcom
 int run(const RunArguments& arguments, const Session& session) {
   const auto limit = arguments.common.limit_threads();
   const Scenario scenario = load_scenario(arguments.scenario);
-  ProgressBar render_bar("rendering", arguments.common.verbosity());
-  ProgressBar track_bar("tracking", arguments.common.verbosity());
+  ProgressBar bar("rendering", arguments.common.verbosity());
+  bar.announce("reading the scene of " + arguments.scenario);
   const Outcome outcome =
       run_and_report(scenario, arguments.out, arguments.common.output_policy(), arguments.report,
-                     {render_bar.callback(), track_bar.callback()});
+                     {bar.callback(), bar.callback("tracking")});
+  bar.erase();
   print(arguments, scenario, outcome, session.out);
   return outcome.passed() ? exit_code::kOk : exit_code::kBoundViolated;
 }

@@ -7,6 +7,7 @@
 
 #include "synth/path_planning/path_options.h"
 #include "tools/cli/options.h"
+#include "tools/cli/progress_bar.h"
 #include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
@@ -56,12 +57,16 @@ void print(const SensorCheckArguments& arguments, double depth, double image) {
 void sensor_check(const SensorCheckArguments& arguments) {
   const auto limit = arguments.common.limit_threads();
   check_usage([&] { arguments.path.validate(); });
+  ProgressBar bar("measuring", arguments.common.verbosity());
+  bar.announce("measuring the noise of depth");
   const std::vector<NoiseSample> depth = measure_noise(arguments.frames);
+  bar.announce("measuring the noise of images");
   const std::vector<GreyNoise> image = measure_grey_noise();
   std::vector<vo::NamedBytes> files = {{"depth_noise.csv", format_noise_csv(depth)},
                                        {"image_noise.csv", format_grey_csv(image)},
                                        {"noise.svg", plot_noise(depth, image)}};
   if (!arguments.scene.empty()) {
+    bar.announce("rendering " + arguments.scene);
     const auto [width, height] = parse_size(arguments.size);
     const auto camera = vo::PinholeCamera::from_horizontal_fov(width, height, arguments.fov_deg);
     files.push_back(
@@ -70,6 +75,7 @@ void sensor_check(const SensorCheckArguments& arguments) {
   }
   vo::make_folder(arguments.out);
   vo::write_results(arguments.out, files, arguments.common.output_policy());
+  bar.erase();
   print(arguments, worst_share(depth), worst_share(image));
 }
 

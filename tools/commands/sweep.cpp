@@ -81,8 +81,10 @@ void run(SweepArguments& arguments) {
       {arguments.scenarios.begin(), arguments.scenarios.end()}, SlowScenarios::leave_out);
   vo::make_folder(arguments.lab.out);
   ProgressBar bar("measuring", arguments.lab.common.verbosity());
-  deliver_study(sweep(files, settings, bar.callback(), throw_if_interrupted),
-                command_line(arguments), arguments.lab.out, arguments.lab.common);
+  bar.announce();
+  const StudyReport report = sweep(files, settings, bar.callback(), throw_if_interrupted);
+  bar.erase();
+  deliver_study(report, command_line(arguments), arguments.lab.out, arguments.lab.common);
 }
 
 }  // namespace

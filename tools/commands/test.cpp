@@ -229,6 +229,8 @@ void write_results(const TestArguments& arguments, const TestResults& results,
 int test(TestArguments& arguments, const Session& session) {
   complete(arguments);
   const auto limit = CommonOptions{.threads = arguments.threads}.limit_threads();
+  ProgressBar bar("testing", arguments.quiet ? Verbosity::quiet : Verbosity::normal);
+  bar.announce();
   const std::optional<TestResults> baseline = read_baseline(arguments);
   const std::vector<fs::path> files =
       find_scenarios({arguments.paths.begin(), arguments.paths.end()},
@@ -236,8 +238,8 @@ int test(TestArguments& arguments, const Session& session) {
   if (!arguments.report.empty()) {
     arguments.run.trial.pictures = pictures_of_each(files.size());
   }
-  ProgressBar bar("testing", arguments.quiet ? Verbosity::quiet : Verbosity::normal);
   const TestResults results = run_tests(files, arguments.run, bar.callback(), throw_if_interrupted);
+  bar.erase();
   const std::vector<Change> changes =
       baseline ? changes_from(*baseline, results, arguments.comparison, session)
                : std::vector<Change>();
@@ -258,7 +260,7 @@ void add_run_options(CLI::App& command, TestArguments& arguments) {
                      "test this program: CMD with {sequence} {camera} {output}");
   command.add_option("--threads", arguments.threads, "threads at most; 0 = all cores")
       ->check(CLI::NonNegativeNumber);
-  command.add_flag("--quiet,-q", arguments.quiet, "no progress on stderr");
+  add_quiet_flag(command, arguments.quiet);
   add_no_sync_flag(command, arguments.no_sync);
 }
 

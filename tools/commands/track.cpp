@@ -219,14 +219,13 @@ void write_pictures(const TrackArguments& arguments, const vo::SequenceReader& s
 }
 
 int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera,
-               const Session& session) {
+               ProgressBar& bar, const Session& session) {
   const vo::TrackerOptions chosen = chosen_options(arguments, session.err);
   cv::setNumThreads(chosen.align.threads);
   const vo::SequenceReader sequence(arguments.sequence, camera, arguments.max_time_difference);
   vo::TrackerOptions options = chosen.starting_from(sequence.camera());
   PanelWriter panels(beside(arguments.out, "_panels"), arguments.debug_images,
                      arguments.common.output_policy(), throw_if_interrupted);
-  ProgressBar bar("tracking", arguments.common.verbosity());
   Tracked tracked{
       .result = vo::track_sequence(sequence, options, {}, panels.observer(), bar.callback()),
       .options = vo::fields_of(options)};
@@ -237,6 +236,7 @@ int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCame
     panels.commit();
     write_pictures(arguments, sequence, tracked.result);
   }
+  bar.erase();
   return print(arguments, tracked, session);
 }
 
@@ -261,14 +261,13 @@ std::string note_on(const vo::MonoSequenceResult& result, vo::MonoBootstrap boot
 }
 
 int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera,
-               const Session& session) {
+               ProgressBar& bar, const Session& session) {
   vo::require(arguments.debug_images == 0,
               "track: --debug-images is for --mode rgbd; "
               "`edvo depth --track` draws monocular maps");
   vo::MonoOptions options = chosen_mono_options(arguments, session.err);
   const vo::MonoInput input{arguments.sequence, camera, arguments.max_time_difference,
                             arguments.depth_file};
-  ProgressBar bar("tracking", arguments.common.verbosity());
   const vo::MonoSequenceResult result = vo::track_mono_sequence(input, options, {}, bar.callback());
   const Tracked tracked{.result = result.tracking(),
                         .options = vo::fields_of(options),
@@ -276,6 +275,7 @@ int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCame
                         .mono = &result,
                         .note = note_on(result, options.bootstrap)};
   write_results(arguments, tracked);
+  bar.erase();
   return print(arguments, tracked, session);
 }
 
@@ -291,9 +291,11 @@ int track(TrackArguments& arguments, const Session& session) {
                 "--debug-images: are written beside --out, expected a file there and not ",
                 arguments.out);
   }
+  ProgressBar bar("tracking", arguments.common.verbosity());
+  bar.announce("reading " + arguments.sequence);
   return vo::parse_enum<TrackMode>(arguments.mode) == TrackMode::mono
-             ? track_mono(arguments, camera, session)
-             : track_rgbd(arguments, camera, session);
+             ? track_mono(arguments, camera, bar, session)
+             : track_rgbd(arguments, camera, bar, session);
 }
 
 }  // namespace

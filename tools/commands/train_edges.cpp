@@ -58,6 +58,7 @@ std::vector<LabelledView> render_views(const TrainArguments& arguments) {
   std::vector<LabelledView> all;
   for (const std::string& scene : arguments.scenes) {
     ProgressBar bar("rendering " + scene, arguments.common.verbosity());
+    bar.announce();
     for (LabelledView& view : render_labelled_views(scene, arguments.views, bar.callback())) {
       all.push_back(std::move(view));
     }
@@ -69,8 +70,10 @@ void train(const TrainArguments& arguments, const Session& session) {
   vo::require_writable(arguments.out);
   const std::vector<LabelledView> views = render_views(arguments);
   ProgressBar bar("training", arguments.common.verbosity());
+  bar.announce();
   const vo::StructuredForest forest =
       train_forest(views, arguments.training, arguments.views.seed, bar.callback());
+  bar.erase();
   const std::string text = structured_forest_yaml(forest);
   const bool is_compressed = arguments.out.ends_with(".gz");
   const std::string bytes = is_compressed ? vo::gzip(text) : text;
@@ -146,7 +149,9 @@ void evaluate(const TrainArguments& arguments, const Session& session) {
   const vo::StructuredForest forest = vo::read_structured_forest(arguments.evaluated_model);
   const std::vector<LabelledView> views = render_views(arguments);
   ProgressBar bar("evaluating", arguments.common.verbosity());
+  bar.announce();
   const std::vector<DetectorCurve> curves = sweep_detectors(forest, views, bar.callback());
+  bar.erase();
   if (!arguments.picture.empty()) {
     const auto first_of_scene = static_cast<std::size_t>(arguments.views.views);
     vo::write_file(arguments.picture,

@@ -42,7 +42,7 @@ TEST_F(Colour, IsOnATerminalAndNotInAPipe) {
 }
 
 TEST_F(Colour, IsOfEachStreamByItself) {
-  const std::string bad = "evaluate " + path("none.txt") + " " + path("none.txt");
+  const std::string bad = "evaluate --quiet " + path("none.txt") + " " + path("none.txt");
   const std::string plain = run_program(bad).err;
   EXPECT_THAT(plain, HasSubstr("edvo: "));
   EXPECT_THAT(plain, Not(HasSubstr(kEscape)));
@@ -54,7 +54,7 @@ TEST_F(Colour, IsOfEachStreamByItself) {
 }
 
 TEST_F(Colour, IsAsTheEnvironmentAndTheOptionSay) {
-  const std::string bad = "evaluate " + path("none.txt") + " " + path("none.txt");
+  const std::string bad = "evaluate --quiet " + path("none.txt") + " " + path("none.txt");
   for (const char* none : {"NO_COLOR=1 ", "NO_COLOR=1 CLICOLOR_FORCE=1 ", "TERM=dumb "}) {
     EXPECT_THAT(run_on_terminal(bad, none).screen, Not(HasSubstr(kEscape))) << none;
   }
@@ -85,6 +85,50 @@ TEST_F(Colour, TakesTheValuesThatItsHelpNames) {
     std::erase(text, '\\');
     EXPECT_THAT(text, HasSubstr("--color")) << words;
   }
+}
+
+class Progress : public support::ProgramTest {
+ protected:
+  Progress() { write_scenario("good", "1"); }
+
+  std::string run_words() const {
+    return "run " + path("scenarios/good.toml") + " --force --debug-images 0 --out " + path("out");
+  }
+};
+
+TEST_F(Progress, BeginsBeforeTheFirstFrameIsDone) {
+  const TerminalResult result = run_on_terminal(run_words());
+  ASSERT_EQ(result.exit_code, 0) << result.screen;
+  const std::string& screen = result.screen;
+  EXPECT_TRUE(screen.starts_with("\rreading the scene of ")) << screen;
+  const std::size_t rendering = screen.find("rendering 1 of 7");
+  const std::size_t tracking = screen.find("tracking 1 of 7");
+  ASSERT_NE(rendering, std::string::npos) << screen;
+  ASSERT_NE(tracking, std::string::npos) << screen;
+  EXPECT_LT(rendering, tracking);
+  EXPECT_LT(tracking, screen.find("PASS"));
+}
+
+TEST_F(Progress, LeavesTheTerminalAsAPipeHasIt) {
+  ASSERT_EQ(run_program(run_words()).exit_code, 0);
+  const std::string truth = path("out/sequence/groundtruth.txt");
+  const std::string evaluate = "evaluate " + truth + " " + path("out/trajectory.txt");
+  const ProgramResult plain = run_program(evaluate);
+  EXPECT_EQ(plain.err, "");
+  EXPECT_EQ(run_on_terminal(evaluate).screen, "\revaluating ...\033[K\r\033[K" + plain.out);
+  EXPECT_EQ(run_on_terminal(evaluate + " --quiet").screen, plain.out);
+  EXPECT_EQ(run_on_terminal(evaluate, "TERM=dumb ").screen, plain.out);
+  const std::string bad = "track " + path("none") + " --out " + path("x.txt");
+  const std::string screen = without_colours(run_on_terminal(bad).screen);
+  EXPECT_THAT(screen, testing::EndsWith("\033[K\r\033[K" + run_program(bad).err));
+}
+
+TEST_F(Progress, FitsIntoALine) {
+  const std::string name(200, 'x');
+  const std::string screen = run_on_terminal("inspect " + path(name)).screen;
+  const std::size_t end = screen.find("\033[K");
+  ASSERT_NE(end, std::string::npos) << screen;
+  EXPECT_EQ(end, 1U + 79U) << "after the carriage return, of a terminal that knows no size";
 }
 
 }  // namespace
