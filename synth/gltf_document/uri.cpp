@@ -7,7 +7,6 @@
 
 #include "vo/core/error.h"
 #include "vo/files/input.h"
-#include "vo/files/output.h"
 
 namespace synth {
 namespace {
@@ -133,7 +132,7 @@ fs::path resolve_uri(const fs::path& folder, const std::string& uri, const std::
           "\" leads out of the scene's folder, expected a file in it");
   require(!vo::leads_out(folder, relative), place, ": uri \"", uri,
           "\" leads by a symbolic link out of the scene's folder, expected a file in it");
-  require(!vo::is_stream(folder / relative), place, ": uri \"", uri,
+  require(folder != fs::path(vo::kStdinPath).parent_path(), place, ": uri \"", uri,
           "\" names a file beside the scene, which has no folder when it is read from a stream; "
           "expected a .glb or data: in the URIs");
   return folder / relative;

@@ -20,8 +20,6 @@ namespace tools {
 namespace {
 
 constexpr const char* kStreamWord = "-";
-constexpr const char* kStdin = "/dev/stdin";
-constexpr const char* kStdout = "/dev/stdout";
 
 /// The options of one command line that have taken the streams; empty names where none has.
 struct TakenStreams {
@@ -31,13 +29,14 @@ struct TakenStreams {
 
 /// Reads stdin to its end and puts a file of what came in its place.
 void hold_stdin() {
-  vo::require(::fcntl(STDIN_FILENO, F_GETFD) >= 0, kStdin, ": is closed, expected a file or pipe");
+  vo::require(::fcntl(STDIN_FILENO, F_GETFD) >= 0, vo::kStdinPath,
+              ": is closed, expected a file or pipe");
   const int held = ::memfd_create("stdin", MFD_CLOEXEC);
   if (held < 0) {
-    vo::fail_with(kStdin, "cannot be held", errno);
+    vo::fail_with(vo::kStdinPath, "cannot be held", errno);
   }
   try {
-    vo::copy_stream(STDIN_FILENO, held, kStdin, vo::kMaxFileBytes, throw_if_interrupted);
+    vo::copy_stream(STDIN_FILENO, held, vo::kStdinPath, vo::kMaxFileBytes, throw_if_interrupted);
   } catch (const vo::Error&) {
     ::close(held);
     throw;
@@ -45,7 +44,7 @@ void hold_stdin() {
   const int stream = ::dup2(held, STDIN_FILENO);
   ::close(held);
   if (stream < 0) {
-    vo::fail_with(kStdin, "cannot be held", errno);
+    vo::fail_with(vo::kStdinPath, "cannot be held", errno);
   }
 }
 
@@ -87,7 +86,7 @@ void require_one_output(const CLI::App& command, const TakenStreams& taken) {
   const CLI::Option* json = command.get_option_no_throw("--json");
   const bool is_flag = json != nullptr && json->get_items_expected_max() == 0;
   if (is_flag && json->count() > 0 && !taken.output.empty()) {
-    vo::fail_as(vo::ErrorKind::usage, "--json: ", kStdout, " is taken by ", taken.output,
+    vo::fail_as(vo::ErrorKind::usage, "--json: ", vo::kStdoutPath, " is taken by ", taken.output,
                 " already, expected at most one of both");
   }
 }
@@ -98,12 +97,12 @@ void take_streams(CLI::App& command, const FileArguments& files) {
   const auto taken = std::make_shared<TakenStreams>();
   for (const std::string& name : files.inputs) {
     CLI::Option& option = *command.get_option(name);
-    take_stream(option, kStdin, [taken]() -> std::string& { return taken->input; });
+    take_stream(option, vo::kStdinPath, [taken]() -> std::string& { return taken->input; });
     add_to_help(option, "; - is stdin");
   }
   for (const std::string& name : files.outputs) {
     CLI::Option& option = *command.get_option(name);
-    take_stream(option, kStdout, [taken]() -> std::string& { return taken->output; });
+    take_stream(option, vo::kStdoutPath, [taken]() -> std::string& { return taken->output; });
     add_to_help(option, "; - is stdout");
   }
   for (const std::string& name : files.others) {
@@ -118,9 +117,8 @@ void take_streams(CLI::App& command, const FileArguments& files) {
 }
 
 Speech speech_beside(const Session& session, const std::vector<std::filesystem::path>& outputs) {
-  const bool is_taken = std::any_of(outputs.begin(), outputs.end(), [](const auto& path) {
-    return !path.empty() && vo::is_stream(path);
-  });
+  const bool is_taken = std::any_of(outputs.begin(), outputs.end(),
+                                    [](const auto& path) { return path == vo::kStdoutPath; });
   return is_taken ? Speech{std::cerr, session.err} : Speech{std::cout, session.out};
 }
 

@@ -29,7 +29,7 @@ struct Speech {
   Colours colours;
 };
 
-/// Returns stdout, or stderr where one of the outputs is a stream, such as /dev/stdout.
+/// Returns stdout, or stderr where one of the outputs is stdout.
 Speech speech_beside(const Session& session, const std::vector<std::filesystem::path>& outputs);
 
 }  // namespace tools

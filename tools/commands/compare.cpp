@@ -22,6 +22,7 @@
 #include "tools/laboratory/verdict_table.h"
 #include "tools/plot/table.h"
 #include "vo/core/error.h"
+#include "vo/files/input.h"
 
 namespace tools {
 namespace {
@@ -140,7 +141,7 @@ int compare(const CompareArguments& arguments, const Session& session) {
     vo::fail_as(vo::ErrorKind::usage,
                 "compare: expected two results, or --build-a, --build-b and scenarios");
   }
-  if (has_builds && std::find(arguments.inputs.begin(), arguments.inputs.end(), "/dev/stdin") !=
+  if (has_builds && std::find(arguments.inputs.begin(), arguments.inputs.end(), vo::kStdinPath) !=
                         arguments.inputs.end()) {
     vo::fail_as(vo::ErrorKind::usage,
                 "RESULTS: - cannot be read by both builds, expected scenarios");

@@ -189,7 +189,9 @@ std::string describe_status(const vo::SequenceResult& result, const Colours& col
 
 /// Prints the result, its note last, and returns the exit code.
 int print(const TrackArguments& arguments, const Tracked& tracked, const Session& session) {
-  const auto [out, colours] = speech_beside(session, {arguments.out, arguments.frame_log});
+  const auto [out, colours] = speech_beside(
+      session,
+      {vo::is_stream(arguments.out) ? vo::kStdoutPath : arguments.out, arguments.frame_log});
   const vo::SequenceResult& result = tracked.result;
   if (arguments.common.json) {
     out << json_text(json_document({"track"}, summary(arguments, tracked)));

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "tools/processes/shell_words.h"
-#include "vo/files/output.h"
+#include "vo/files/input.h"
 
 namespace tools {
 namespace {
@@ -21,11 +21,10 @@ std::string shell_word(const std::string& text) {
   return is_plain ? text : shell_quoted(text);
 }
 
-/// Returns the arguments that name the file, also if its name begins like an option; - for a
-/// stream.
+/// Returns the arguments that name the file, also if its name begins like an option; - for stdin.
 std::string file_word(const std::filesystem::path& file) {
   const std::string name = file.string();
-  if (vo::is_stream(file)) {
+  if (file == vo::kStdinPath) {
     return "-";
   }
   return shell_word(name.starts_with('-') ? "./" + name : name);

@@ -7,7 +7,7 @@
 #include "synth/sensor/preset.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/files/output.h"
+#include "vo/files/input.h"
 #include "vo/text_files/toml_file.h"
 
 namespace tools {
@@ -35,10 +35,10 @@ std::vector<vo::Field> bound_fields(std::map<std::string, Bound>& bounds) {
   return fields;
 }
 
-/// Returns the folder that names in a scenario start from: its own, or for one that is read from a
-/// stream the working folder.
+/// Returns the folder that names in a scenario start from: its own, or for one of stdin the
+/// working folder.
 fs::path folder_of(const fs::path& file) {
-  return vo::is_stream(file) ? fs::current_path() : fs::absolute(file).parent_path();
+  return file == vo::kStdinPath ? fs::current_path() : fs::absolute(file).parent_path();
 }
 
 void apply(const Assignments& changes, std::vector<vo::Field>& fields) {
@@ -186,7 +186,7 @@ Metrics make_metrics(const std::function<double(const std::string& name)>& value
 }
 
 bool names_scenario(const fs::path& path) {
-  return path.extension() == ".toml" || vo::is_stream(path);
+  return path.extension() == ".toml" || path == vo::kStdinPath;
 }
 
 fs::path Scenario::scene_file() const {

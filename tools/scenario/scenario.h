@@ -208,11 +208,11 @@ void visit_fields(Visitor& visit, Scenario& scenario) {
 using Assignment = std::pair<std::string, std::string>;
 using Assignments = std::vector<Assignment>;
 
-/// Returns whether a path is a scenario's: a file .toml, or a stream such as /dev/stdin.
+/// Returns whether a path is a scenario's: a file .toml, or stdin.
 bool names_scenario(const std::filesystem::path& path);
 
-/// Loads a scenario and applies `changes`; names in one that is read from a stream are as if it lay
-/// in the working folder. Throws vo::Error as `file:line: unknown key
+/// Loads a scenario and applies `changes`; names in one of stdin are as if it lay in the working
+/// folder. Throws vo::Error as `file:line: unknown key
 /// 'sensor.exposre'; ...`, or as `--set key=value: ...` if the error is in the changes.
 Scenario load_scenario(const std::filesystem::path& path, const Assignments& changes = {});
 

@@ -14,6 +14,9 @@ inline constexpr std::uintmax_t kMaxListBytes = 1'000'000'000;
 inline constexpr std::uintmax_t kMaxDocumentBytes = 200'000'000;
 inline constexpr std::uintmax_t kMaxConfigurationBytes = 16'000'000;
 
+/// The path of this process' stdin, which `read_file` takes where it is a regular file.
+inline constexpr const char* kStdinPath = "/dev/stdin";
+
 /// Returns the whole file as bytes. Throws Error naming the path: `input` if it is no regular file
 /// (a folder, a pipe, a device), is larger than `max_bytes` or cannot be read; `temporary` if there
 /// is not enough memory for it. It never waits for a pipe's other end.

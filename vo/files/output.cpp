@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 /// Opens a device or pipe. Stdout is taken as it is: opening it anew would fail for a socket, and
 /// cut a file that it is appended to.
 int open_stream(const fs::path& path) {
-  if (path == "/dev/stdout") {
+  if (path == kStdoutPath) {
     return ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
   }
   return uninterrupted(

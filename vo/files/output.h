@@ -37,6 +37,9 @@ struct OutputPolicy {
   Durability durability;
 };
 
+/// The path of this process' stdout, which `write_file` writes as it is, without opening it anew.
+inline constexpr const char* kStdoutPath = "/dev/stdout";
+
 /// Returns whether the path is a device or pipe: it has no "final name" to protect and is written
 /// directly.
 bool is_stream(const std::filesystem::path& path);

@@ -91,6 +91,14 @@ TEST_F(Streams, AreRefusedWhereTheyMakeNoSense) {
   EXPECT_THAT(scene.err, HasSubstr("no folder when it is read from a stream; expected a .glb"));
 }
 
+TEST_F(Streams, ASceneOfOneFileIsReadFromStdin) {
+  write("empty.gltf", R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"name": "hall"}]})");
+  const ProgramResult scene = run_program("inspect " + path("empty.gltf"));
+  ASSERT_EQ(scene.exit_code, 0) << scene.err;
+  EXPECT_THAT(scene.out, HasSubstr("hall"));
+  EXPECT_EQ(piped("empty.gltf", "inspect -").out, scene.out);
+}
+
 TEST_F(Streams, AFileMayBeCalledLikeThem) {
   write("-", read("e.txt"));
   const std::string arguments = "evaluate " + path("sequence/groundtruth.txt") + " ";
