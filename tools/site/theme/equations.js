@@ -1,0 +1,9 @@
+// Draws the equations of a page by KaTeX.
+document.addEventListener("DOMContentLoaded", () =>
+  renderMathInElement(document.body, {
+    delimiters: [
+      { left: "\\[", right: "\\]", display: true },
+      { left: "\\(", right: "\\)", display: false },
+    ],
+    throwOnError: true,
+  }));
