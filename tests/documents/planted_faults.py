@@ -1,11 +1,15 @@
 #!/usr/bin/env python3
-"""planted_faults.py EDVO: check_documents.py must name each fault planted in a copy of the documents."""
+"""planted_faults.py EDVO: check_documents.py and build_site.py must name each fault planted in documents and in a
+site."""
 
 import pathlib
 import shutil
 import subprocess
 import sys
 import tempfile
+
+sys.dont_write_bytecode = True
+import build_site  # noqa: E402
 
 CHECK = pathlib.Path(__file__).resolve().parent / "check_documents.py"
 PAGE = "docs/guide/page.md"
@@ -55,6 +59,41 @@ FAULTS = {  # what is planted: (check, text to replace, its replacement, what th
     "what needs a recording": ("run", "<!-- not run: it needs a recording -->", "", "exit code 3"),
 }
 
+SITE = {  # a site that is whole, as far as build_site.py looks
+    "index.html": '<img src="theme/a.svg"><a href="commands/track.html#out">edvo track</a>',
+    "commands/track.html": '<h1 id="out">edvo track</h1><a href="../index.html">home</a>',
+    "docs/guide/how_it_works.html": '<span class="arithmatex">x</span>',
+    "api/classvo_1_1RgbdOdometry.html": '<a href="https://www.doxygen.org">doxygen</a>',
+    "theme/a.svg": "<svg/>",
+    "theme/a.css": "@font-face { src: url(a.woff2); }",
+}
+
+SITE_FAULTS = {  # what is planted: (file, text to replace, its replacement, what the check must say)
+    "a page that is not there": ("index.html", "commands/track", "commands/trak", "trak.html#out does not exist"),
+    "an anchor that is not there": ("index.html", "#out", "#in", "no such anchor"),
+    "a picture that is not there": ("index.html", "a.svg", "b.svg", "b.svg does not exist"),
+    "a script from elsewhere": ("index.html", "<img", '<script src="https://example.org/x.js"></script><img', "loads https"),
+    "a font from elsewhere": ("theme/a.css", "url(a", "url(//example.org/a", "loads something from elsewhere"),
+    "Doxygen's script from elsewhere": ("api/classvo_1_1RgbdOdometry.html", "<a", '<script src="//x.org/x.js"></script><a',
+                                        "loads something from elsewhere"),
+    "no equations": ("docs/guide/how_it_works.html", "arithmatex", "arithmetic", "no equations"),
+}
+
+
+def site_failures():
+    failures = 0
+    for name, (file, old, new, expected) in {"nothing": ("index.html", "", "", ""), **SITE_FAULTS}.items():
+        with tempfile.TemporaryDirectory() as folder:
+            for path, text in SITE.items():
+                target = pathlib.Path(folder) / path
+                target.parent.mkdir(parents=True, exist_ok=True)
+                target.write_text(text.replace(old, new, 1) if path == file else text)
+            found = list(build_site.faults_of(pathlib.Path(folder), ["track"]))
+            if (len(found) != 1 or expected not in found[0]) if expected else found:
+                print(f"{name}: {expected!r} expected, found {found}")
+                failures += 1
+    return failures
+
 
 def check(kind, root, program):
     arguments = {"links": [], "commands": [program], "run": [program, PAGE, root]}[kind]
@@ -84,4 +123,4 @@ def main(program):
 
 
 if __name__ == "__main__":
-    sys.exit(1 if main(sys.argv[1]) else 0)
+    sys.exit(1 if main(sys.argv[1]) + site_failures() else 0)
