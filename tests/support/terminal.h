@@ -13,7 +13,7 @@
 
 namespace support {
 
-/// What a program left on a terminal.
+/// A TerminalResult holds how a program ended and what it wrote on a terminal.
 struct TerminalResult {
   int exit_code = 0;
   std::string screen;  ///< all bytes, as the program wrote them

@@ -23,7 +23,7 @@ struct FileArguments {
 /// file /dev/stdin, as often as they like, and write /dev/stdout. `./-` is a file of this name.
 void take_streams(CLI::App& command, const FileArguments& files);
 
-/// Where a command says something to people, and with which colours.
+/// A Speech is the stream on which a command speaks to people, with the colours of that stream.
 struct Speech {
   std::ostream& stream;
   Colours colours;

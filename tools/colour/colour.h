@@ -39,7 +39,7 @@ constexpr auto enum_names(ColourChoice) {
                     std::pair{ColourChoice::never, "never"}};
 }
 
-/// What the environment says of colours; a variable that is not set is an empty text.
+/// A ColourEnvironment holds the variables that decide on colours; one that is not set is empty.
 struct ColourEnvironment {
   std::string no_color;        ///< NO_COLOR (no-color.org)
   std::string clicolor_force;  ///< CLICOLOR_FORCE
@@ -49,7 +49,7 @@ struct ColourEnvironment {
 /// Reads the environment of this process.
 ColourEnvironment colour_environment();
 
-/// What a stream leads to.
+/// A StreamKind says whether a stream leads to a terminal.
 enum class StreamKind { terminal, other };
 
 /// Returns whether a descriptor is a terminal that moves its cursor, which none of TERM=dumb does.

@@ -110,7 +110,7 @@ void list(const CacheArguments& arguments, const Session& session) {
 }
 
 void verify(const CacheArguments& arguments, const Session& session) {
-  ProgressBar bar("verifying", arguments.quiet ? Verbosity::quiet : Verbosity::normal);
+  ProgressBar bar("verifying", CommonOptions{.quiet = arguments.quiet}.verbosity());
   bar.announce();
   const std::vector<CacheEntry> entries = verify_cache(arguments.cache(), bar.callback());
   bar.erase();

@@ -127,7 +127,7 @@ int tell_power(const CompareArguments& arguments, ProgressBar& bar) {
 }
 
 int compare(const CompareArguments& arguments, const Session& session) {
-  ProgressBar bar("comparing", arguments.quiet ? Verbosity::quiet : Verbosity::normal);
+  ProgressBar bar("comparing", CommonOptions{.quiet = arguments.quiet}.verbosity());
   check_usage([&] { arguments.options.validate(); });
   bar.announce();
   if (arguments.power) {

@@ -229,7 +229,7 @@ void write_results(const TestArguments& arguments, const TestResults& results,
 int test(TestArguments& arguments, const Session& session) {
   complete(arguments);
   const auto limit = CommonOptions{.threads = arguments.threads}.limit_threads();
-  ProgressBar bar("testing", arguments.quiet ? Verbosity::quiet : Verbosity::normal);
+  ProgressBar bar("testing", CommonOptions{.quiet = arguments.quiet}.verbosity());
   bar.announce();
   const std::optional<TestResults> baseline = read_baseline(arguments);
   const std::vector<fs::path> files =
