@@ -22,20 +22,14 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools/site
 import command_lines  # noqa: E402
 import documents  # noqa: E402
 
-PAGES = ["README.md", "CONTRIBUTING.md", "CONVENTIONS.md", "CHANGELOG.md", "docs/**/*.md", "scenarios/README.md",
-         "assets/README.md"]
 GUIDE = "docs/guide/"
 LANGUAGES = {"sh", "python", "text", "toml", "cmake", "yaml"}
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 
-def pages(root):
-    return [path for pattern in PAGES for path in sorted(root.glob(pattern))]
-
-
 def check_links(root):
     faults = []
-    anchors = {path: documents.anchors(path.read_text()) for path in pages(root)}
+    anchors = {path: documents.anchors(path.read_text()) for path in documents.pages(root)}
     for page in anchors:
         name, text = page.relative_to(root), page.read_text()
         for link in documents.links(text):
@@ -59,7 +53,7 @@ def check_commands(root, program):
     options = command_lines.options_of_commands(
         subprocess.run([program, "manual", "--format", "markdown"], check=True, capture_output=True, text=True).stdout)
     seen = {}
-    for page in pages(root):
+    for page in documents.pages(root):
         name = page.relative_to(root)
         blocks = documents.code_blocks(page.read_text())
         for block, after in zip(blocks, [*blocks[1:], None]):

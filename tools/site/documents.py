@@ -3,6 +3,8 @@
 import re
 from dataclasses import dataclass
 
+PAGES = ["README.md", "CONTRIBUTING.md", "CONVENTIONS.md", "CHANGELOG.md", "docs/**/*.md", "scenarios/README.md",
+         "assets/README.md"]
 FENCE = re.compile(r"^( *)(`{3,}|~{3,})\s*([\w-]*)")
 HEADING = re.compile(r"^(#{1,6}) +(.*?)(?: +#+)?$")
 LINK = re.compile(r"(!?\[(?:[^\[\]]|\[[^\]]*\])*\]\()([^()\s]+)(\))")
@@ -59,20 +61,25 @@ def is_indented_code(lines, i):
     return not re.match(r"^ {0,3}([-*+]|\d+\.) ", before)
 
 
+def pages(root):
+    """The documents of the repository at ROOT."""
+    return [path for pattern in PAGES for path in sorted(root.glob(pattern))]
+
+
 def code_blocks(text):
     return split_code(text)[1]
 
 
-def without_code_spans(line):
-    return re.sub(r"(`+)(?!`).*?(?<!`)\1(?!`)", lambda span: " " * len(span[0]), line)
+def links_of_line(line):
+    """Matches of LINK; the text of a link may be a code span, its target is none."""
+    return LINK.finditer(re.sub(r"`[^`]*`", lambda span: "x" * len(span[0]), line))
 
 
 def links(text):
     """The targets of links and pictures outside code."""
     found = []
     for number, line in enumerate(split_code(text)[0], 1):
-        # The text of a link may be a code span; its target is none.
-        for match in LINK.finditer(re.sub(r"`[^`]*`", lambda span: "x" * len(span[0]), line)):
+        for match in links_of_line(line):
             found.append(Link(match[2], number))
     return found
 
@@ -81,8 +88,7 @@ def replace_links(text, new_target):
     """Replaces each target of a link or picture outside code by new_target(target)."""
     lines, prose = text.split("\n"), split_code(text)[0]
     for i, line in enumerate(prose):
-        masked = re.sub(r"`[^`]*`", lambda span: "x" * len(span[0]), line)
-        for match in reversed(list(LINK.finditer(masked))):
+        for match in reversed(list(links_of_line(line))):
             lines[i] = lines[i][:match.start(2)] + new_target(match[2]) + lines[i][match.end(2):]
     return "\n".join(lines)
 

@@ -15,8 +15,6 @@ import sys
 sys.dont_write_bytecode = True
 import documents  # noqa: E402
 
-PAGES = ["README.md", "CONTRIBUTING.md", "CONVENTIONS.md", "CHANGELOG.md", "docs/**/*.md", "scenarios/README.md",
-         "assets/README.md"]
 PICTURES = {".png", ".svg", ".webp"}
 LANGUAGES = {".h": "cpp", ".cpp": "cpp", ".ts": "ts", ".py": "python", ".ipynb": "json", ".pyi": "python",
              ".json": "json", ".toml": "toml"}
@@ -25,7 +23,7 @@ LANGUAGES = {".h": "cpp", ".cpp": "cpp", ".ts": "ts", ".py": "python", ".ipynb":
 class Stage:
     def __init__(self, root, out):
         self.root, self.out = root, out
-        self.pages = [path.relative_to(root) for pattern in PAGES for path in sorted(root.glob(pattern))]
+        self.pages = [path.relative_to(root) for path in documents.pages(root)]
 
     def write(self, path, text):
         file = self.out / path
