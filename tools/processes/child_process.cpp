@@ -3,7 +3,6 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <system_error>
 
 #include <poll.h>
 #include <sys/socket.h>
@@ -12,12 +11,13 @@
 
 #include "tools/processes/supervisor.h"
 #include "vo/core/error.h"
+#include "vo/files/system_failure.h"
 
 namespace tools {
 namespace {
 
 [[noreturn]] void fail_to_start(const ChildCommand& command, int error) {
-  vo::fail(command.words.front(), ": cannot be started: ", std::generic_category().message(error));
+  vo::fail_with(command.words.front(), "cannot be started", error);
 }
 
 /// A supervisor and the socket to it; the destructor closes the socket, at which the supervisor

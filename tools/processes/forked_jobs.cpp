@@ -7,7 +7,6 @@
 #include <csignal>
 #include <exception>
 #include <string_view>
-#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -19,6 +18,7 @@
 #include <unistd.h>
 
 #include "vo/core/error.h"
+#include "vo/files/system_failure.h"
 
 namespace tools {
 namespace {
@@ -55,8 +55,9 @@ void write_all(int descriptor, std::string_view bytes) {
 
 RunningJob start_job(std::size_t index, const ForkedJobs& what) {
   std::array<int, 2> ends{};
-  vo::require(::pipe2(ends.data(), O_CLOEXEC) == 0,
-              "a pipe cannot be made: ", std::generic_category().message(errno));
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
+    vo::fail_with("a pipe", "cannot be made", errno);
+  }
   const pid_t parent = ::getpid();
   const pid_t process = ::fork();
   const int error = errno;
@@ -67,8 +68,7 @@ RunningJob start_job(std::size_t index, const ForkedJobs& what) {
   ::close(ends[1]);
   if (process < 0) {
     ::close(ends[0]);
-    vo::fail_as(vo::ErrorKind::temporary,
-                "a process cannot be started: ", std::generic_category().message(error));
+    vo::fail_with("a process", "cannot be started", error);
   }
   return {.index = index, .process = process, .results = ends[0], .end = {}};
 }

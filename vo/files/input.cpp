@@ -52,8 +52,9 @@ class OpenFile {
   /// Returns the size of the regular file, bytes.
   std::uintmax_t size() const {
     struct stat status {};
-    require(::fstat(descriptor_, &status) == 0, path_.string(),
-            ": cannot be read: ", std::generic_category().message(errno));
+    if (::fstat(descriptor_, &status) != 0) {
+      fail_with(path_, "cannot be read", errno);
+    }
     require(S_ISREG(status.st_mode), path_.string(), ": is ", kind_of(status.st_mode),
             ", expected a regular file");
     return static_cast<std::uintmax_t>(status.st_size);
@@ -64,8 +65,9 @@ class OpenFile {
     std::size_t done = 0;
     while (done < bytes.size()) {
       const ssize_t count = ::read(descriptor_, bytes.data() + done, bytes.size() - done);
-      require(count >= 0 || errno == EINTR, path_.string(),
-              ": cannot be read to its end: ", std::generic_category().message(errno));
+      if (count < 0 && errno != EINTR) {
+        fail_with(path_, "cannot be read to its end", errno);
+      }
       if (count == 0) {
         break;
       }

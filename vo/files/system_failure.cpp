@@ -14,6 +14,10 @@ ErrorKind kind_of_failure(int error) {
     case ENOMEM:
     case EAGAIN:
     case EINTR:
+    case EIO:
+    case ENOLCK:
+    case EBUSY:
+    case ESTALE:
       return ErrorKind::temporary;
     default:
       return ErrorKind::input;

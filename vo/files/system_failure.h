@@ -8,9 +8,9 @@
 
 namespace vo {
 
-/// Returns the kind of failure that an `errno` stands for: `temporary` where the same call may
-/// succeed once others have given back what is scarce (space on the disk, descriptors, memory),
-/// else `input`.
+/// Returns the kind of failure that an `errno` stands for: `temporary` where the machine failed, so
+/// that the same call may succeed later (no space on the disk, no descriptors, memory or locks, a
+/// device that cannot be read or written), else `input`: what was asked for cannot be had.
 ErrorKind kind_of_failure(int error);
 
 /// Throws Error `<path>: <what>: <the system's text for error>`, of the kind of the failure.
