@@ -23,7 +23,7 @@ struct TrialResult {
   std::size_t frames = 0;
   Metrics metrics;      ///< NaN marks a metric that was not measured
   std::string problem;  ///< one sentence on why nothing was measured; empty on success
-  std::string note;     ///< remark for the user beside the result, usually empty
+  std::string note;     ///< remark on this run for the terminal, usually empty; no file has it
   ProblemKind kind = ProblemKind::unusable;  ///< kind of the problem, if there is one
   bool was_kept = false;                     ///< taken from the cache of an earlier run; not stored
   double time = 0;                           ///< run time, s; diagnostic, not stored

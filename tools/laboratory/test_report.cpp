@@ -49,11 +49,6 @@ ScenarioReport report_of(const ScenarioResult& result, const std::vector<Change>
   report.why = result.why;
   judge_by_means(report, result);
   report.problem = problems_of(result, changes);
-  for (const TrialResult& trial : result.trials) {
-    if (!trial.note.empty()) {
-      report.notes.push_back(trial.note);
-    }
-  }
   if (result.trials.size() > 1) {
     report.notes.push_back(vo::concat("metrics are means over ", result.trials.size(),
                                       " seeds, curves and pictures those of the first"));
