@@ -39,6 +39,8 @@ while not os.path.exists("daemon"):
     time.sleep(0.01)
 if sys.argv[1] == "wait":
     time.sleep(60)
+while sys.argv[1] == "print":
+    print("daemon")
 )";
 
 class ChildProcess : public testing::Test {
@@ -85,7 +87,7 @@ TEST_F(ChildProcess, EndsWithItsDaemons) {
 }
 
 TEST_F(ChildProcess, IsEndedWithItsDaemonsAtALimit) {
-  EXPECT_FALSE(is_running(run_daemon("wait", {.time = 2})));
+  EXPECT_FALSE(is_running(run_daemon("print", {.output = 1000})));
   EXPECT_EQ(run({"sleep", "60"}, {.time = 0.1}).exceeded, ExceededLimit::time);
 }
 
