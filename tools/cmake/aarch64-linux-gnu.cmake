@@ -1,5 +1,5 @@
 # Cross-compiles for arm64 with Debian's g++-aarch64-linux-gnu and libraries of the architecture arm64 beside the host's
-# (tools/try-arm64); programs run under qemu's emulation of the processor.
+# (tests/arm64/run); programs run under qemu's emulation of the processor.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
