@@ -37,10 +37,12 @@ class Error : public std::runtime_error {
   ErrorKind kind_;
 };
 
-/// Returns the parts, streamed into one string.
+/// Returns the parts, streamed into one string. Throws std::bad_alloc where memory ends; a stream
+/// of the standard library would leave out a part and say nothing.
 template <typename... Parts>
 std::string concat(const Parts&... parts) {
   std::ostringstream text;
+  text.exceptions(std::ios_base::badbit);
   (text << ... << parts);
   return text.str();
 }
