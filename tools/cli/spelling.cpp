@@ -55,7 +55,7 @@ void require_known_words(const CLI::App& program, const std::vector<std::string>
     const std::vector<const CLI::App*> commands = commands_of(*app);
     if (is_option) {
       const std::string name = word.substr(0, word.find('='));
-      if (app->get_option_no_throw(name) == nullptr) {
+      if (find_option(*app, name) == nullptr) {
         reject("option", name, options_of(*app), help);
       }
     } else if (!commands.empty() && word.front() != '-') {
@@ -75,7 +75,7 @@ std::vector<std::string> without_json_place(const CLI::App& program,
   for (std::size_t i = 0; i + 1 < words.size() && words[i] != "--"; ++i) {
     const CLI::App* command = find_command(*app, words[i]);
     app = command != nullptr ? command : app;
-    const CLI::Option* json = words[i] == "--json" ? app->get_option_no_throw("--json") : nullptr;
+    const CLI::Option* json = words[i] == "--json" ? find_option(*app, "--json") : nullptr;
     const bool is_flag = json != nullptr && json->get_items_expected_max() == 0;
     if (is_flag && words[i + 1] == "-") {
       words.erase(words.begin() + static_cast<std::ptrdiff_t>(i) + 1);

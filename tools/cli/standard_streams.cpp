@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "tools/cli/interrupt.h"
+#include "tools/cli/outline.h"
 #include "vo/core/error.h"
 #include "vo/files/input.h"
 #include "vo/files/output.h"
@@ -83,7 +84,7 @@ void add_to_help(CLI::Option& option, const char* text) {
 
 /// Throws where `--json`, which prints on stdout, is given together with an output there.
 void require_one_output(const CLI::App& command, const TakenStreams& taken) {
-  const CLI::Option* json = command.get_option_no_throw("--json");
+  const CLI::Option* json = find_option(command, "--json");
   const bool is_flag = json != nullptr && json->get_items_expected_max() == 0;
   if (is_flag && json->count() > 0 && !taken.output.empty()) {
     vo::fail_as(vo::ErrorKind::usage, "--json: ", vo::kStdoutPath, " is taken by ", taken.output,
@@ -96,17 +97,17 @@ void require_one_output(const CLI::App& command, const TakenStreams& taken) {
 void take_streams(CLI::App& command, const FileArguments& files) {
   const auto taken = std::make_shared<TakenStreams>();
   for (const std::string& name : files.inputs) {
-    CLI::Option& option = *command.get_option(name);
+    CLI::Option& option = *find_option(command, name);
     take_stream(option, vo::kStdinPath, [taken]() -> std::string& { return taken->input; });
     add_to_help(option, "; - is stdin");
   }
   for (const std::string& name : files.outputs) {
-    CLI::Option& option = *command.get_option(name);
+    CLI::Option& option = *find_option(command, name);
     take_stream(option, vo::kStdoutPath, [taken]() -> std::string& { return taken->output; });
     add_to_help(option, "; - is stdout");
   }
   for (const std::string& name : files.others) {
-    refuse_stream(*command.get_option(name));
+    refuse_stream(*find_option(command, name));
   }
   command.parse_complete_callback([&command, taken] {
     require_one_output(command, *taken);
