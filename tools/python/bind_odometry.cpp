@@ -118,6 +118,16 @@ py::dict map_of(const PyMono& tracked) {
   return dict;
 }
 
+/// Returns the times that the last frame's stages took.
+py::dict times_dict(const vo::StageTimes& times) {
+  py::dict dict;
+  dict["pyramid_ms"] = times.pyramid_ms;
+  dict["edges_ms"] = times.edges_ms;
+  dict["alignment_ms"] = times.alignment_ms;
+  dict["mapping_ms"] = times.mapping_ms;
+  return dict;
+}
+
 void bind_options(py::module_& module) {
   py::class_<vo::TrackerOptions> tracker(module, "TrackerOptions",
                                          "Options of the RGB-D odometry, starting from a preset.");
@@ -183,6 +193,7 @@ void bind_odometry(py::module_& module) {
 image: uint8, height x width grey or height x width x 3 blue, green, red, as OpenCV has it.
 depth: float32 in metres or uint16 in the camera's units, height x width; None in mode mono.
 Arrays are not copied; they must not be written while the odometry is in use.)";
+  const auto times_help = "wall-clock times of the last frame's stages, for diagnosis: dict of ms";
   py::class_<PyRgbd>(module, "RgbdOdometry", "RGB-D edge-direct odometry: one call per frame.")
       .def(py::init(&rgbd_odometry), py::arg("camera"), py::arg("options") = py::none(),
            py::arg("T_world_first") = py::none())
@@ -193,7 +204,10 @@ Arrays are not copied; they must not be written while the odometry is in use.)";
           "poses of the frames that are not lost")
       .def_property_readonly(
           "keyframes", [](const PyRgbd& t) { return keyframes_of(t.odometry.tracker()); },
-          "the map: a dict of arrays for each keyframe");
+          "the map: a dict of arrays for each keyframe")
+      .def_property_readonly(
+          "stage_times", [](const PyRgbd& t) { return times_dict(t.odometry.stage_times()); },
+          times_help);
   py::class_<PyMono>(module, "MonoOdometry",
                      "Monocular edge-direct odometry with an inverse-depth map.")
       .def(py::init(&mono_odometry), py::arg("camera"), py::arg("options") = py::none(),
@@ -213,6 +227,9 @@ Arrays are not copied; they must not be written while the odometry is in use.)";
       .def_property_readonly(
           "keyframes", [](const PyMono& t) { return keyframes_of(t.odometry.tracker()); },
           "the tracker's keyframes: a dict of arrays for each")
+      .def_property_readonly(
+          "stage_times", [](const PyMono& t) { return times_dict(t.odometry.stage_times()); },
+          times_help)
       .def_property_readonly("map", &map_of, "the inverse-depth map: a dict of arrays");
 }
 
