@@ -158,8 +158,9 @@ void add_depth_command(CLI::App& program, Session& session) {
       .add_option("SEQUENCE", arguments->sequence,
                   "folder with rgb.txt, depth.txt, groundtruth.txt")
       ->required();
-  command.add_option("--out", arguments->out,
-                     "folder to make: depth.csv, pictures, cloud.ply (the last pictured map)");
+  command.add_option(
+      "--out", arguments->out,
+      "folder to make: depth.csv, pictures, cloud.ply and .pcd (the last pictured map)");
   command.add_flag("--track", arguments->track, "poses of the monocular tracker, not the truth");
   command
       .add_option("--bootstrap", arguments->bootstrap,

@@ -22,6 +22,8 @@
 #include "tools/depth/mono_run.h"
 #include "tools/json/document.h"
 #include "tools/pictures/panel_writer.h"
+#include "tools/point_cloud/keyframe_cloud.h"
+#include "tools/point_cloud/point_cloud.h"
 #include "tools/report/report.h"
 #include "tools/report/trajectory_plot.h"
 #include "vo/core/error.h"
@@ -108,6 +110,13 @@ void write_results(const TrackArguments& arguments, const Tracked& tracked) {
   write_config(arguments, tracked.options);
   if (!arguments.frame_log.empty()) {
     vo::write_file(arguments.frame_log, tracked.log, arguments.common.output_policy());
+  }
+}
+
+void write_map(const TrackArguments& arguments, KeyframeCloud& cloud) {
+  if (!arguments.save_map.empty()) {
+    vo::write_file(arguments.save_map, encode(cloud.finish(), cloud_format_of(arguments.save_map)),
+                   arguments.common.output_policy());
   }
 }
 
@@ -228,12 +237,15 @@ int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCame
   vo::TrackerOptions options = chosen.starting_from(sequence.camera());
   PanelWriter panels(beside(arguments.out, "_panels"), arguments.debug_images,
                      arguments.common.output_policy(), throw_if_interrupted);
-  Tracked tracked{
-      .result = vo::track_sequence(sequence, options, {}, panels.observer(), bar.callback()),
-      .options = vo::fields_of(options)};
+  KeyframeCloud cloud;
+  const vo::FrameObserver observer =
+      arguments.save_map.empty() ? panels.observer() : cloud.observer(panels.observer());
+  Tracked tracked{.result = vo::track_sequence(sequence, options, {}, observer, bar.callback()),
+                  .options = vo::fields_of(options)};
   tracked.log = vo::format_frame_log(tracked.result.frames);
   tracked.note = vo::note_on(tracked.result);
   write_results(arguments, tracked);
+  write_map(arguments, cloud);
   if (arguments.debug_images > 0) {
     panels.commit();
     write_pictures(arguments, sequence, tracked.result);
@@ -270,13 +282,17 @@ int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCame
   vo::MonoOptions options = chosen_mono_options(arguments, session.err);
   const vo::MonoInput input{arguments.sequence, camera, arguments.max_time_difference,
                             arguments.depth_file};
-  const vo::MonoSequenceResult result = vo::track_mono_sequence(input, options, {}, bar.callback());
+  KeyframeCloud cloud;
+  const vo::MonoSequenceResult result = vo::track_mono_sequence(
+      input, options, arguments.save_map.empty() ? vo::MonoObserver() : cloud.mono_observer(),
+      bar.callback());
   const Tracked tracked{.result = result.tracking(),
                         .options = vo::fields_of(options),
                         .log = vo::format_mono_log(result.frames),
                         .mono = &result,
                         .note = note_on(result, options.bootstrap)};
   write_results(arguments, tracked);
+  write_map(arguments, cloud);
   bar.erase();
   return print(arguments, tracked, session);
 }
@@ -287,6 +303,10 @@ int track(TrackArguments& arguments, const Session& session) {
   vo::require_writable(arguments.out);
   if (!arguments.frame_log.empty()) {
     vo::require_writable(arguments.frame_log);
+  }
+  if (!arguments.save_map.empty()) {
+    cloud_format_of(arguments.save_map);
+    vo::require_writable(arguments.save_map);
   }
   if (arguments.debug_images > 0 && vo::is_stream(arguments.out)) {
     vo::fail_as(vo::ErrorKind::usage,
@@ -326,6 +346,8 @@ void add_track_command(CLI::App& program, Session& session) {
       ->allow_extra_args(false);
   command.add_option("--frame-log", arguments->frame_log,
                      "CSV: status, termination, points, cost and covariances of every frame");
+  command.add_option("--save-map", arguments->save_map,
+                     "points of all keyframes with the sigma of each inverse depth, .ply or .pcd");
   command
       .add_option("--debug-images", arguments->debug_images,
                   "a picture of every N-th frame and the trajectory, beside --out")
@@ -335,7 +357,7 @@ void add_track_command(CLI::App& program, Session& session) {
   add_common_options(command, arguments->common);
   take_streams(command, {.inputs = {"--camera", "--config", "--depth-file"},
                          .outputs = {"--out", "--frame-log"},
-                         .others = {"SEQUENCE"}});
+                         .others = {"SEQUENCE", "--save-map"}});
   command.callback([arguments, &session] { session.status = track(*arguments, session); });
 }
 

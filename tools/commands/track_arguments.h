@@ -32,6 +32,7 @@ struct TrackArguments {
   std::vector<std::string> assignments;  ///< key=value, applied after the configuration
   std::string out;
   std::string frame_log;
+  std::string save_map;  ///< .ply or .pcd for the keyframes' points; empty without one
   int debug_images = 0;
   double max_time_difference = 0.02;       ///< s
   std::vector<vo::TomlValue> config_keys;  ///< of the configuration, without mode and preset

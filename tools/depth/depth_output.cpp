@@ -37,15 +37,16 @@ MapObserver DepthOutput::observer(MapScale scale) {
     }
     folder_.write({{frame_name(frame),
                     vo::encode_png(draw_depth_map(map, truth, divisor(map, truth, scale)))}});
-    cloud_ = as_ply(map, T_world_host);
+    cloud_ = cloud_of(map, T_world_host);
   };
 }
 
 void DepthOutput::commit(const std::vector<MappedFrame>& frames) {
   folder_.write({{"depth.csv", as_csv(depth_table(frames))}});
   folder_.write({{"course.svg", draw_course(frames)}});
-  if (!cloud_.empty()) {
-    folder_.write({{"cloud.ply", cloud_}});
+  if (cloud_) {
+    folder_.write({{"cloud.ply", encode(*cloud_, CloudFormat::ply)}});
+    folder_.write({{"cloud.pcd", encode(*cloud_, CloudFormat::pcd)}});
   }
   folder_.commit();
 }

@@ -2,10 +2,11 @@
 
 #include <filesystem>
 #include <memory>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "tools/depth/mapping_run.h"
+#include "tools/point_cloud/point_cloud.h"
 #include "vo/output_folders/output_folder.h"
 
 namespace tools {
@@ -16,8 +17,8 @@ enum class MapScale { metric, arbitrary };
 /// Returns the scale that a map is divided by before it is compared with the truth.
 double divisor(const vo::DepthMap& map, const vo::DepthImage& true_depth, MapScale scale);
 
-/// Writes a folder with depth.csv, course.svg, a picture of every n-th frame and cloud.ply of the
-/// last one pictured. The folder appears when committed.
+/// Writes a folder with depth.csv, course.svg, a picture of every n-th frame and the points of
+/// the last one pictured as cloud.ply and cloud.pcd. The folder appears when committed.
 class DepthOutput {
  public:
   /// Begins the folder, having waited for others that make it; `every` 0 writes no picture.
@@ -30,7 +31,7 @@ class DepthOutput {
  private:
   int every_;
   vo::OutputFolder folder_;
-  std::string cloud_;
+  std::optional<EdgeCloud> cloud_;  ///< of the last map that was pictured
 };
 
 }  // namespace tools

@@ -143,26 +143,20 @@ SparseDepths sparse_depths(const vo::DepthMap& map, const vo::DepthImage& true_d
   return sparse;
 }
 
-std::string as_ply(const vo::DepthMap& map, const vo::SE3& T_world_host) {
+EdgeCloud cloud_of(const vo::DepthMap& map, const vo::SE3& T_world_host) {
   const vo::Hypotheses& hypotheses = map.hypotheses();
   const vo::PyramidLevel& level = map.host().levels.front();
-  const std::vector<std::size_t> chosen = confident_hypotheses(map);
-  std::string text = vo::concat(
-      "ply\nformat ascii 1.0\ncomment edge points, world frame, m\nelement vertex ", chosen.size(),
-      "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n"
-      "property uchar green\nproperty uchar blue\nend_header\n");
-  for (const std::size_t i : chosen) {
+  EdgeCloud cloud;
+  for (const std::size_t i : confident_hypotheses(map)) {
     const cv::Vec2f edge = hypotheses.edge_position(i);
     const Eigen::Vector3d p_world =
         T_world_host *
         level.camera.unproject({edge[0], edge[1]}, 1 / static_cast<double>(hypotheses.smoothed[i]));
-    const auto grey = static_cast<int>(std::lround(255 * level.intensity(hypotheses.pixel[i])));
-    std::array<char, 96> line{};
-    std::snprintf(line.data(), line.size(), "%.5f %.5f %.5f %d %d %d\n", p_world.x(), p_world.y(),
-                  p_world.z(), grey, grey, grey);
-    text += line.data();
+    cloud.push_back({.p_world = p_world.cast<float>(),
+                     .grey = grey_of(level.intensity(hypotheses.pixel[i])),
+                     .inverse_depth_sigma = std::sqrt(hypotheses.smoothed_variance[i])});
   }
-  return text;
+  return cloud;
 }
 
 }  // namespace tools

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <string>
-
+#include "tools/point_cloud/point_cloud.h"
 #include "vo/mapping/depth_map.h"
 
 namespace tools {
@@ -19,7 +18,7 @@ struct SparseDepths {
 
 SparseDepths sparse_depths(const vo::DepthMap& map, const vo::DepthImage& true_depth, double scale);
 
-/// Returns the confident hypotheses as world points with the host's grey, in ASCII PLY.
-std::string as_ply(const vo::DepthMap& map, const vo::SE3& T_world_host);
+/// Returns the confident hypotheses as points in the world with the host's grey.
+EdgeCloud cloud_of(const vo::DepthMap& map, const vo::SE3& T_world_host);
 
 }  // namespace tools

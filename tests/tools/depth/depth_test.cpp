@@ -29,7 +29,8 @@ TEST(DepthProgram, MapsASequenceAndJudgesIt) {
   EXPECT_EQ(summary.at("frames"), 20);
   EXPECT_NEAR(summary.at("scale").get<double>(), 1, 0.02);
   EXPECT_LT(summary.at("errors").at(0).at("median_percent").get<double>(), 4);
-  for (const char* name : {"depth.csv", "course.svg", "cloud.ply", "000000.png", "000010.png"}) {
+  for (const char* name :
+       {"depth.csv", "course.svg", "cloud.ply", "cloud.pcd", "000000.png", "000010.png"}) {
     EXPECT_TRUE(std::filesystem::exists(out / name)) << name;
   }
   EXPECT_FALSE(support::has_leftovers(folder.path()));

@@ -61,8 +61,10 @@ RUNS = [
     Run("convert sequence icl --format icl-nuim --json", "convert"),
     Run("convert sequence icl_tum --format icl-tum --json", "convert"),
     Run("convert euroc tum --format tum --json", "convert"),
-    Run("track sequence --out track.txt --frame-log track.csv --debug-images 6 --json", "track"),
-    Run("track sequence --mode mono --bootstrap rgbd --out mono.txt --frame-log mono.csv --json", "track"),
+    Run("track sequence --out track.txt --frame-log track.csv --debug-images 6 --save-map map.ply --json", "track"),
+    Run("track sequence --out again.txt --save-map map.pcd --quiet"),
+    Run("track sequence --mode mono --bootstrap rgbd --out mono.txt --frame-log mono.csv --save-map mono.pcd --json",
+        "track"),
     Run("track sequence --out /dev/stderr --json"),
     Run("evaluate sequence/groundtruth.txt track.txt --json", "evaluate"),
     Run("evaluate sequence/groundtruth.txt mono.txt --align sim3 --interval 5f --sequence sequence "

@@ -13,6 +13,8 @@ import subprocess
 import tomllib
 import xml.etree.ElementTree as ElementTree
 
+import numpy
+
 VOID_TAGS = {"meta", "link", "img", "input", "br", "hr", "area", "col", "source", "wbr", "base", "embed", "track"}
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -177,9 +179,56 @@ def parse_file_list(path):
     require(set(names) | {path.name} == there, f"lists {len(names)} of {len(there) - 1} files")
 
 
+NUMPY_TYPES = {"float": "<f4", "uchar": "u1", ("F", "4"): "<f4", ("U", "4"): "<u4"}
+
+
+def parse_ply(path):
+    """Binary PLY as its specification has it: numbers of the header's properties, to the last byte."""
+    head, _, body = path.read_bytes().partition(b"end_header\n")
+    lines = head.decode("ascii").splitlines()
+    require(lines[:2] == ["ply", "format binary_little_endian 1.0"], f"begins with {lines[:2]}")
+    count = next(int(line.split()[2]) for line in lines if line.startswith("element vertex "))
+    fields = [line.split()[1:] for line in lines if line.startswith("property ")]
+    points = numpy.frombuffer(body, dtype=[(name, NUMPY_TYPES[kind]) for kind, name in fields])
+    require(len(points) == count, f"has {len(points)} points, its header says {count}")
+    require_points(points)
+
+
+def parse_pcd(path):
+    """Binary PCD as its specification has it; where a PLY of the same name lies beside it, with the same points."""
+    head, _, body = path.read_bytes().partition(b"DATA binary\n")
+    words = dict(line.split(" ", 1) for line in head.decode("ascii").splitlines() if not line.startswith("#"))
+    kinds = [NUMPY_TYPES[pair] for pair in zip(words["TYPE"].split(), words["SIZE"].split(), strict=True)]
+    points = numpy.frombuffer(body, dtype=list(zip(words["FIELDS"].split(), kinds, strict=True)))
+    require(words["VERSION"] == "0.7" and set(words["COUNT"].split()) == {"1"}, f"is of {words}")
+    require(len(points) == int(words["POINTS"]) == int(words["WIDTH"]) * int(words["HEIGHT"]),
+            f"has {len(points)} points, its header says {words['POINTS']}")
+    require_points(points)
+    ply = path.with_suffix(".ply")
+    require(not ply.exists() or ply.read_bytes().endswith(points_as_ply(points)), f"has other points than {ply.name}")
+
+
+def require_points(points):
+    for name in ("x", "y", "z", "inverse_depth_sigma"):
+        require(numpy.isfinite(points[name]).all(), f"{name} is not finite")
+    require((points["inverse_depth_sigma"] > 0).all(), "inverse_depth_sigma is not positive")
+
+
+def points_as_ply(points):
+    """The body of the PLY that has these points of a PCD."""
+    kinds = [("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("rgb", "u1", 3), ("inverse_depth_sigma", "<f4")]
+    rewritten = numpy.zeros(len(points), dtype=kinds)
+    for name in ("x", "y", "z", "inverse_depth_sigma"):
+        rewritten[name] = points[name]
+    for channel, shift in enumerate((16, 8, 0)):
+        rewritten["rgb"][:, channel] = points["rgb"] >> shift & 255
+    return rewritten.tobytes()
+
+
 PARSERS = {".json": parse_json, ".toml": parse_toml, ".csv": parse_csv, ".svg": parse_svg,
-           ".xml": parse_junit, ".html": parse_html, ".md": parse_markdown}
-OTHERS = {".png", ".npy", ".flo", ".txt", ".ply", ".gz", ".yaml", ".depth", ".freiburg", ".files", ""}
+           ".xml": parse_junit, ".html": parse_html, ".md": parse_markdown,
+           ".ply": parse_ply, ".pcd": parse_pcd}
+OTHERS = {".png", ".npy", ".flo", ".txt", ".gz", ".yaml", ".depth", ".freiburg", ".files", ""}
 
 
 def parse(path):
