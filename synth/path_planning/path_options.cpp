@@ -4,7 +4,7 @@
 #include "synth/ray_tracing/surface_tracer.h"
 #include "synth/rendering/renderer.h"
 #include "vo/core/error.h"
-#include "vo/dataset/trajectory_file.h"
+#include "vo/motion_files/trajectory_file.h"
 
 namespace synth {
 namespace {

@@ -7,7 +7,7 @@
 #include "synth/sensor/noise_model.h"
 #include "vo/core/error.h"
 #include "vo/dataset/depth_units.h"
-#include "vo/dataset/trajectory_file.h"
+#include "vo/motion_files/trajectory_file.h"
 
 namespace synth {
 namespace {

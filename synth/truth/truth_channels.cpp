@@ -5,8 +5,8 @@
 
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/dataset/imu_file.h"
 #include "vo/dataset/sequence.h"
+#include "vo/motion_files/imu_file.h"
 
 namespace synth {
 namespace {

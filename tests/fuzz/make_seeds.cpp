@@ -11,14 +11,14 @@
 #include "vo/dataset/camera_file.h"
 #include "vo/dataset/euroc.h"
 #include "vo/dataset/icl_nuim.h"
-#include "vo/dataset/imu_file.h"
 #include "vo/dataset/sequence.h"
-#include "vo/dataset/trajectory_file.h"
 #include "vo/files/gzip.h"
 #include "vo/image_files/float_image.h"
 #include "vo/image_files/flow_file.h"
 #include "vo/image_files/jpeg_codec.h"
 #include "vo/image_files/png.h"
+#include "vo/motion_files/imu_file.h"
+#include "vo/motion_files/trajectory_file.h"
 #include "vo/structured_forest/structured_forest_file.h"
 
 namespace {

@@ -6,8 +6,8 @@
 #include "vo/core/error.h"
 #include "vo/dataset/camera_file.h"
 #include "vo/dataset/sequence.h"
-#include "vo/dataset/trajectory_file.h"
 #include "vo/files/output.h"
+#include "vo/motion_files/trajectory_file.h"
 
 namespace {
 

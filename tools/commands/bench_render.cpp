@@ -8,7 +8,7 @@
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
-#include "vo/dataset/trajectory_file.h"
+#include "vo/motion_files/trajectory_file.h"
 
 namespace tools {
 namespace {

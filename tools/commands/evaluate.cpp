@@ -17,7 +17,7 @@
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/dataset/sequence.h"
-#include "vo/dataset/trajectory_file.h"
+#include "vo/motion_files/trajectory_file.h"
 
 namespace tools {
 namespace {

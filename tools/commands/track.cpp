@@ -28,9 +28,9 @@
 #include "tools/report/trajectory_plot.h"
 #include "vo/core/error.h"
 #include "vo/dataset/camera_file.h"
-#include "vo/dataset/trajectory_file.h"
 #include "vo/evaluation/evaluate.h"
 #include "vo/files/output.h"
+#include "vo/motion_files/trajectory_file.h"
 #include "vo/sequence_odometry/track_mono.h"
 #include "vo/sequence_odometry/track_sequence.h"
 

@@ -15,11 +15,11 @@
 #include "tools/processes/child_process.h"
 #include "tools/processes/scratch_folder.h"
 #include "vo/core/error.h"
-#include "vo/dataset/timestamp.h"
-#include "vo/dataset/trajectory_file.h"
 #include "vo/files/input.h"
 #include "vo/files/output.h"
 #include "vo/files/result_files.h"
+#include "vo/motion_files/timestamp.h"
+#include "vo/motion_files/trajectory_file.h"
 
 namespace tools {
 namespace {

@@ -9,10 +9,10 @@
 #include "tools/python/options.h"
 #include "vo/core/error.h"
 #include "vo/dataset/camera_file.h"
-#include "vo/dataset/trajectory_file.h"
 #include "vo/files/output.h"
 #include "vo/geometry/camera.h"
 #include "vo/geometry/trajectory.h"
+#include "vo/motion_files/trajectory_file.h"
 
 namespace python {
 

@@ -18,8 +18,8 @@
 #include "tools/report/trajectory_plot.h"
 #include "tools/scenario/mono_scenario.h"
 #include "vo/core/error.h"
-#include "vo/dataset/trajectory_file.h"
 #include "vo/files/result_files.h"
+#include "vo/motion_files/trajectory_file.h"
 #include "vo/output_folders/staged_folder.h"
 
 namespace tools {

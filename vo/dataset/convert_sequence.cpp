@@ -8,10 +8,10 @@
 #include "vo/dataset/depth_units.h"
 #include "vo/dataset/euroc.h"
 #include "vo/dataset/icl_nuim.h"
-#include "vo/dataset/imu_file.h"
 #include "vo/dataset/sequence.h"
-#include "vo/dataset/timestamp.h"
-#include "vo/dataset/trajectory_file.h"
+#include "vo/motion_files/imu_file.h"
+#include "vo/motion_files/timestamp.h"
+#include "vo/motion_files/trajectory_file.h"
 #include "vo/output_folders/output_folder.h"
 
 namespace vo {

@@ -10,10 +10,11 @@
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/dataset/depth_units.h"
-#include "vo/dataset/imu_file.h"
-#include "vo/dataset/trajectory_file.h"
 #include "vo/files/input.h"
 #include "vo/image_files/png.h"
+#include "vo/motion_files/imu_file.h"
+#include "vo/motion_files/timestamp.h"
+#include "vo/motion_files/trajectory_file.h"
 #include "vo/text_files/text_lines.h"
 
 namespace vo {

@@ -9,10 +9,10 @@
 #include "vo/core/fields.h"
 #include "vo/dataset/camera_file.h"
 #include "vo/dataset/depth_units.h"
-#include "vo/dataset/timestamp.h"
-#include "vo/dataset/trajectory_file.h"
 #include "vo/files/input.h"
 #include "vo/image_files/png.h"
+#include "vo/motion_files/timestamp.h"
+#include "vo/motion_files/trajectory_file.h"
 #include "vo/text_files/text_lines.h"
 
 namespace vo {

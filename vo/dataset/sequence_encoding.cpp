@@ -5,10 +5,10 @@
 #include "vo/dataset/camera_file.h"
 #include "vo/dataset/depth_units.h"
 #include "vo/dataset/sequence.h"
-#include "vo/dataset/timestamp.h"
-#include "vo/dataset/trajectory_file.h"
 #include "vo/image_files/npy.h"
 #include "vo/image_files/png.h"
+#include "vo/motion_files/timestamp.h"
+#include "vo/motion_files/trajectory_file.h"
 
 namespace vo {
 namespace {

@@ -8,8 +8,8 @@
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/dataset/depth_units.h"
-#include "vo/dataset/timestamp.h"
 #include "vo/image_files/npy.h"
+#include "vo/motion_files/timestamp.h"
 
 namespace vo {
 namespace {

@@ -7,7 +7,7 @@
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/core/median.h"
-#include "vo/dataset/timestamp.h"
+#include "vo/motion_files/timestamp.h"
 
 namespace vo {
 namespace {

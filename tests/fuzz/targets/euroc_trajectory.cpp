@@ -1,7 +1,7 @@
 // Ground truth in EuRoC's format, as poses and as states of the body.
 #include "tests/fuzz/fuzz_input.h"
-#include "vo/dataset/imu_file.h"
-#include "vo/dataset/trajectory_file.h"
+#include "vo/motion_files/imu_file.h"
+#include "vo/motion_files/trajectory_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::with_file(data, size, "data.csv", vo::read_euroc_trajectory);

@@ -1,6 +1,6 @@
 // Readings of an IMU, and its noise.
 #include "tests/fuzz/fuzz_input.h"
-#include "vo/dataset/imu_file.h"
+#include "vo/motion_files/imu_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::with_file(data, size, "imu.toml", [](const std::filesystem::path& path) {

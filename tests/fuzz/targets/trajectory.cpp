@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "tests/fuzz/fuzz_input.h"
-#include "vo/dataset/trajectory_file.h"
+#include "vo/motion_files/trajectory_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return fuzz::with_file(data, size, "t.txt", [](const std::filesystem::path& path) {

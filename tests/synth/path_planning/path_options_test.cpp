@@ -5,8 +5,8 @@
 #include "tests/support/example_trajectory.h"
 #include "tests/support/pose_near.h"
 #include "tests/support/temp_folder.h"
-#include "vo/dataset/trajectory_file.h"
 #include "vo/files/output.h"
+#include "vo/motion_files/trajectory_file.h"
 
 namespace {
 

@@ -15,10 +15,10 @@
 #include "tests/support/folder_contents.h"
 #include "tests/support/quads.h"
 #include "tests/support/temp_folder.h"
-#include "vo/dataset/trajectory_file.h"
 #include "vo/files/input.h"
 #include "vo/image_files/npy.h"
 #include "vo/image_files/png.h"
+#include "vo/motion_files/trajectory_file.h"
 
 namespace synth {
 namespace {

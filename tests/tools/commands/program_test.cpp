@@ -7,9 +7,9 @@
 #include "tests/support/instruction_sets.h"
 #include "tests/support/plane_sequence.h"
 #include "vo/core/fields.h"
-#include "vo/dataset/trajectory_file.h"
 #include "vo/files/input.h"
 #include "vo/image_files/png.h"
+#include "vo/motion_files/trajectory_file.h"
 
 namespace {
 

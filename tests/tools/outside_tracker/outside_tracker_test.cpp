@@ -12,8 +12,8 @@
 #include "tests/support/plane_sequence.h"
 #include "tests/support/temp_folder.h"
 #include "tools/processes/shell_words.h"
-#include "vo/dataset/trajectory_file.h"
 #include "vo/files/output.h"
+#include "vo/motion_files/trajectory_file.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 
 #include "tests/support/temp_folder.h"
 #include "vo/core/random.h"
-#include "vo/dataset/trajectory_file.h"
+#include "vo/motion_files/trajectory_file.h"
 
 namespace {
 

@@ -11,9 +11,9 @@
 #include "vo/dataset/depth_units.h"
 #include "vo/dataset/euroc.h"
 #include "vo/dataset/icl_nuim.h"
-#include "vo/dataset/imu_file.h"
 #include "vo/dataset/sequence.h"
 #include "vo/files/input.h"
+#include "vo/motion_files/imu_file.h"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "vo/dataset/trajectory_file.h"
 #include "vo/evaluation/evaluate.h"
+#include "vo/motion_files/trajectory_file.h"
 
 namespace vo {
 namespace {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -8,9 +7,6 @@
 #include "vo/geometry/imu.h"
 
 namespace vo {
-
-/// Returns seconds rounded to whole nanoseconds, the unit of stamps in EuRoC's files.
-std::int64_t to_nanoseconds(double seconds);
 
 /// Returns the samples as EuRoC's imu0/data.csv: ns, angular velocity, specific force.
 std::string format_imu(const std::vector<ImuSample>& samples);

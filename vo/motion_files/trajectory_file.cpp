@@ -1,4 +1,4 @@
-#include "vo/dataset/trajectory_file.h"
+#include "vo/motion_files/trajectory_file.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "vo/core/error.h"
-#include "vo/dataset/timestamp.h"
+#include "vo/motion_files/timestamp.h"
 #include "vo/text_files/text_lines.h"
 
 namespace vo {

@@ -1,4 +1,4 @@
-#include "vo/dataset/imu_file.h"
+#include "vo/motion_files/imu_file.h"
 
 #include <array>
 #include <cmath>
@@ -6,8 +6,8 @@
 
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/dataset/timestamp.h"
-#include "vo/dataset/trajectory_file.h"
+#include "vo/motion_files/timestamp.h"
+#include "vo/motion_files/trajectory_file.h"
 #include "vo/text_files/text_lines.h"
 #include "vo/text_files/toml_file.h"
 
@@ -42,10 +42,6 @@ Eigen::Vector3d vector_at(const std::vector<double>& values, std::size_t first) 
 }
 
 }  // namespace
-
-std::int64_t to_nanoseconds(double seconds) {
-  return std::llround(seconds / kNanosecond);
-}
 
 std::string format_imu(const std::vector<ImuSample>& samples) {
   std::string text =

@@ -1,4 +1,4 @@
-#include "vo/dataset/imu_file.h"
+#include "vo/motion_files/imu_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

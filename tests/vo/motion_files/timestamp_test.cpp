@@ -1,4 +1,4 @@
-#include "vo/dataset/timestamp.h"
+#include "vo/motion_files/timestamp.h"
 
 #include <charconv>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "vo/dataset/timestamp.h"
+#include "vo/motion_files/timestamp.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,6 @@
 #include <cstdio>
 
 #include "vo/core/error.h"
-#include "vo/dataset/imu_file.h"
 #include "vo/text_files/text_lines.h"
 
 namespace vo {
@@ -30,6 +29,11 @@ double parse_timestamp(const TextLine& line, std::size_t field, double unit_s) {
   require(std::abs(timestamp) <= kMaxTimestamp, line.place(), ": expected a stamp within ",
           kMaxTimestamp, " s of 0, got ", timestamp, " s");
   return timestamp;
+}
+
+std::int64_t to_nanoseconds(double seconds) {
+  constexpr double kNanosecond = 1e-9;  // s
+  return std::llround(seconds / kNanosecond);
 }
 
 std::string format_timestamp(double timestamp) {

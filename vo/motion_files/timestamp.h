@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,9 @@ struct TextLine;
 /// Returns a stamp of a line's field, in units of `unit_s` seconds, as seconds. Throws Error naming
 /// the line unless it is a number within 9e9 s of 0: nanoseconds in 64 bits hold no more.
 double parse_timestamp(const TextLine& line, std::size_t field, double unit_s);
+
+/// Returns seconds rounded to whole nanoseconds, the unit of stamps in EuRoC's files.
+std::int64_t to_nanoseconds(double seconds);
 
 /// Returns a stamp, s, with 6 decimals: `0.033333`.
 std::string format_timestamp(double timestamp);

@@ -1,4 +1,4 @@
-#include "vo/dataset/trajectory_file.h"
+#include "vo/motion_files/trajectory_file.h"
 
 #include <algorithm>
 #include <string>
