@@ -1,9 +1,12 @@
 #include "synth/path_planning/path_options.h"
 
+#include <optional>
+
 #include "synth/path_planning/moving_obstacles.h"
 #include "synth/ray_tracing/surface_tracer.h"
 #include "synth/rendering/renderer.h"
 #include "vo/core/error.h"
+#include "vo/core/fields.h"
 #include "vo/motion_files/trajectory_file.h"
 
 namespace synth {
@@ -19,9 +22,21 @@ vo::Trajectory control_poses(const PathOptions& options) {
   return poses;
 }
 
+std::optional<vo::TrajectoryFormat> chosen_format(const PathOptions& options) {
+  if (options.file_format.empty()) {
+    return std::nullopt;
+  }
+  try {
+    return vo::parse_enum<vo::TrajectoryFormat>(options.file_format);
+  } catch (const vo::Error& error) {
+    vo::fail("path.file_format: ", error.what());
+  }
+}
+
 vo::Trajectory poses_of_file(const PathOptions& options) {
-  return options.file.extension() == ".csv" ? vo::read_euroc_trajectory(options.file)
-                                            : vo::read_trajectory(options.file);
+  const vo::TrajectoryReading reading{.format = chosen_format(options),
+                                      .times = options.file_times};
+  return vo::read_trajectory_file(options.file, reading).trajectory;
 }
 
 /// Returns the spline through a file's poses, sampled at `rate`, Hz, over their own time span.
@@ -128,6 +143,7 @@ void PathOptions::validate() const {
   vo::require(rate > 0, "path.rate: expected above 0, got ", rate);
   vo::require(duration > 0, "path.duration: expected above 0, got ", duration);
   vo::require(rate * duration < 1e6, "path: expected fewer than a million frames");
+  chosen_format(*this);
   shake.validate();
   validate_kind(*this);
 }

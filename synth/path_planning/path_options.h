@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -46,7 +47,9 @@ struct PathOptions {
   OrbitOptions orbit;
   std::vector<Eigen::Vector3d> eyes;     ///< m, world; camera positions, evenly spread over time
   std::vector<Eigen::Vector3d> targets;  ///< m, world; what the camera looks at from each eye
-  std::filesystem::path file;            ///< TUM trajectory, or EuRoC's where it ends in .csv
+  std::filesystem::path file;            ///< trajectory of any TrajectoryFormat
+  std::string file_format;               ///< name of a TrajectoryFormat; empty: as it is recognised
+  std::filesystem::path file_times;  ///< stamps of a file without: a list as vo::FrameTimes reads
   RecordedOptions recorded;
   MoveOptions move;
   ExploreOptions explore;
@@ -63,7 +66,9 @@ void visit_fields(Visitor& visit, PathOptions& options) {
   visit("orbit", options.orbit, "");
   visit("eyes", options.eyes, "camera positions of the spline, m, evenly spread over time");
   visit("targets", options.targets, "what the camera looks at from each of the eyes, m");
-  visit("file", options.file, "TUM trajectory, or EuRoC's (.csv): the poses, or the spline's");
+  visit("file", options.file, "trajectory of any format that is read: the poses, or the spline's");
+  visit("file_format", options.file_format, "of the file; empty: recognised by its content");
+  visit("file_times", options.file_times, "list of stamps for a file without");
   visit("recorded", options.recorded, "");
   visit("move", options.move, "");
   visit("explore", options.explore, "");

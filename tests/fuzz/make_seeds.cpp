@@ -28,6 +28,9 @@ using Seeds = std::vector<vo::NamedBytes>;
 constexpr int kWidth = 8;
 constexpr int kHeight = 6;
 
+/// An images.txt of COLMAP's.
+constexpr const char* kImages = "1 1 0 0 0 0.1 0.2 0.3 1 1.5.png\n2 3 -1\n";
+
 /// Pixels that differ.
 cv::Mat pixels(int type, int width = kWidth, int height = kHeight) {
   cv::Mat image(height, width, type);
@@ -73,6 +76,15 @@ vo::SequenceSource small_source() {
   return source;
 }
 
+/// The files one after the other, as `fuzz::InputFolder` takes them apart.
+std::string archive_of(const std::vector<vo::NamedBytes>& files) {
+  std::string archive;
+  for (const vo::NamedBytes& file : files) {
+    archive += "=== " + file.name + "\n" + file.bytes + "\n";
+  }
+  return archive;
+}
+
 void add_text(const vo::SequenceSource& source, Seeds& seeds) {
   for (const vo::CameraPreset& preset : vo::camera_presets()) {
     seeds.push_back({"camera/" + preset.name, vo::format_camera(preset.camera)});
@@ -82,6 +94,14 @@ void add_text(const vo::SequenceSource& source, Seeds& seeds) {
                    "# comment\na = 1\n[b.c]\nd = \"text\\n\"\ne = [[1, 2.5], [3, 4]]\nf = true\n"
                    "g = {h = 'x', i = 1e3}\nj = \"\"\"long\ntext\"\"\"\n"});
   seeds.push_back({"trajectory/poses", vo::format_trajectory(source.truth)});
+  seeds.push_back({"trajectory/kitti", vo::format_kitti_poses(source.truth)});
+  seeds.push_back({"trajectory/euroc", vo::format_euroc_trajectory(source.truth)});
+  seeds.push_back({"trajectory/colmap", kImages});
+  seeds.push_back({"timed_trajectory/kitti",
+                   archive_of({{"t.txt", vo::format_kitti_poses(source.truth)},
+                               {"times.txt", vo::format_kitti_times(source.truth)}})});
+  seeds.push_back({"timed_trajectory/colmap",
+                   archive_of({{"t.txt", kImages}, {"times.txt", "0.5 rgb/1.5.png\n"}})});
   seeds.push_back({"euroc_trajectory/states", vo::format_states(source.imu.states)});
   seeds.push_back({"imu/readings", vo::format_imu(source.imu.samples)});
   seeds.push_back({"imu/noise", vo::format_imu_noise(source.imu.noise)});
@@ -92,15 +112,6 @@ void add_forest(Seeds& seeds) {
       vo::structured_forest_yaml(support::small_forest(136, 0.125F, {1, 20, 255}));
   seeds.push_back({"forest/yaml", text});
   seeds.push_back({"forest/packed", vo::gzip(text)});
-}
-
-/// The files one after the other, as `fuzz::InputFolder` takes them apart.
-std::string archive_of(const std::vector<vo::NamedBytes>& files) {
-  std::string archive;
-  for (const vo::NamedBytes& file : files) {
-    archive += "=== " + file.name + "\n" + file.bytes + "\n";
-  }
-  return archive;
 }
 
 void append(std::vector<vo::NamedBytes>& files, const std::vector<vo::NamedBytes>& more) {

@@ -4,9 +4,11 @@
 #include <vector>
 
 #include "tools/cli/options.h"
+#include "tools/cli/trajectory_arguments.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/dataset/camera_file.h"
+#include "vo/motion_files/trajectory_format.h"
 
 namespace tools {
 namespace {
@@ -15,7 +17,7 @@ namespace {
 std::vector<vo::Field> path_fields(synth::PathOptions& path) {
   std::vector<vo::Field> fields;
   for (const vo::Field& field : vo::fields_of(path)) {
-    if (field.key != "kind" && field.key != "file") {
+    if (field.key != "kind" && !field.key.starts_with("file")) {
       fields.push_back(field);
     }
   }
@@ -69,7 +71,16 @@ std::optional<vo::RgbdCamera> given_camera(const std::string& preset_or_file) {
 void add_path_options(CLI::App& command, PathArguments& arguments) {
   command
       .add_option("--trajectory", arguments.options.file,
-                  "TUM trajectory, or EuRoC's (.csv): one frame per pose without --path")
+                  "trajectory in any format that is read: one frame per pose without --path")
+      ->group("Path");
+  command
+      .add_option("--trajectory-format", arguments.options.file_format,
+                  "its format, where it is not recognised: " + trajectory_formats())
+      ->check(is_name_of<vo::TrajectoryFormat>())
+      ->group("Path");
+  command
+      .add_option("--trajectory-times", arguments.options.file_times,
+                  "list of the stamps of a trajectory without (KITTI, COLMAP)")
       ->group("Path");
   command.add_option("--path", arguments.kind, "how the camera moves")
       ->check(is_name_of<synth::PathKind>())

@@ -7,6 +7,7 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/standard_streams.h"
+#include "tools/cli/trajectory_arguments.h"
 #include "tools/commands/commands.h"
 #include "vo/motion_files/trajectory_file.h"
 
@@ -29,6 +30,7 @@ struct BenchRenderArguments {
   std::string scene;
   std::string size = "640x480";
   std::string trajectory;
+  TrajectoryArguments reading;
   double fov_deg = 60;
 };
 
@@ -39,9 +41,11 @@ void bench_render(const BenchRenderArguments& arguments) {
   ProgressBar bar("measuring", arguments.common.verbosity());
   bar.announce("reading " + arguments.scene);
   const synth::Scene scene = synth::load_gltf(arguments.scene);
-  const vo::Trajectory views = arguments.trajectory.empty()
-                                   ? views_from_the_middle(scene)
-                                   : vo::read_trajectory(arguments.trajectory);
+  const vo::Trajectory views =
+      arguments.trajectory.empty()
+          ? views_from_the_middle(scene)
+          : vo::read_trajectory_file(arguments.trajectory, chosen_reading(arguments.reading))
+                .trajectory;
   vo::require(!views.empty(), arguments.trajectory, ": no poses, expected at least one");
   bar.announce();
   const RenderBench bench = bench_rendering(scene, camera, views);
@@ -59,9 +63,10 @@ void add_bench_render_command(CLI::App& program, Session& /*session*/) {
   command.add_option("--size", arguments->size, "WIDTHxHEIGHT, px [640x480]");
   command.add_option("--fov", arguments->fov_deg, "horizontal, deg [60]");
   command.add_option("--trajectory", arguments->trajectory,
-                     "TUM trajectory of the views; else four from the middle of the scene");
+                     "trajectory of the views; else four from the middle of the scene");
+  add_trajectory_options(command, arguments->reading);
   add_common_options(command, arguments->common);
-  take_streams(command, {.inputs = {"SCENE", "--trajectory"}});
+  take_streams(command, {.inputs = {"SCENE", "--trajectory", "--times"}});
   command.callback([arguments] { bench_render(*arguments); });
 }
 

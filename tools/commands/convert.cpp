@@ -57,7 +57,8 @@ vo::ConvertJob chosen_job(const ConvertArguments& arguments) {
   return job;
 }
 
-void print(const ConvertArguments& arguments, const vo::ConvertOutcome& outcome) {
+void print(const ConvertArguments& arguments, const vo::ConvertOutcome& outcome,
+           const Colours& colours) {
   if (arguments.common.json) {
     const nlohmann::ordered_json result = {{"out", arguments.out},
                                            {"from", vo::to_string(outcome.from)},
@@ -65,7 +66,8 @@ void print(const ConvertArguments& arguments, const vo::ConvertOutcome& outcome)
                                            {"frames", outcome.frames},
                                            {"poses", outcome.poses},
                                            {"imu_samples", outcome.imu_samples},
-                                           {"depth_beyond_16_bit", outcome.depth_beyond_16_bit}};
+                                           {"depth_beyond_16_bit", outcome.depth_beyond_16_bit},
+                                           {"notes", outcome.notes}};
     std::cout << json_text(json_document({"convert"}, result));
     return;
   }
@@ -74,11 +76,14 @@ void print(const ConvertArguments& arguments, const vo::ConvertOutcome& outcome)
   if (outcome.depth_beyond_16_bit > 0) {
     std::cout << outcome.depth_beyond_16_bit << " depth pixels beyond 16 bit became 0\n";
   }
+  for (const std::string& note : outcome.notes) {
+    std::cout << colours.paint(Tone::caution, "note") << "  " << note << "\n";
+  }
 }
 
 }  // namespace
 
-void add_convert_command(CLI::App& program, Session& /*session*/) {
+void add_convert_command(CLI::App& program, Session& session) {
   CLI::App& command = *program.add_subcommand("convert", kConvertHelp);
   const auto arguments = std::make_shared<ConvertArguments>();
   command.footer(kConvertExamples);
@@ -89,14 +94,14 @@ void add_convert_command(CLI::App& program, Session& /*session*/) {
   command.add_option("--camera", arguments->camera, "preset or FILE.toml, instead of IN's own");
   add_common_options(command, arguments->common);
   take_streams(command, {.inputs = {"--camera"}, .others = {"IN", "OUT"}});
-  command.callback([arguments] {
+  command.callback([arguments, &session] {
     const vo::ConvertJob job = chosen_job(*arguments);
     ProgressBar bar("converting", arguments->common.verbosity());
     bar.announce("reading " + arguments->in);
     const vo::ConvertOutcome outcome =
         vo::convert_sequence(job, arguments->common.output_policy(), bar.callback());
     bar.erase();
-    print(*arguments, outcome);
+    print(*arguments, outcome, session.out);
   });
 }
 

@@ -12,6 +12,7 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/standard_streams.h"
+#include "tools/cli/trajectory_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
 #include "vo/core/error.h"
@@ -25,7 +26,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kEvaluateHelp =
-    "Compares an estimated trajectory with the truth, both in TUM format.\n"
+    "Compares an estimated trajectory with the truth, each in a format that is read: TUM, EuRoC's\n"
+    "ground truth, KITTI's poses, ORB-SLAM3's stamps in ns, COLMAP's images.txt.\n"
     "  ate      absolute error of positions after alignment (evaluate_ate.py, evo_ape), m\n"
     "  rpe      relative error per interval as the TUM benchmark's evaluate_rpe.py --fixed_delta\n"
     "  rpe_evo  the same as evo_rpe --all_pairs and the paper define it; it differs in the\n"
@@ -36,6 +38,8 @@ constexpr const char* kEvaluateExamples =
     "Examples:\n"
     "  edvo evaluate groundtruth.txt estimate.txt\n"
     "  edvo evaluate groundtruth.txt estimate.txt --align sim3 --interval 30f --json\n"
+    "  edvo evaluate poses/00.txt estimate.txt --times sequences/00/times.txt   # KITTI\n"
+    "  edvo evaluate groundtruth.txt sparse/0/images.txt --times rgb.txt --align sim3   # COLMAP\n"
     "  edvo evaluate groundtruth.txt estimate.txt --estimate-offset   # are the clocks right?\n"
     "  edvo evaluate sequence/groundtruth.txt e.txt --sequence sequence   # and tracked_fraction";
 
@@ -43,6 +47,7 @@ struct EvaluateArguments {
   CommonOptions common;
   std::string truth;
   std::string estimate;
+  TrajectoryArguments reading;
   std::string align = "se3";
   std::string interval = "1s";
   bool interval_is_chosen = false;
@@ -53,6 +58,9 @@ struct EvaluateArguments {
 
 /// The results that `edvo evaluate` prints.
 struct Report {
+  std::vector<std::string> notes;  ///< on the trajectories' files
+  vo::TrajectoryFormat truth_format = vo::TrajectoryFormat::tum;
+  vo::TrajectoryFormat estimate_format = vo::TrajectoryFormat::tum;
   vo::TrajectoryErrors errors;
   double tracked_fraction = -1;  ///< share of frames with a pose; negative if unknown
   bool has_offset = false;
@@ -87,7 +95,10 @@ Json relative(const vo::RelativeErrors& errors) {
 
 Json as_json(const EvaluateArguments& arguments, const Report& report) {
   const vo::TrajectoryErrors& errors = report.errors;
-  Json json = {{"align", arguments.align},
+  Json json = {{"truth_format", vo::to_string(report.truth_format)},
+               {"estimate_format", vo::to_string(report.estimate_format)},
+               {"notes", report.notes},
+               {"align", arguments.align},
                {"interval", arguments.interval},
                {"ate", statistics(errors.ate, "", "m")},
                {"rpe", relative(errors.rpe)},
@@ -129,7 +140,7 @@ void print_offset(const vo::TimeOffset& offset) {
   std::cout << text.data();
 }
 
-void print_table(const EvaluateArguments& arguments, const Report& report) {
+void print_table(const EvaluateArguments& arguments, const Report& report, const Colours& colours) {
   const vo::TrajectoryErrors& errors = report.errors;
   const std::string per = "per " + arguments.interval;
   std::array<char, 160> title{};
@@ -153,17 +164,29 @@ void print_table(const EvaluateArguments& arguments, const Report& report) {
   if (report.has_offset) {
     print_offset(report.offset);
   }
+  for (const std::string& note : report.notes) {
+    std::cout << colours.paint(Tone::caution, "note") << "                 " << note << "\n";
+  }
 }
 
-void evaluate(EvaluateArguments& arguments) {
+/// Reads the trajectory of this index, its notes and format into the report.
+vo::Trajectory read(const EvaluateArguments& arguments, std::size_t index, Report& report) {
+  vo::TrajectoryFile file =
+      vo::read_trajectory_file(index == 0 ? arguments.truth : arguments.estimate,
+                               chosen_reading(arguments.reading, index, 2));
+  (index == 0 ? report.truth_format : report.estimate_format) = file.format;
+  report.notes.insert(report.notes.end(), file.notes.begin(), file.notes.end());
+  return std::move(file.trajectory);
+}
+
+void evaluate(EvaluateArguments& arguments, const Session& session) {
   arguments.options.alignment = vo::parse_enum<vo::TrajectoryAlignment>(arguments.align);
   arguments.options.interval = parse_interval(arguments.interval);
   ProgressBar bar("evaluating", arguments.common.verbosity());
   bar.announce();
-  const vo::Trajectory truth = vo::read_trajectory(arguments.truth);
-  const vo::Trajectory estimate = vo::read_trajectory(arguments.estimate);
-
   Report report;
+  const vo::Trajectory truth = read(arguments, 0, report);
+  const vo::Trajectory estimate = read(arguments, 1, report);
   report.errors = vo::evaluate(truth, estimate, arguments.options);
   vo::require(report.errors.rpe.pairs > 0 || !arguments.interval_is_chosen, arguments.estimate,
               ": no two of its ", estimate.size(), " poses lie --interval ", arguments.interval,
@@ -180,18 +203,19 @@ void evaluate(EvaluateArguments& arguments) {
   if (arguments.common.json) {
     std::cout << json_text(json_document({"evaluate"}, as_json(arguments, report)));
   } else {
-    print_table(arguments, report);
+    print_table(arguments, report, session.out);
   }
 }
 
 }  // namespace
 
-void add_evaluate_command(CLI::App& program, Session& /*session*/) {
+void add_evaluate_command(CLI::App& program, Session& session) {
   CLI::App& command = *program.add_subcommand("evaluate", kEvaluateHelp);
   const auto arguments = std::make_shared<EvaluateArguments>();
   command.footer(kEvaluateExamples);
-  command.add_option("TRUTH", arguments->truth, "TUM trajectory")->required();
-  command.add_option("ESTIMATE", arguments->estimate, "TUM trajectory")->required();
+  command.add_option("TRUTH", arguments->truth, "trajectory")->required();
+  command.add_option("ESTIMATE", arguments->estimate, "trajectory")->required();
+  add_trajectory_options(command, arguments->reading, "TRUTH and ESTIMATE");
   command.add_option("--align", arguments->align, "none | se3 | sim3 [se3]")
       ->check(is_name_of<vo::TrajectoryAlignment>());
   command.add_option("--interval", arguments->interval, "of the relative error: 1s, 30f, ... [1s]")
@@ -205,8 +229,8 @@ void add_evaluate_command(CLI::App& program, Session& /*session*/) {
   command.add_option("--sequence", arguments->sequence,
                      "the sequence that was tracked, for tracked_fraction");
   add_common_options(command, arguments->common);
-  take_streams(command, {.inputs = {"TRUTH", "ESTIMATE"}, .others = {"--sequence"}});
-  command.callback([arguments] { evaluate(*arguments); });
+  take_streams(command, {.inputs = {"TRUTH", "ESTIMATE", "--times"}, .others = {"--sequence"}});
+  command.callback([arguments, &session] { evaluate(*arguments, session); });
 }
 
 }  // namespace tools

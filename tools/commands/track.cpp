@@ -97,6 +97,7 @@ struct Tracked {
   std::string log;                               ///< CSV with a line per frame
   const vo::MonoSequenceResult* mono = nullptr;  ///< result of mode mono
   std::string note;                              ///< what a user of the trajectory must know
+  std::vector<std::string> sequence_notes;       ///< what in the sequence's files was mended
 
   bool is_complete() const {
     return result.tracked_fraction() == 1 && result.uncertain() == 0 &&
@@ -181,6 +182,7 @@ nlohmann::ordered_json summary(const TrackArguments& arguments, const Tracked& t
     json["typical_depth_m"] = tracked.result.typical_depth_m();
   }
   json["note"] = tracked.note;
+  json["sequence_notes"] = tracked.sequence_notes;
   json["options"] = fields_json(tracked.options);
   return json;
 }
@@ -214,6 +216,9 @@ int print(const TrackArguments& arguments, const Tracked& tracked, const Session
         << (result.trajectory.empty() || tracked.note.empty()
                 ? ""
                 : colours.paint(Tone::caution, tracked.note) + "\n");
+    for (const std::string& note : tracked.sequence_notes) {
+      out << colours.paint(Tone::caution, "note") << "  " << note << "\n";
+    }
   }
   if (result.trajectory.empty() && !tracked.note.empty()) {
     std::cerr << error_line(session.err, tracked.note);
@@ -244,6 +249,7 @@ int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCame
                   .options = vo::fields_of(options)};
   tracked.log = vo::format_frame_log(tracked.result.frames);
   tracked.note = vo::note_on(tracked.result);
+  tracked.sequence_notes = sequence.notes();
   write_results(arguments, tracked);
   write_map(arguments, cloud);
   if (arguments.debug_images > 0) {
@@ -290,7 +296,8 @@ int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCame
                         .options = vo::fields_of(options),
                         .log = vo::format_mono_log(result.frames),
                         .mono = &result,
-                        .note = note_on(result, options.bootstrap)};
+                        .note = note_on(result, options.bootstrap),
+                        .sequence_notes = result.sequence_notes};
   write_results(arguments, tracked);
   write_map(arguments, cloud);
   bar.erase();

@@ -137,7 +137,10 @@ vo::Trajectory read_output(const fs::path& output, const std::string& printed) {
   vo::require(!bytes.empty(), "the tracker wrote an empty trajectory");
   vo::require(bytes.back() == '\n', "the tracker's trajectory ends within a line");
   try {
-    return vo::read_trajectory(output);
+    vo::TrajectoryFile file =
+        vo::read_trajectory_file(output, {.format = vo::TrajectoryFormat::tum});
+    vo::require(file.notes.empty(), file.notes.empty() ? "" : file.notes.front());
+    return std::move(file.trajectory);
   } catch (const vo::Error& error) {
     std::string text = error.what();
     const std::size_t at = text.find(output.string());

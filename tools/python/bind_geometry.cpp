@@ -114,7 +114,8 @@ void bind_trajectory(py::module_& module) {
            "Write a file in TUM's format, which appears when it is complete.");
   module.def(
       "read_trajectory", [](const std::string& path) { return vo::read_trajectory(path); },
-      py::arg("path"), "Read a file in TUM's format.");
+      py::arg("path"),
+      "Read a trajectory in any format that edvo reads, recognised by its content.");
 }
 
 }  // namespace

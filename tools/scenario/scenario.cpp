@@ -201,6 +201,7 @@ void Scenario::require_scene() const {
 synth::PathOptions Scenario::resolved_path() const {
   synth::PathOptions result = path;
   result.file = resolved(path.file, folder_of(file));
+  result.file_times = resolved(path.file_times, folder_of(file));
   return result;
 }
 

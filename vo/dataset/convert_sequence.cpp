@@ -109,6 +109,7 @@ ConvertOutcome convert_sequence(const ConvertJob& job, const OutputPolicy& polic
   outcome.frames = source.timestamps.size();
   outcome.poses = source.truth.size();
   outcome.imu_samples = source.imu.samples.size();
+  outcome.notes = source.notes;
   return outcome;
 }
 

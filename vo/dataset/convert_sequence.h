@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "vo/core/progress.h"
 #include "vo/dataset/sequence_source.h"
@@ -25,6 +27,7 @@ struct ConvertOutcome {
   std::size_t poses = 0;
   std::size_t imu_samples = 0;
   std::size_t depth_beyond_16_bit = 0;  ///< depth pixels too far for 16 bits, written as 0
+  std::vector<std::string> notes;       ///< of the sequence that was read
 };
 
 /// Converts a sequence to another format, in a folder that appears only when it is complete.

@@ -101,13 +101,8 @@ SE3 read_extrinsics(const fs::path& path, const std::string& text) {
   const std::size_t block = text.find("T_BS:");
   require(block != std::string::npos, path.string(), ": expected T_BS");
   const std::vector<double> m = yaml_numbers(path, text.substr(block), "data", 16);
-  Eigen::Matrix3d R;
-  R << m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10];
-  constexpr double kTolerance = 1e-3;
-  require(
-      (R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < kTolerance && R.determinant() > 0,
-      path.string(), ": T_BS: expected a rotation");
-  return {Eigen::Quaterniond(R), {m[3], m[7], m[11]}};
+  return checked_pose(path.string() + ": T_BS",
+                      Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(m.data()));
 }
 
 struct StampedFile {
@@ -227,14 +222,12 @@ std::string format_truth(const SequenceSource& source) {
   if (!source.imu.states.empty()) {
     return format_states(source.imu.states);
   }
-  std::string text =
-      "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],"
-      "q_RS_z []\n";
   const SE3 T_camera_body = source.T_body_camera.inverse();
-  for (const StampedPose& pose : source.truth) {
-    text += format_euroc_pose({pose.timestamp, pose.T_world_camera * T_camera_body}) + "\n";
+  Trajectory body = source.truth;
+  for (StampedPose& pose : body) {
+    pose.T_world_camera = pose.T_world_camera * T_camera_body;
   }
-  return text;
+  return format_euroc_trajectory(body);
 }
 
 }  // namespace
@@ -266,9 +259,9 @@ SequenceSource open_euroc(const fs::path& folder, const std::optional<RgbdCamera
     return frame;
   };
   if (fs::exists(folder / kTruth / "data.csv")) {
-    for (const auto& [timestamp, T_world_body] :
-         read_euroc_trajectory(folder / kTruth / "data.csv")) {
-      source.truth.push_back({timestamp, T_world_body * source.T_body_camera});
+    source.truth = read_truth(folder / kTruth / "data.csv", TrajectoryFormat::euroc, source.notes);
+    for (StampedPose& pose : source.truth) {
+      pose.T_world_camera = pose.T_world_camera * source.T_body_camera;
     }
   }
   if (fs::exists(folder / kImu / "data.csv")) {

@@ -207,7 +207,8 @@ SequenceSource open_icl_tum(const fs::path& folder, const std::optional<RgbdCame
     return frame;
   };
   if (const fs::path trajectory = find_trajectory(folder); !trajectory.empty()) {
-    for (const auto& [number, T_world_camera] : read_trajectory(trajectory)) {
+    for (const auto& [number, T_world_camera] :
+         read_truth(trajectory, TrajectoryFormat::tum, source.notes)) {
       source.truth.push_back({time_of(number), mirrored(T_world_camera)});
     }
   }

@@ -41,6 +41,8 @@ class SequenceReader {
 
   const RgbdCamera& camera() const { return camera_; }
   const Trajectory& ground_truth() const { return ground_truth_; }  ///< empty when there is none
+  /// Returns sentences on what in the folder was not as its format has it.
+  const std::vector<std::string>& notes() const { return notes_; }
   std::size_t size() const { return entries_.size(); }
   double timestamp(std::size_t index) const { return entries_[index].timestamp; }
   std::vector<double> timestamps() const;
@@ -64,6 +66,7 @@ class SequenceReader {
   std::filesystem::path folder_;
   RgbdCamera camera_;
   Trajectory ground_truth_;
+  std::vector<std::string> notes_;
   std::vector<Entry> entries_;
   std::function<RgbdFrame(std::size_t index)> read_;  ///< of a format other than TUM's
 };

@@ -70,7 +70,7 @@ SequenceReader::SequenceReader(const fs::path& folder, std::optional<RgbdCamera>
   camera_ = camera_of(folder, camera);
   read_lists(max_time_difference, content);
   if (fs::exists(folder / "groundtruth.txt")) {
-    ground_truth_ = read_trajectory(folder / "groundtruth.txt");
+    ground_truth_ = read_truth(folder / "groundtruth.txt", TrajectoryFormat::tum, notes_);
   }
 }
 
@@ -96,6 +96,7 @@ void SequenceReader::read_lists(double max_time_difference, SequenceContent cont
 void SequenceReader::adopt(SequenceSource source) {
   camera_ = source.camera;
   ground_truth_ = std::move(source.truth);
+  notes_ = std::move(source.notes);
   for (const double timestamp : source.timestamps) {
     entries_.push_back({timestamp, {}, {}});
   }

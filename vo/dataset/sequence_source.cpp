@@ -20,6 +20,7 @@ SequenceSource open_tum(const fs::path& folder, const std::optional<RgbdCamera>&
   source.timestamps = reader->timestamps();
   source.read = [reader](std::size_t index) { return reader->read(index); };
   source.truth = reader->ground_truth();
+  source.notes = reader->notes();
   if (fs::exists(folder / "imu.csv")) {
     source.imu.samples = read_imu(folder / "imu.csv");
   }

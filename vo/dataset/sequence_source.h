@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -38,6 +39,7 @@ struct SequenceSource {
   Trajectory truth;                                  ///< ground truth; empty if absent
   ImuRecord imu;  ///< of the body that carries the camera; empty if absent
   SE3 T_body_camera;
+  std::vector<std::string> notes;  ///< sentences on what was not as the format has it
 };
 
 /// Returns the format whose files a folder holds; none where they are of no known format.

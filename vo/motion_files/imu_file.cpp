@@ -14,7 +14,6 @@
 namespace vo {
 namespace {
 
-constexpr double kNanosecond = 1e-9;  // s
 constexpr std::size_t kImuValues = 7;
 constexpr std::size_t kStateValues = 17;
 

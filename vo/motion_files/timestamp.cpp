@@ -12,8 +12,6 @@
 namespace vo {
 namespace {
 
-constexpr double kMaxTimestamp = 9e9;  // s
-
 /// Returns the shortest text without an exponent that reads back as the same number.
 std::string exact_timestamp(double timestamp) {
   std::array<char, 512> text{};  // the smallest number has 327 decimals behind the point
@@ -24,15 +22,19 @@ std::string exact_timestamp(double timestamp) {
 
 }  // namespace
 
-double parse_timestamp(const TextLine& line, std::size_t field, double unit_s) {
-  const double timestamp = parse_number(line, field) * unit_s;
-  require(std::abs(timestamp) <= kMaxTimestamp, line.place(), ": expected a stamp within ",
-          kMaxTimestamp, " s of 0, got ", timestamp, " s");
+double checked_timestamp(const TextLine& line, double timestamp) {
+  if (std::abs(timestamp) > kMaxTimestamp) {
+    fail(line.place(), ": expected a stamp within ", kMaxTimestamp, " s of 0, got ", timestamp,
+         " s");
+  }
   return timestamp;
 }
 
+double parse_timestamp(const TextLine& line, std::size_t field, double unit_s) {
+  return checked_timestamp(line, parse_number(line, field) * unit_s);
+}
+
 std::int64_t to_nanoseconds(double seconds) {
-  constexpr double kNanosecond = 1e-9;  // s
   return std::llround(seconds / kNanosecond);
 }
 

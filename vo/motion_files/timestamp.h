@@ -8,8 +8,17 @@ namespace vo {
 
 struct TextLine;
 
+inline constexpr double kNanosecond = 1e-9;  ///< s
+
+/// The greatest distance of a stamp from 0, s: nanoseconds in 64 bits hold no more.
+inline constexpr double kMaxTimestamp = 9e9;
+
+/// Returns the stamp, s, of a line. Throws Error naming the line unless it is within
+/// `kMaxTimestamp` of 0.
+double checked_timestamp(const TextLine& line, double timestamp);
+
 /// Returns a stamp of a line's field, in units of `unit_s` seconds, as seconds. Throws Error naming
-/// the line unless it is a number within 9e9 s of 0: nanoseconds in 64 bits hold no more.
+/// the line unless it is a number within `kMaxTimestamp` of 0.
 double parse_timestamp(const TextLine& line, std::size_t field, double unit_s);
 
 /// Returns seconds rounded to whole nanoseconds, the unit of stamps in EuRoC's files.

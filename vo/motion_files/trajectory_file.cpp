@@ -1,115 +1,163 @@
 #include "vo/motion_files/trajectory_file.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <vector>
+#include <utility>
 
 #include "vo/core/error.h"
+#include "vo/motion_files/colmap_images.h"
+#include "vo/motion_files/frame_times.h"
+#include "vo/motion_files/pose_collector.h"
 #include "vo/motion_files/timestamp.h"
 #include "vo/text_files/text_lines.h"
 
 namespace vo {
 namespace {
 
-constexpr std::size_t kValues = 8;
+constexpr double kKittiInterval = 0.1;   // s, between frames of its cameras
+constexpr double kUnitTolerance = 0.01;  // of a rotation from 1; files carry 4 decimals
 
-using Values = std::array<double, kValues>;
-
-Values first_values(const TextLine& line) {
-  Values v{};
-  for (std::size_t i = 0; i < kValues; ++i) {
-    v.at(i) = parse_number(line, i);
+template <std::size_t kCount>
+std::array<double, kCount> first_values(const TextLine& line) {
+  std::array<double, kCount> values{};
+  for (std::size_t i = 0; i < kCount; ++i) {
+    values.at(i) = parse_number(line, i);
   }
-  return v;
+  return values;
 }
 
-/// Returns the pose of a stamp in units of `unit_s` seconds, a position and a quaternion, w last.
-/// Throws Error if one of them is out of range.
-StampedPose stamped_pose(const TextLine& line, const Values& v, double unit_s) {
-  const double timestamp = parse_timestamp(line, 0, unit_s);
-  return {timestamp, checked_pose(line.place(), {v[7], v[4], v[5], v[6]}, {v[1], v[2], v[3]})};
+void require_within_reach(const std::string& place, const Eigen::Vector3d& position) {
+  require(position.lpNorm<Eigen::Infinity>() < kMaxMetres, place, ": expected a position within ",
+          kMaxMetres, " m of the origin");
 }
 
-StampedPose parse_pose(const TextLine& line) {
-  require(line.fields.size() == kValues, line.place(),
-          ": expected 8 values (timestamp tx ty tz qx qy qz qw), got ", line.fields.size());
-  return stamped_pose(line, first_values(line), 1);
+/// Returns the pose of a line in TUM's format with stamps in units of `unit_s` seconds.
+StampedPose parse_tum_pose(const TextLine& line, double unit_s) {
+  const auto [stamp, x, y, z, qx, qy, qz, qw] = first_values<8>(line);
+  return {checked_timestamp(line, stamp * unit_s),
+          checked_pose(line.place(), {qw, qx, qy, qz}, {x, y, z})};
 }
 
 StampedPose parse_euroc_pose(const TextLine& line) {
-  require(line.fields.size() >= kValues, line.place(),
-          ": expected at least 8 values (timestamp px py pz qw qx qy qz), got ",
-          line.fields.size());
-  const auto [ns, x, y, z, qw, qx, qy, qz] = first_values(line);
-  return stamped_pose(line, {ns, x, y, z, qx, qy, qz, qw}, 1e-9);
+  const auto [ns, x, y, z, qw, qx, qy, qz] = first_values<8>(line);
+  return {checked_timestamp(line, ns * kNanosecond),
+          checked_pose(line.place(), {qw, qx, qy, qz}, {x, y, z})};
 }
 
+SE3 parse_kitti_pose(const TextLine& line) {
+  require(line.fields.size() == 12, line.place(),
+          ": expected 12 values (the upper three rows of a pose's matrix), got ",
+          line.fields.size());
+  const std::array<double, 12> values = first_values<12>(line);
+  return checked_pose(
+      line.place(), Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(values.data()));
+}
+
+/// Reads poses with stamps, one a line, each by `parse`.
 template <typename ParsePose>
-Trajectory read_poses(const std::filesystem::path& path, ParsePose parse) {
-  const TextFile file(path);
-  Trajectory trajectory;
-  trajectory.reserve(file.line_count());
-  file.for_each_line([&](const TextLine& line) {
-    const StampedPose pose = parse(line);
-    require(trajectory.empty() || pose.timestamp > trajectory.back().timestamp, line.place(),
-            ": expected a stamp after the one before it, got ", line.fields[0]);
-    trajectory.push_back(pose);
+Trajectory read_lines(const TextFile& file, std::vector<std::string>& notes, ParsePose parse) {
+  PoseCollector poses(file.path(), PoseCollector::Order::of_time);
+  poses.reserve(file.line_count());
+  file.for_each_line([&](const TextLine& line) { poses.add(parse(line), line); });
+  return poses.finish(notes);
+}
+
+Trajectory read_tum(const TextFile& file, double unit_s, std::vector<std::string>& notes) {
+  return read_lines(file, notes, [&](const TextLine& line) {
+    require(line.fields.size() == 8, line.place(),
+            ": expected 8 values (timestamp tx ty tz qx qy qz qw), got ", line.fields.size());
+    return parse_tum_pose(line, unit_s);
   });
-  require(!trajectory.empty(), path.string(), ": holds no poses");
+}
+
+Trajectory read_euroc(const TextFile& file, std::vector<std::string>& notes) {
+  return read_lines(file, notes, [](const TextLine& line) {
+    require(line.fields.size() >= 8, line.place(),
+            ": expected at least 8 values (timestamp px py pz qw qx qy qz), got ",
+            line.fields.size());
+    return parse_euroc_pose(line);
+  });
+}
+
+Trajectory read_kitti(const TextFile& file, const FrameTimes* times,
+                      std::vector<std::string>& notes) {
+  std::size_t frame = 0;
+  const auto next_timestamp = [&](const TextLine& line) {
+    const std::size_t index = frame++;
+    if (times == nullptr) {
+      return kKittiInterval * static_cast<double>(index);
+    }
+    require(index < times->size(), line.place(), ": is pose ", index + 1,
+            ", expected as many as the ", times->size(), " stamps of ", times->path().string());
+    return times->at(index);
+  };
+  Trajectory trajectory = read_lines(file, notes, [&](const TextLine& line) {
+    return StampedPose{next_timestamp(line), parse_kitti_pose(line)};
+  });
+  require(times == nullptr || frame == times->size(), file.path().string(), ": holds ", frame,
+          " poses, expected as many as the ", times == nullptr ? 0 : times->size(), " stamps of ",
+          times == nullptr ? "" : times->path().string());
+  if (times == nullptr) {
+    notes.push_back(concat(file.path().string(), ": KITTI's poses have no stamps and are taken as ",
+                           kKittiInterval, " s apart; --times LIST gives them"));
+  }
   return trajectory;
+}
+
+Trajectory read_as(TrajectoryFormat format, const TextFile& file, const FrameTimes* times,
+                   std::vector<std::string>& notes) {
+  switch (format) {
+    case TrajectoryFormat::tum:
+      return read_tum(file, 1, notes);
+    case TrajectoryFormat::orb_slam:
+      return read_tum(file, kNanosecond, notes);
+    case TrajectoryFormat::euroc:
+      return read_euroc(file, notes);
+    case TrajectoryFormat::kitti:
+      return read_kitti(file, times, notes);
+    case TrajectoryFormat::colmap:
+      return read_colmap_images(file, times, notes);
+  }
+  return {};
 }
 
 }  // namespace
 
 SE3 checked_pose(const std::string& place, const Eigen::Quaterniond& rotation,
                  const Eigen::Vector3d& position) {
-  constexpr double kUnitTolerance = 0.01;  // of a quaternion's norm from 1; files carry 4 decimals
-  require(position.lpNorm<Eigen::Infinity>() < kMaxMetres, place, ": expected a position within ",
-          kMaxMetres, " m of the origin");
+  require_within_reach(place, position);
   require(std::abs(rotation.norm() - 1) < kUnitTolerance, place,
           ": expected a quaternion of length 1, got length ", rotation.norm());
   return {rotation, position};
 }
 
+SE3 checked_pose(const std::string& place, const Eigen::Matrix<double, 3, 4>& rows) {
+  const Eigen::Matrix3d R = rows.leftCols<3>();
+  require_within_reach(place, rows.col(3));
+  require((R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < kUnitTolerance &&
+              R.determinant() > 0,
+          place, ": expected a rotation in the first three columns");
+  return {Eigen::Quaterniond(R), rows.col(3)};
+}
+
+TrajectoryFile read_trajectory_file(const std::filesystem::path& path,
+                                    const TrajectoryReading& reading) {
+  const TextFile file(path);
+  TrajectoryFile result;
+  result.format = reading.format ? *reading.format : recognise_trajectory(file);
+  const std::optional<FrameTimes> times =
+      reading.times.empty() ? std::nullopt : std::optional<FrameTimes>(reading.times);
+  result.trajectory = read_as(result.format, file, times ? &*times : nullptr, result.notes);
+  return result;
+}
+
 Trajectory read_trajectory(const std::filesystem::path& path) {
-  return read_poses(path, parse_pose);
+  return read_trajectory_file(path).trajectory;
 }
 
-Trajectory read_euroc_trajectory(const std::filesystem::path& path) {
-  return read_poses(path, parse_euroc_pose);
-}
-
-std::string format_euroc_pose(const StampedPose& pose) {
-  const Eigen::Vector3d& t = pose.T_world_camera.translation();
-  const Eigen::Quaterniond& q = pose.T_world_camera.rotation();
-  std::array<char, 256> line{};
-  std::snprintf(line.data(), line.size(), "%lld,%.12g,%.12g,%.12g,%.12g,%.12g,%.12g,%.12g",
-                std::llround(pose.timestamp * 1e9), t.x(), t.y(), t.z(), q.w(), q.x(), q.y(),
-                q.z());
-  return line.data();
-}
-
-std::string format_trajectory(const Trajectory& trajectory) {
-  std::vector<double> timestamps;
-  for (const StampedPose& pose : trajectory) {
-    timestamps.push_back(pose.timestamp);
-  }
-  const std::vector<std::string> stamps = format_timestamps(timestamps);
-  std::string text = "# timestamp tx ty tz qx qy qz qw\n";
-  for (std::size_t i = 0; i < trajectory.size(); ++i) {
-    const Eigen::Vector3d& t = trajectory[i].T_world_camera.translation();
-    const Eigen::Quaterniond& q = trajectory[i].T_world_camera.rotation();
-    text += stamps[i];
-    for (const double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) {
-      std::array<char, 400> number{};  // the greatest double has 309 digits
-      std::snprintf(number.data(), number.size(), " %.9f", value);
-      text += number.data();
-    }
-    text += "\n";
-  }
-  return text;
+Trajectory read_truth(const std::filesystem::path& path, TrajectoryFormat format,
+                      std::vector<std::string>& notes) {
+  return read_as(format, TextFile(path), nullptr, notes);
 }
 
 }  // namespace vo

@@ -136,11 +136,13 @@ MonoSequenceResult track_mono_sequence(const MonoInput& input, const MonoOptions
   const RgbdCamera& camera = frames.sequence().camera();
   MonoOptions started = options;
   started.tracker = options.tracker.starting_from(camera);
-  return track_mono_images({.camera = camera.pinhole,
-                            .T_world_first = {},
-                            .size = frames.size(),
-                            .next = [&] { return frames.next(); }},
-                           started, observe, progress);
+  MonoSequenceResult result = track_mono_images({.camera = camera.pinhole,
+                                                 .T_world_first = {},
+                                                 .size = frames.size(),
+                                                 .next = [&] { return frames.next(); }},
+                                                started, observe, progress);
+  result.sequence_notes = frames.sequence().notes();
+  return result;
 }
 
 std::string format_mono_log(const std::vector<MonoResult>& frames) {

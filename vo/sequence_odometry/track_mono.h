@@ -27,6 +27,7 @@ struct MonoSequenceResult {
   Trajectory trajectory;
   std::size_t oriented_poses = 0;         ///< poses of the trajectory whose rotation alone is known
   std::size_t scale_uncertain_poses = 0;  ///< poses of the trajectory in a map of uncertain scale
+  std::vector<std::string> sequence_notes;  ///< as SequenceReader::notes has them
 
   SequenceResult tracking() const;  ///< what the RGB-D odometry would return, too
   double mapping_ms() const;        ///< median over the frames in which the map was observed

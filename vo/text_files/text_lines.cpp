@@ -22,6 +22,18 @@ void split(std::string_view line, std::vector<std::string_view>& fields) {
   }
 }
 
+std::string_view without_comment(std::string_view line) {
+  return line.substr(0, line.find('#'));
+}
+
+/// Makes `line` the one that begins at an index of the text; returns where the next one begins.
+std::size_t next_line(std::string_view text, std::size_t begin, TextLine& line) {
+  const std::size_t end = std::min(text.find('\n', begin), text.size());
+  line.text = text.substr(begin, end - begin);
+  ++line.number;
+  return end + 1;
+}
+
 }  // namespace
 
 std::string TextLine::place() const {
@@ -35,17 +47,33 @@ std::size_t TextFile::line_count() const {
   return static_cast<std::size_t>(std::count(text_.begin(), text_.end(), '\n')) + 1;
 }
 
+TextLine TextFile::first_line() const {
+  TextLine line{path_, 0, {}, {}};
+  std::size_t begin = 0;
+  while (begin < text_.size() && line.fields.empty()) {
+    begin = next_line(text_, begin, line);
+    split(without_comment(line.text), line.fields);
+  }
+  return line;
+}
+
 void TextFile::for_each_line(const std::function<void(const TextLine& line)>& visit) const {
-  TextLine line{path_, 0, {}};
+  TextLine line{path_, 0, {}, {}};
   for (std::size_t begin = 0; begin < text_.size();) {
-    const std::size_t end = std::min(text_.find('\n', begin), text_.size());
-    const std::string_view text = std::string_view(text_).substr(begin, end - begin);
-    ++line.number;
-    split(text.substr(0, text.find('#')), line.fields);
+    begin = next_line(text_, begin, line);
+    split(without_comment(line.text), line.fields);
     if (!line.fields.empty()) {
       visit(line);
     }
-    begin = end + 1;
+  }
+}
+
+void TextFile::for_each_whole_line(const std::function<void(const TextLine& line)>& visit) const {
+  TextLine line{path_, 0, {}, {}};
+  for (std::size_t begin = 0; begin < text_.size();) {
+    begin = next_line(text_, begin, line);
+    split(line.text, line.fields);
+    visit(line);
   }
 }
 

@@ -1,7 +1,9 @@
 #include "synth/path_planning/path_options.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/error_text.h"
 #include "tests/support/example_trajectory.h"
 #include "tests/support/pose_near.h"
 #include "tests/support/temp_folder.h"
@@ -27,6 +29,25 @@ TEST(PathOptions, ATrajectoryIsTakenAsItIs) {
       synth::make_trajectory({.kind = synth::PathKind::trajectory, .file = file}, kNoScene);
   ASSERT_EQ(path.size(), truth.size());
   EXPECT_THAT(path[3].T_world_camera, PoseNear(truth[3].T_world_camera, kFilePrecision));
+}
+
+TEST(PathOptions, ATrajectoryIsReadInAnyFormat) {
+  const TempFolder folder;
+  const vo::Trajectory truth = support::example_trajectory(7, 10, 5.0);
+  const auto file = folder.write("poses.txt", vo::format_kitti_poses(truth));
+  const auto times = folder.write("times.txt", vo::format_kitti_times(truth));
+  synth::PathOptions options{.kind = synth::PathKind::trajectory, .file = file};
+  options.file_times = times;
+  for (const char* format : {"", "kitti"}) {
+    options.file_format = format;
+    const vo::Trajectory path = synth::make_trajectory(options, kNoScene);
+    ASSERT_EQ(path.size(), truth.size());
+    EXPECT_NEAR(path[3].timestamp, truth[3].timestamp, 1e-9);
+    EXPECT_THAT(path[3].T_world_camera, PoseNear(truth[3].T_world_camera, kFilePrecision));
+  }
+  options.file_format = "kiti";
+  EXPECT_THAT(support::error_text([&] { options.validate(); }),
+              testing::HasSubstr("path.file_format: expected one of tum, euroc, kitti"));
 }
 
 TEST(PathOptions, ASplineOfAFileRunsThroughItsPosesAtTheirTimes) {

@@ -110,7 +110,7 @@ TEST_F(Streams, AnErrorNamesTheStreamAndItsLine) {
   write("bad.txt", "1 2\n");
   const ProgramResult bad = piped("bad.txt", "evaluate " + path("e.txt") + " -");
   EXPECT_EQ(bad.exit_code, 3);
-  EXPECT_THAT(bad.err, HasSubstr("/dev/stdin:1: expected 8 values"));
+  EXPECT_THAT(bad.err, HasSubstr("/dev/stdin:1: expected the 8 values"));
   const ProgramResult closed = run_program("evaluate " + path("e.txt") + " - <&-");
   EXPECT_EQ(closed.exit_code, 3);
   EXPECT_THAT(closed.err, HasSubstr("/dev/stdin: is closed"));

@@ -69,6 +69,7 @@ RUNS = [
     Run("evaluate sequence/groundtruth.txt track.txt --json", "evaluate"),
     Run("evaluate sequence/groundtruth.txt mono.txt --align sim3 --interval 5f --sequence sequence "
         "--estimate-offset --json", "evaluate"),
+    Run("evaluate euroc/mav0/state_groundtruth_estimate0/data.csv track.txt --format euroc,tum --json", "evaluate"),
     Run("run scenarios/good.toml --out run --report-times --json", "run"),
     Run("run scenarios/bad.toml --out run_bad --json", "run", (4,)),
     Run("run scenarios/mono.toml --out run_mono --json", "run"),

@@ -31,6 +31,26 @@ TEST(TextFile, VisitsTheLinesThatHoldSomething) {
   EXPECT_THAT(seen, ElementsAre("2: 1 a b", "5: 2 c", "7: 3"));
 }
 
+TEST(TextFile, VisitsAllLinesWhereTheyAreAskedFor) {
+  const TempFolder folder;
+  folder.write("list", "# a,b\r\n\n1 2 # c");
+  std::vector<std::string> seen;
+  vo::TextFile(folder.path() / "list").for_each_whole_line([&](const vo::TextLine& line) {
+    seen.push_back(std::to_string(line.number) + ":" + std::to_string(line.fields.size()) + ":" +
+                   std::string(line.text));
+  });
+  EXPECT_THAT(seen, ElementsAre("1:3:# a,b\r", "2:0:", "3:4:1 2 # c"));
+}
+
+TEST(TextFile, KnowsItsFirstLineThatHoldsSomething) {
+  const TempFolder folder;
+  const vo::TextFile file(folder.write("list", "# head\n\n1 2 # c\n3\n"));
+  EXPECT_EQ(file.first_line().number, 3U);
+  EXPECT_THAT(file.first_line().fields, ElementsAre("1", "2"));
+  const vo::TextFile empty(folder.write("empty", "# head\n"));
+  EXPECT_TRUE(empty.first_line().fields.empty());
+}
+
 TEST(TextFile, NamesTheLineOfAValueThatIsNoNumber) {
   const TempFolder folder;
   folder.write("list", "1\n\ntwo\n");

@@ -1,0 +1,47 @@
+#include "vo/motion_files/pose_collector.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "vo/core/error.h"
+
+namespace vo {
+
+PoseCollector::PoseCollector(std::filesystem::path path, Order order)
+    : path_(std::move(path)), order_(order) {}
+
+void PoseCollector::add(const StampedPose& pose, const TextLine& line) {
+  const double back = poses_.empty() ? 0 : latest_ - pose.timestamp;
+  if (order_ == Order::of_time && back > kMaxDisorder) {
+    fail(line.place(), ": expected a stamp after the ones before it, or up to ", kMaxDisorder,
+         " s earlier, got one that is ", back, " s earlier");
+  }
+  disordered_ += back > 0 ? 1 : 0;
+  most_disorder_ = std::max(most_disorder_, back);
+  latest_ = poses_.empty() ? pose.timestamp : std::max(latest_, pose.timestamp);
+  poses_.push_back(pose);
+}
+
+Trajectory PoseCollector::finish(std::vector<std::string>& notes) {
+  require(!poses_.empty(), path_.string(), ": holds no poses");
+  if (disordered_ > 0) {
+    std::stable_sort(poses_.begin(), poses_.end(),
+                     [](const auto& a, const auto& b) { return a.timestamp < b.timestamp; });
+  }
+  if (disordered_ > 0 && order_ == Order::of_time) {
+    notes.push_back(concat(path_.string(), ": ", disordered_, " of ", poses_.size(),
+                           " poses came after later ones, by up to ", most_disorder_,
+                           " s; they were sorted"));
+  }
+  const std::size_t all = poses_.size();
+  poses_.erase(std::unique(poses_.begin(), poses_.end(),
+                           [](const auto& a, const auto& b) { return a.timestamp == b.timestamp; }),
+               poses_.end());
+  if (poses_.size() < all) {
+    notes.push_back(concat(path_.string(), ": ", all - poses_.size(), " of ", all,
+                           " poses have the stamp of another; the first of each stamp counts"));
+  }
+  return std::move(poses_);
+}
+
+}  // namespace vo
