@@ -28,7 +28,7 @@ ONLY_IN = {  # header of a library: the files that may name it
     "png.h": ["vo/image_files/png.cpp"],
     "turbojpeg.h": ["vo/image_files/jpeg_codec.cpp"],
     "xxhash.h": ["vo/hashing/content_hash.cpp"],
-    "zlib.h": ["vo/files/gzip.cpp"],
+    "zlib.h": ["vo/files/gzip.cpp", "vo/files/zip.cpp"],
     "webp/": ["tools/pictures/webp.cpp"],
     "CLI/": ["tools/cli/", "tools/commands/", "tools/edvo.cpp"],
     "opencv2/rgbd": ["tools/bench/peers/opencv_peer.cpp"],

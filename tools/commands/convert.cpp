@@ -1,6 +1,10 @@
+#include <array>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -8,17 +12,23 @@
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/scene_arguments.h"
 #include "tools/cli/standard_streams.h"
+#include "tools/cli/trajectory_arguments.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/track_arguments.h"
 #include "tools/json/document.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/dataset/convert_sequence.h"
+#include "vo/files/output.h"
+#include "vo/motion_files/timestamp.h"
+#include "vo/motion_files/trajectory_file.h"
 
 namespace tools {
 namespace {
 
 constexpr const char* kConvertHelp =
-    "Writes a sequence in another format, its poses, camera and IMU included:\n"
+    "Writes a sequence, IN a folder, in another format, its poses, camera and IMU included, or a\n"
+    "trajectory, IN a file. Sequences:\n"
     "  tum       rgb/, depth/ (16 bit), rgb.txt, depth.txt, groundtruth.txt, camera.toml,\n"
     "            imu.csv, imu.toml\n"
     "  euroc     mav0/cam0, imu0, state_groundtruth_estimate0 (ns, quaternion w first; at the\n"
@@ -29,12 +39,20 @@ constexpr const char* kConvertHelp =
     "  icl-tum   the \"TUM compatible\" form: rgb/N.png, depth/N.png, associations.txt,\n"
     "            *.gt.freiburg\n"
     "Both forms of ICL-NUIM have a camera with y up (fy < 0) in a left-handed world and no stamps\n"
-    "(30 Hz): converting turns them round. Depth beyond 16 bit becomes 0 and is counted.";
+    "(30 Hz): converting turns them round. Depth beyond 16 bit becomes 0 and is counted.\n"
+    "Trajectories, of any format that is read:\n"
+    "  tum       timestamp tx ty tz qx qy qz qw, s\n"
+    "  euroc     timestamp,px,py,pz,qw,qx,qy,qz, ns, as its ground truth without velocity and "
+    "biases\n"
+    "  kitti     the upper three rows of each pose's matrix, and the stamps in a file beside it:\n"
+    "            poses_times.txt for poses.txt";
 
 constexpr const char* kConvertExamples =
     "Examples:\n"
     "  edvo convert sequence sequence_euroc --format euroc\n"
-    "  edvo convert living_room_traj0 sequence --format tum";
+    "  edvo convert living_room_traj0 sequence --format tum\n"
+    "  edvo convert estimate.txt poses.txt --format kitti\n"
+    "  edvo convert poses/00.txt groundtruth.txt --format tum --times sequences/00/times.txt";
 
 struct ConvertArguments {
   CommonOptions common;
@@ -43,6 +61,7 @@ struct ConvertArguments {
   std::string format;
   std::string from;
   std::string camera;
+  std::string times;
 };
 
 vo::ConvertJob chosen_job(const ConvertArguments& arguments) {
@@ -55,6 +74,12 @@ vo::ConvertJob chosen_job(const ConvertArguments& arguments) {
   });
   job.camera = given_camera(arguments.camera);
   return job;
+}
+
+void print_notes(const std::vector<std::string>& notes, const Colours& colours) {
+  for (const std::string& note : notes) {
+    std::cout << colours.paint(Tone::caution, "note") << "  " << note << "\n";
+  }
 }
 
 void print(const ConvertArguments& arguments, const vo::ConvertOutcome& outcome,
@@ -76,9 +101,84 @@ void print(const ConvertArguments& arguments, const vo::ConvertOutcome& outcome,
   if (outcome.depth_beyond_16_bit > 0) {
     std::cout << outcome.depth_beyond_16_bit << " depth pixels beyond 16 bit became 0\n";
   }
-  for (const std::string& note : outcome.notes) {
-    std::cout << colours.paint(Tone::caution, "note") << "  " << note << "\n";
+  print_notes(outcome.notes, colours);
+}
+
+/// The formats in which a trajectory is written.
+enum class WrittenTrajectory { tum, euroc, kitti };
+
+constexpr auto enum_names(WrittenTrajectory) {
+  return std::array{std::pair{WrittenTrajectory::tum, "tum"},
+                    std::pair{WrittenTrajectory::euroc, "euroc"},
+                    std::pair{WrittenTrajectory::kitti, "kitti"}};
+}
+
+WrittenTrajectory chosen_trajectory_format(const ConvertArguments& arguments) {
+  try {
+    return vo::parse_enum<WrittenTrajectory>(arguments.format);
+  } catch (const vo::Error& error) {
+    vo::fail_as(vo::ErrorKind::usage, "--format: ", error.what(), " for ", arguments.in,
+                ", a trajectory");
   }
+}
+
+/// Returns the files that a trajectory becomes, the trajectory first.
+std::vector<vo::NamedBytes> encode_trajectory(const std::filesystem::path& out,
+                                              WrittenTrajectory format,
+                                              const vo::Trajectory& trajectory) {
+  switch (format) {
+    case WrittenTrajectory::tum:
+      return {{out, vo::format_trajectory(trajectory)}};
+    case WrittenTrajectory::euroc:
+      vo::require_nanoseconds_apart(vo::timestamps_of(trajectory));
+      return {{out, vo::format_euroc_trajectory(trajectory)}};
+    case WrittenTrajectory::kitti:
+      return {{out, vo::format_kitti_poses(trajectory)},
+              {beside(out, "_times.txt"), vo::format_kitti_times(trajectory)}};
+  }
+  return {};
+}
+
+void print(const ConvertArguments& arguments, const vo::TrajectoryFile& file,
+           const Colours& colours) {
+  if (arguments.common.json) {
+    const nlohmann::ordered_json result = {{"out", arguments.out},
+                                           {"from", vo::to_string(file.format)},
+                                           {"format", arguments.format},
+                                           {"poses", file.trajectory.size()},
+                                           {"notes", file.notes}};
+    std::cout << json_text(json_document({"convert_trajectory"}, result));
+    return;
+  }
+  std::cout << arguments.out << ": " << file.trajectory.size() << " poses\n";
+  print_notes(file.notes, colours);
+}
+
+void convert_trajectory(const ConvertArguments& arguments, const Session& session) {
+  const WrittenTrajectory format = chosen_trajectory_format(arguments);
+  vo::require_writable(arguments.out);
+  const vo::TrajectoryFile file = vo::read_trajectory_file(
+      arguments.in, chosen_reading({.format = arguments.from, .times = arguments.times}));
+  const std::vector<vo::NamedBytes> files =
+      encode_trajectory(arguments.out, format, file.trajectory);
+  const vo::OutputPolicy policy = arguments.common.output_policy();
+  for (const auto& [name, bytes] : files) {
+    vo::require_no_conflict(name, bytes, policy.existing);
+  }
+  for (const auto& [name, bytes] : files) {
+    vo::write_file(name, bytes, policy);
+  }
+  print(arguments, file, session.out);
+}
+
+void convert_sequence(const ConvertArguments& arguments, const Session& session) {
+  const vo::ConvertJob job = chosen_job(arguments);
+  ProgressBar bar("converting", arguments.common.verbosity());
+  bar.announce("reading " + arguments.in);
+  const vo::ConvertOutcome outcome =
+      vo::convert_sequence(job, arguments.common.output_policy(), bar.callback());
+  bar.erase();
+  print(arguments, outcome, session.out);
 }
 
 }  // namespace
@@ -87,21 +187,24 @@ void add_convert_command(CLI::App& program, Session& session) {
   CLI::App& command = *program.add_subcommand("convert", kConvertHelp);
   const auto arguments = std::make_shared<ConvertArguments>();
   command.footer(kConvertExamples);
-  command.add_option("IN", arguments->in, "folder of a sequence")->required();
-  command.add_option("OUT", arguments->out, "folder to make")->required();
-  command.add_option("--format", arguments->format, "tum | euroc | icl-nuim | icl-tum")->required();
+  command.add_option("IN", arguments->in, "folder of a sequence, or trajectory")->required();
+  command.add_option("OUT", arguments->out, "folder or trajectory to make")->required();
+  command
+      .add_option("--format", arguments->format,
+                  "tum | euroc | icl-nuim | icl-tum, of a trajectory tum | euroc | kitti")
+      ->required();
   command.add_option("--from", arguments->from, "the format of IN, where it is not found out");
   command.add_option("--camera", arguments->camera, "preset or FILE.toml, instead of IN's own");
+  command.add_option("--times", arguments->times,
+                     "list of the stamps of a trajectory without (KITTI, COLMAP)");
   add_common_options(command, arguments->common);
-  take_streams(command, {.inputs = {"--camera"}, .others = {"IN", "OUT"}});
+  take_streams(command, {.inputs = {"--camera", "--times"}, .others = {"IN", "OUT"}});
   command.callback([arguments, &session] {
-    const vo::ConvertJob job = chosen_job(*arguments);
-    ProgressBar bar("converting", arguments->common.verbosity());
-    bar.announce("reading " + arguments->in);
-    const vo::ConvertOutcome outcome =
-        vo::convert_sequence(job, arguments->common.output_policy(), bar.callback());
-    bar.erase();
-    print(*arguments, outcome, session.out);
+    if (std::filesystem::is_regular_file(arguments->in)) {
+      convert_trajectory(*arguments, session);
+    } else {
+      convert_sequence(*arguments, session);
+    }
   });
 }
 

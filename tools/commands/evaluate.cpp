@@ -14,10 +14,12 @@
 #include "tools/cli/standard_streams.h"
 #include "tools/cli/trajectory_arguments.h"
 #include "tools/commands/commands.h"
+#include "tools/evo_result/evo_result.h"
 #include "tools/json/document.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/dataset/sequence.h"
+#include "vo/files/output.h"
 #include "vo/motion_files/trajectory_file.h"
 
 namespace tools {
@@ -40,6 +42,7 @@ constexpr const char* kEvaluateExamples =
     "  edvo evaluate groundtruth.txt estimate.txt --align sim3 --interval 30f --json\n"
     "  edvo evaluate poses/00.txt estimate.txt --times sequences/00/times.txt   # KITTI\n"
     "  edvo evaluate groundtruth.txt sparse/0/images.txt --times rgb.txt --align sim3   # COLMAP\n"
+    "  edvo evaluate groundtruth.txt estimate.txt --evo-ape edvo.zip && evo_res edvo.zip orb.zip\n"
     "  edvo evaluate groundtruth.txt estimate.txt --estimate-offset   # are the clocks right?\n"
     "  edvo evaluate sequence/groundtruth.txt e.txt --sequence sequence   # and tracked_fraction";
 
@@ -52,6 +55,7 @@ struct EvaluateArguments {
   std::string interval = "1s";
   bool interval_is_chosen = false;
   std::string sequence;
+  std::string evo_ape;
   bool estimate_offset = false;
   vo::EvaluationOptions options;
 };
@@ -182,6 +186,9 @@ vo::Trajectory read(const EvaluateArguments& arguments, std::size_t index, Repor
 void evaluate(EvaluateArguments& arguments, const Session& session) {
   arguments.options.alignment = vo::parse_enum<vo::TrajectoryAlignment>(arguments.align);
   arguments.options.interval = parse_interval(arguments.interval);
+  if (!arguments.evo_ape.empty()) {
+    vo::require_writable(arguments.evo_ape);
+  }
   ProgressBar bar("evaluating", arguments.common.verbosity());
   bar.announce();
   Report report;
@@ -198,6 +205,12 @@ void evaluate(EvaluateArguments& arguments, const Session& session) {
   if (arguments.estimate_offset) {
     report.has_offset = true;
     report.offset = vo::estimate_time_offset(truth, estimate, arguments.options);
+  }
+  if (!arguments.evo_ape.empty()) {
+    vo::write_file(
+        arguments.evo_ape,
+        encode_evo_ape({truth, estimate, arguments.truth, arguments.estimate}, arguments.options),
+        arguments.common.output_policy());
   }
   bar.erase();
   if (arguments.common.json) {
@@ -228,8 +241,12 @@ void add_evaluate_command(CLI::App& program, Session& session) {
                    "also print the offsets that would make each error least");
   command.add_option("--sequence", arguments->sequence,
                      "the sequence that was tracked, for tracked_fraction");
+  command.add_option(
+      "--evo-ape", arguments->evo_ape,
+      "ZIP with the absolute errors as evo_ape --save_results writes it, for evo_res");
   add_common_options(command, arguments->common);
-  take_streams(command, {.inputs = {"TRUTH", "ESTIMATE", "--times"}, .others = {"--sequence"}});
+  take_streams(command,
+               {.inputs = {"TRUTH", "ESTIMATE", "--times"}, .others = {"--sequence", "--evo-ape"}});
   command.callback([arguments, &session] { evaluate(*arguments, session); });
 }
 

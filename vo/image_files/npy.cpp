@@ -13,12 +13,10 @@ namespace {
 constexpr std::string_view kNpyMagic("\x93NUMPY\x01\x00", 8);
 constexpr std::size_t kAlignment = 64;  // bytes, a multiple of which the data starts at
 
-}  // namespace
-
-std::string encode_npy(const cv::Mat& image) {
-  CV_Assert(image.depth() == CV_32F && (image.channels() == 1 || image.channels() == 3));
-  std::string header = concat("{'descr': '<f4', 'fortran_order': False, 'shape': (", image.rows,
-                              ", ", image.cols, image.channels() == 3 ? ", 3" : "", "), }");
+/// Returns all that stands before the data of a file of this type and shape, `3, 4`.
+std::string npy_header(const char* type, const std::string& shape) {
+  std::string header =
+      concat("{'descr': '", type, "', 'fortran_order': False, 'shape': (", shape, "), }");
   const std::size_t used = kNpyMagic.size() + 2 + header.size() + 1;
   header.append((kAlignment - used % kAlignment) % kAlignment, ' ');
   header.push_back('\n');
@@ -26,11 +24,28 @@ std::string encode_npy(const cv::Mat& image) {
   std::string bytes(kNpyMagic);
   bytes.push_back(static_cast<char>(header.size() & 0xff));
   bytes.push_back(static_cast<char>(header.size() >> 8));
-  bytes += header;
+  return bytes + header;
+}
+
+}  // namespace
+
+std::string encode_npy(const cv::Mat& image) {
+  CV_Assert(image.depth() == CV_32F && (image.channels() == 1 || image.channels() == 3));
+  std::string bytes =
+      npy_header("<f4", concat(image.rows, ", ", image.cols, image.channels() == 3 ? ", 3" : ""));
   for (int v = 0; v < image.rows; ++v) {
     bytes.append(image.ptr<char>(v), static_cast<std::size_t>(image.cols) * image.elemSize());
   }
   return bytes;
+}
+
+std::string encode_npy(std::span<const double> values, std::span<const std::size_t> shape) {
+  std::string lengths;
+  for (const std::size_t length : shape) {
+    lengths += concat(length, ", ");  // Python's tuple of one has a comma behind it
+  }
+  return npy_header("<f8", lengths)
+      .append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
 }
 
 cv::Mat read_npy(const std::filesystem::path& path) {

@@ -6,18 +6,6 @@
 #include "vo/motion_files/trajectory_file.h"
 
 namespace vo {
-namespace {
-
-std::vector<std::string> stamps_of(const Trajectory& trajectory) {
-  std::vector<double> timestamps;
-  for (const StampedPose& pose : trajectory) {
-    timestamps.push_back(pose.timestamp);
-  }
-  return format_timestamps(timestamps);
-}
-
-}  // namespace
-
 std::string format_euroc_pose(const StampedPose& pose) {
   const Eigen::Vector3d& t = pose.T_world_camera.translation();
   const Eigen::Quaterniond& q = pose.T_world_camera.rotation();
@@ -39,7 +27,7 @@ std::string format_euroc_trajectory(const Trajectory& trajectory) {
 }
 
 std::string format_trajectory(const Trajectory& trajectory) {
-  const std::vector<std::string> stamps = stamps_of(trajectory);
+  const std::vector<std::string> stamps = format_timestamps(timestamps_of(trajectory));
   std::string text = "# timestamp tx ty tz qx qy qz qw\n";
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     const Eigen::Vector3d& t = trajectory[i].T_world_camera.translation();
@@ -72,7 +60,7 @@ std::string format_kitti_poses(const Trajectory& trajectory) {
 
 std::string format_kitti_times(const Trajectory& trajectory) {
   std::string text;
-  for (const std::string& stamp : stamps_of(trajectory)) {
+  for (const std::string& stamp : format_timestamps(timestamps_of(trajectory))) {
     text += stamp + "\n";
   }
   return text;

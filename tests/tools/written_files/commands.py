@@ -70,6 +70,9 @@ RUNS = [
     Run("evaluate sequence/groundtruth.txt mono.txt --align sim3 --interval 5f --sequence sequence "
         "--estimate-offset --json", "evaluate"),
     Run("evaluate euroc/mav0/state_groundtruth_estimate0/data.csv track.txt --format euroc,tum --json", "evaluate"),
+    Run("convert track.txt track_kitti.txt --format kitti --json", "convert_trajectory"),
+    Run("convert track_kitti.txt track_euroc.csv --format euroc --times track_kitti_times.txt --json", "convert_trajectory"),
+    Run("evaluate sequence/groundtruth.txt track_euroc.csv --evo-ape ape.zip --json", "evaluate"),
     Run("run scenarios/good.toml --out run --report-times --json", "run"),
     Run("run scenarios/bad.toml --out run_bad --json", "run", (4,)),
     Run("run scenarios/mono.toml --out run_mono --json", "run"),

@@ -6,12 +6,14 @@ valid or does not mean what a file of its kind must.
 
 import csv
 import html.parser
+import io
 import json
 import math
 import re
 import subprocess
 import tomllib
 import xml.etree.ElementTree as ElementTree
+import zipfile
 
 import numpy
 
@@ -225,9 +227,32 @@ def points_as_ply(points):
     return rewritten.tobytes()
 
 
+def parse_zip(path):
+    """An archive of evo's: its files are whole, and its arrays and statistics are those of one another."""
+    with zipfile.ZipFile(path) as archive:
+        require(archive.testzip() is None, f"{archive.testzip()} is damaged")
+        files = {name: archive.read(name) for name in archive.namelist()}
+    require({"info.json", "stats.json", "error_array.npy"} <= set(files), f"is not for evo_res: {sorted(files)}")
+    info, stats = load_json(files["info.json"].decode()), load_json(files["stats.json"].decode())
+    require({"title", "label", "ref_name", "est_name"} == set(info), f"info.json has {sorted(info)}")
+    arrays = {name[:-4]: numpy.load(io.BytesIO(data)) for name, data in files.items() if name.endswith(".npy")}
+    alignment = arrays.pop("alignment_transformation_sim3", numpy.eye(4))
+    require(alignment.shape == (4, 4) and not alignment[3].dot([1, 1, 1, 0]), "the alignment is no 4 x 4 matrix")
+    errors = arrays["error_array"]
+    for name, array in arrays.items():
+        require(array.dtype == numpy.float64 and array.shape == errors.shape, f"{name} is {array.dtype}{array.shape}")
+        require(numpy.isfinite(array).all(), f"{name}: nan or inf")
+    require((numpy.diff(arrays["timestamps"]) > 0).all(), "stamps do not increase")
+    expected = {"rmse": numpy.sqrt(numpy.mean(errors ** 2)), "mean": errors.mean(), "median": numpy.median(errors),
+                "std": errors.std(), "min": errors.min(), "max": errors.max(), "sse": numpy.sum(errors ** 2)}
+    require(set(stats) == set(expected), f"stats.json has {sorted(stats)}")
+    for name, value in expected.items():
+        require(math.isclose(stats[name], value, rel_tol=1e-9, abs_tol=1e-12), f"{name} is {stats[name]}, not {value}")
+
+
 PARSERS = {".json": parse_json, ".toml": parse_toml, ".csv": parse_csv, ".svg": parse_svg,
            ".xml": parse_junit, ".html": parse_html, ".md": parse_markdown,
-           ".ply": parse_ply, ".pcd": parse_pcd}
+           ".ply": parse_ply, ".pcd": parse_pcd, ".zip": parse_zip}
 OTHERS = {".png", ".npy", ".flo", ".txt", ".gz", ".yaml", ".depth", ".freiburg", ".files", ""}
 
 

@@ -1,15 +1,41 @@
 #!/usr/bin/env python3
 """Holds the parsers to what they must refuse: planted_faults.py."""
 
+import io
+import json
 import pathlib
 import sys
 import tempfile
+import zipfile
+
+try:
+    import numpy
+except ImportError:
+    print("skipped: python3-numpy is not installed")
+    sys.exit(77)
 
 import parsers
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9">{}</svg>'
 SUITE = '<testsuites><testsuite tests="{}" failures="0" errors="0"><testcase name="a" classname="b" time="0"/></testsuite></testsuites>'
 PAGE = '<html><head><title>t</title></head><body>{}<script type="application/json">{}</script></body></html>'
+
+
+
+def evo_archive(rmse=5.0, stamps=(1.0, 2.0)):
+    """An archive of the errors 1 m and 7 m."""
+    stats = {"rmse": rmse, "mean": 4.0, "median": 4.0, "std": 3.0, "min": 1.0, "max": 7.0, "sse": 50.0}
+    info = {"title": "t", "label": "l", "ref_name": "a", "est_name": "b"}
+    bytes_of = io.BytesIO()
+    with zipfile.ZipFile(bytes_of, "w") as archive:
+        archive.writestr("info.json", json.dumps(info))
+        archive.writestr("stats.json", json.dumps(stats))
+        for name, values in (("error_array", (1.0, 7.0)), ("timestamps", stamps)):
+            array = io.BytesIO()
+            numpy.save(array, numpy.array(values))
+            archive.writestr(name + ".npy", array.getvalue())
+    return bytes_of.getvalue()
+
 
 GOOD = {
     "a.json": '{"x": [1, null]}',
@@ -19,6 +45,7 @@ GOOD = {
     "a.xml": SUITE.format(1),
     "a.html": PAGE.format("<p>x</p>", "{}"),
     "a.md": "| a | b |\n|---|---|\n| 1 | 2 |\n",
+    "a.zip": evo_archive(),
 }
 FAULTS = {
     "nan.json": '{"x": NaN}',
@@ -41,6 +68,10 @@ FAULTS = {
     "nan.html": PAGE.format("", '{"x": NaN}'),
     "picture.md": "![x](nowhere.svg)\n",
     "cells.md": "| a | b |\n|---|---|\n| 1 |\n",
+    "cut.zip": evo_archive()[:-9],
+    "damaged.zip": evo_archive().replace(b"NUMPY", b"NUMPI", 1),
+    "rmse.zip": evo_archive(rmse=4.0),
+    "stamps.zip": evo_archive(stamps=(2.0, 1.0)),
     "a.unknown": "",
 }
 

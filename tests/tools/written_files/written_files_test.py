@@ -2,7 +2,7 @@
 """Runs every command that writes a file or prints JSON and reads all of it with parsers that are not
 the project's own: written_files_test.py EDVO SOURCE_FOLDER WORK_FOLDER.
 
-Exits with 77 (skipped) where xmllint or python3-jsonschema is not installed.
+Exits with 77 (skipped) where xmllint, python3-jsonschema or python3-numpy is not installed.
 """
 
 import pathlib
@@ -13,9 +13,8 @@ import subprocess
 import sys
 import time
 
-import parsers
-
 try:
+    import parsers
     import schemas
 except ImportError:
     schemas = None
@@ -108,7 +107,7 @@ def prepare(work, source):
 def main():
     program, source, work = (pathlib.Path(word).resolve() for word in sys.argv[1:4])
     if schemas is None or shutil.which("xmllint") is None:
-        print("skipped: python3-jsonschema or xmllint (libxml2-utils) is not installed")
+        print("skipped: python3-jsonschema, python3-numpy or xmllint (libxml2-utils) is not installed")
         return 77
     prepare(work, source)
     check = Check(program, work, schemas.Schemas(source / "docs" / "schemas"))

@@ -1,5 +1,7 @@
 #include "vo/image_files/npy.h"
 
+#include <array>
+#include <cstring>
 #include <limits>
 
 #include <gmock/gmock.h>
@@ -35,6 +37,15 @@ TEST(Npy, HeaderIsPaddedTo64Bytes) {
   EXPECT_EQ(bytes.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));
   EXPECT_EQ(bytes[127], '\n');
   EXPECT_THAT(bytes, HasSubstr("'descr': '<f4', 'fortran_order': False, 'shape': (2, 3)"));
+}
+
+TEST(Npy, NumbersHaveTheShapeThatIsAskedFor) {
+  const std::array<double, 3> values = {1, 2.5, -3};
+  const std::string list = vo::encode_npy(values, std::array<std::size_t, 1>{3});
+  ASSERT_EQ(list.size(), 128 + sizeof(values));
+  EXPECT_THAT(list, HasSubstr("'descr': '<f8', 'fortran_order': False, 'shape': (3, ), }"));
+  EXPECT_EQ(std::memcmp(list.data() + 128, values.data(), sizeof(values)), 0);
+  EXPECT_THAT(vo::encode_npy(values, std::array<std::size_t, 2>{1, 3}), HasSubstr("(1, 3, )"));
 }
 
 TEST(Npy, RejectsOtherFiles) {
