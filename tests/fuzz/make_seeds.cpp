@@ -9,6 +9,7 @@
 #include "tests/support/small_forest.h"
 #include "vo/core/error.h"
 #include "vo/dataset/camera_file.h"
+#include "vo/dataset/depth_units.h"
 #include "vo/dataset/euroc.h"
 #include "vo/dataset/icl_nuim.h"
 #include "vo/dataset/sequence.h"
@@ -16,7 +17,9 @@
 #include "vo/image_files/float_image.h"
 #include "vo/image_files/flow_file.h"
 #include "vo/image_files/jpeg_codec.h"
+#include "vo/image_files/npy.h"
 #include "vo/image_files/png.h"
+#include "vo/image_files/pnm.h"
 #include "vo/motion_files/imu_file.h"
 #include "vo/motion_files/trajectory_file.h"
 #include "vo/structured_forest/structured_forest_file.h"
@@ -47,6 +50,9 @@ void add_images(Seeds& seeds) {
   seeds.push_back({"png/grey", vo::encode_png(pixels(CV_8UC1))});
   seeds.push_back({"png/colour", vo::encode_png(pixels(CV_8UC3))});
   seeds.push_back({"png/depth", vo::encode_png(pixels(CV_16UC1))});
+  for (const int type : {CV_8UC1, CV_8UC3, CV_16UC1}) {
+    seeds.push_back({"pnm/" + std::to_string(type), vo::encode_pnm(pixels(type))});
+  }
   for (const auto& [format, name] : enum_names(vo::FloatFormat{})) {
     const std::string folder(name);
     cv::Mat one(kHeight, kWidth, CV_32FC1, cv::Scalar::all(0.5));
@@ -118,6 +124,38 @@ void append(std::vector<vo::NamedBytes>& files, const std::vector<vo::NamedBytes
   files.insert(files.end(), more.begin(), more.end());
 }
 
+/// Sequences of one frame in the layouts that have no lists.
+void add_numbered_sequences(const vo::SequenceSource& source, const vo::RgbdFrame& frame,
+                            Seeds& seeds) {
+  const std::string image = vo::encode_pnm(frame.image);
+  const std::string depth = vo::encode_png(vo::to_depth_units(frame.depth, 1000));
+  const vo::NamedBytes camera{"camera.toml", vo::format_camera(source.camera)};
+  const std::string pose = "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
+  const std::string intrinsics = "8 0 3.5 0\n0 8 2.5 0\n0 0 1 0\n0 0 0 1\n";
+  seeds.push_back({"sequence/7-scenes", archive_of({camera,
+                                                    {"frame-000000.color.ppm", image},
+                                                    {"frame-000000.depth.png", depth},
+                                                    {"frame-000000.pose.txt", pose}})});
+  seeds.push_back(
+      {"sequence/scannet", archive_of({{"color/0.ppm", image},
+                                       {"depth/0.png", depth},
+                                       {"pose/0.txt", pose},
+                                       {"intrinsic/intrinsic_color.txt", intrinsics},
+                                       {"intrinsic/intrinsic_depth.txt", intrinsics}})});
+  seeds.push_back({"sequence/open3d",
+                   archive_of({{"color/000000.ppm", image},
+                               {"depth/000000.png", depth},
+                               {"trajectory.log", "0 0 1\n" + pose},
+                               {"camera_intrinsic.json",
+                                "{\"width\": 8, \"height\": 6, \"intrinsic_matrix\": [8, 0, 0, 0, "
+                                "8, 0, 3.5, 2.5, 1]}"}})});
+  seeds.push_back({"sequence/tartanair",
+                   archive_of({camera,
+                               {"image_left/000000_left.ppm", image},
+                               {"depth_left/000000_left_depth.npy", vo::encode_npy(frame.depth)},
+                               {"pose_left.txt", "0 0 0 0 0 0 1\n"}})});
+}
+
 void add_sequences(const vo::SequenceSource& source, Seeds& seeds) {
   vo::RgbdFrame frame;
   frame.image = pixels(CV_8UC3);
@@ -135,6 +173,7 @@ void add_sequences(const vo::SequenceSource& source, Seeds& seeds) {
   seeds.push_back({"sequence/euroc", archive_of(euroc)});
   seeds.push_back({"sequence/icl-nuim", archive_of(icl)});
   seeds.push_back({"sequence/icl-tum", archive_of(icl_tum)});
+  add_numbered_sequences(source, frame, seeds);
 }
 
 }  // namespace

@@ -39,7 +39,9 @@ constexpr const char* kConvertHelp =
     "  icl-tum   the \"TUM compatible\" form: rgb/N.png, depth/N.png, associations.txt,\n"
     "            *.gt.freiburg\n"
     "Both forms of ICL-NUIM have a camera with y up (fy < 0) in a left-handed world and no stamps\n"
-    "(30 Hz): converting turns them round. Depth beyond 16 bit becomes 0 and is counted.\n"
+    "(30 Hz): converting turns them round. Depth beyond 16 bit becomes 0 and is counted. "
+    "7-Scenes,\n"
+    "ScanNet, Open3D's and Redwood's folders and TartanAir are read, too, and not written.\n"
     "Trajectories, of any format that is read:\n"
     "  tum       timestamp tx ty tz qx qy qz qw, s\n"
     "  euroc     timestamp,px,py,pz,qw,qx,qy,qz, ns, as its ground truth without velocity and "
@@ -67,7 +69,7 @@ struct ConvertArguments {
 vo::ConvertJob chosen_job(const ConvertArguments& arguments) {
   vo::ConvertJob job{.in = arguments.in, .out = arguments.out};
   check_usage([&] {
-    job.to = vo::parse_enum<vo::SequenceFormat>(arguments.format);
+    job.to = vo::parse_enum<vo::WrittenSequence>(arguments.format);
     if (!arguments.from.empty()) {
       job.from = vo::parse_enum<vo::SequenceFormat>(arguments.from);
     }
@@ -200,6 +202,8 @@ void add_convert_command(CLI::App& program, Session& session) {
   add_common_options(command, arguments->common);
   take_streams(command, {.inputs = {"--camera", "--times"}, .others = {"IN", "OUT"}});
   command.callback([arguments, &session] {
+    vo::require(std::filesystem::exists(arguments->in), arguments->in,
+                ": there is no such folder or file, expected a sequence or a trajectory");
     if (std::filesystem::is_regular_file(arguments->in)) {
       convert_trajectory(*arguments, session);
     } else {

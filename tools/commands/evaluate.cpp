@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/dataset/sequence.h"
+#include "vo/dataset/sequence_source.h"
 #include "vo/files/output.h"
 #include "vo/motion_files/trajectory_file.h"
 
@@ -183,6 +185,14 @@ vo::Trajectory read(const EvaluateArguments& arguments, std::size_t index, Repor
   return std::move(file.trajectory);
 }
 
+/// Returns the stamps, s, of the frames of a sequence, whose camera need not be known.
+std::vector<double> frame_stamps(const std::string& folder) {
+  const std::optional<vo::SequenceFormat> format = vo::known_format(folder);
+  return format.value_or(vo::SequenceFormat::tum) == vo::SequenceFormat::tum
+             ? vo::SequenceReader(folder, vo::RgbdCamera{}).timestamps()
+             : vo::open_sequence(folder, *format).timestamps;
+}
+
 void evaluate(EvaluateArguments& arguments, const Session& session) {
   arguments.options.alignment = vo::parse_enum<vo::TrajectoryAlignment>(arguments.align);
   arguments.options.interval = parse_interval(arguments.interval);
@@ -199,8 +209,7 @@ void evaluate(EvaluateArguments& arguments, const Session& session) {
               ": no two of its ", estimate.size(), " poses lie --interval ", arguments.interval,
               " apart, expected a shorter interval or a longer trajectory");
   if (!arguments.sequence.empty()) {
-    const vo::SequenceReader sequence(arguments.sequence, vo::RgbdCamera{});
-    report.tracked_fraction = vo::tracked_fraction(sequence.timestamps(), estimate);
+    report.tracked_fraction = vo::tracked_fraction(frame_stamps(arguments.sequence), estimate);
   }
   if (arguments.estimate_offset) {
     report.has_offset = true;

@@ -63,12 +63,25 @@ RgbdCamera read_camera(const std::filesystem::path& path) {
   camera.pinhole.cy = camera.pinhole.cx;
   std::vector<Field> fields = fields_of(camera);
   assign_fields(read_toml(path), fields);
+  return checked_camera(camera, path);
+}
+
+const RgbdCamera& checked_camera(const RgbdCamera& camera, const std::filesystem::path& path) {
   try {
     camera.validate();
   } catch (const Error& error) {
     fail(path.string(), ": ", error.what());
   }
   return camera;
+}
+
+RgbdCamera camera_of_folder(const std::filesystem::path& folder,
+                            const std::optional<RgbdCamera>& given, const RgbdCamera& otherwise) {
+  if (given) {
+    return *given;
+  }
+  const std::filesystem::path file = folder / "camera.toml";
+  return std::filesystem::exists(file) ? read_camera(file) : otherwise;
 }
 
 std::string format_camera(const RgbdCamera& camera) {

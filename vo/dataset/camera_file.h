@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,15 @@ const std::vector<CameraPreset>& camera_presets();
 RgbdCamera load_camera(const std::string& preset_or_path);
 
 RgbdCamera read_camera(const std::filesystem::path& path);
+
+/// Returns a camera that a file gave; throws Error naming the file unless it is a usable one.
+const RgbdCamera& checked_camera(const RgbdCamera& camera, const std::filesystem::path& path);
+
+/// Returns the camera of a sequence's folder: `given`, else that of its camera.toml, else
+/// `otherwise`.
+RgbdCamera camera_of_folder(const std::filesystem::path& folder,
+                            const std::optional<RgbdCamera>& given, const RgbdCamera& otherwise);
+
 /// Returns the text of a camera.toml; a read-out or depth noise that is unknown is left out.
 std::string format_camera(const RgbdCamera& camera);
 

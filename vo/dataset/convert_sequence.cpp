@@ -24,16 +24,16 @@ SE3 pose_of(const SequenceSource& source, const RgbdFrame& frame) {
   return *T_world_camera;
 }
 
-std::vector<NamedBytes> encode_frame(const SequenceSource& source, SequenceFormat format,
+std::vector<NamedBytes> encode_frame(const SequenceSource& source, WrittenSequence format,
                                      std::size_t index, const RgbdFrame& frame) {
   switch (format) {
-    case SequenceFormat::tum:
+    case WrittenSequence::tum:
       return encode_frame({source.camera}, index, frame);
-    case SequenceFormat::euroc:
+    case WrittenSequence::euroc:
       return encode_euroc_frame(source.camera, frame);
-    case SequenceFormat::icl_nuim:
+    case WrittenSequence::icl_nuim:
       return encode_icl_nuim_frame(source.camera, index, frame, pose_of(source, frame));
-    case SequenceFormat::icl_tum:
+    case WrittenSequence::icl_tum:
       return encode_icl_tum_frame(source.camera, index, frame);
   }
   return {};
@@ -65,16 +65,16 @@ std::vector<NamedBytes> encode_tum_lists(const SequenceSource& source) {
   return files;
 }
 
-std::vector<NamedBytes> encode_lists(const SequenceSource& source, SequenceFormat format,
+std::vector<NamedBytes> encode_lists(const SequenceSource& source, WrittenSequence format,
                                      bool has_depth) {
   switch (format) {
-    case SequenceFormat::tum:
+    case WrittenSequence::tum:
       return encode_tum_lists(source);
-    case SequenceFormat::euroc:
+    case WrittenSequence::euroc:
       return encode_euroc_lists(source, has_depth);
-    case SequenceFormat::icl_nuim:
+    case WrittenSequence::icl_nuim:
       return encode_icl_nuim_lists(source);
-    case SequenceFormat::icl_tum:
+    case WrittenSequence::icl_tum:
       return encode_icl_tum_lists(source);
   }
   return {};
@@ -87,17 +87,17 @@ ConvertOutcome convert_sequence(const ConvertJob& job, const OutputPolicy& polic
   ConvertOutcome outcome;
   outcome.from = job.from ? *job.from : detect_format(job.in);
   const SequenceSource source = open_sequence(job.in, outcome.from, job.camera);
-  if (job.to == SequenceFormat::euroc) {
+  if (job.to == WrittenSequence::euroc) {
     require_nanoseconds_apart(source.timestamps);
   }
   OutputFolder output(job.out, policy, [&] { progress(0, 0); });
   bool has_depth = false;
   for (std::size_t i = 0; i < source.timestamps.size(); ++i) {
     const RgbdFrame frame = source.read(i);
-    require(!frame.depth.empty() || job.to == SequenceFormat::euroc, job.in.string(),
+    require(!frame.depth.empty() || job.to == WrittenSequence::euroc, job.in.string(),
             ": has no depth, which ", to_string(job.to), " expects");
     has_depth = !frame.depth.empty();
-    if (job.to != SequenceFormat::icl_nuim) {
+    if (job.to != WrittenSequence::icl_nuim) {
       outcome.depth_beyond_16_bit +=
           count_beyond_16_bit(frame.depth, source.camera.depth_units_per_m);
     }

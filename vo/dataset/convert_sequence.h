@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "vo/core/progress.h"
@@ -13,12 +15,22 @@
 
 namespace vo {
 
+/// The formats that a sequence is written in.
+enum class WrittenSequence { tum, euroc, icl_nuim, icl_tum };
+
+constexpr auto enum_names(WrittenSequence) {
+  return std::array{std::pair{WrittenSequence::tum, "tum"},
+                    std::pair{WrittenSequence::euroc, "euroc"},
+                    std::pair{WrittenSequence::icl_nuim, "icl-nuim"},
+                    std::pair{WrittenSequence::icl_tum, "icl-tum"}};
+}
+
 struct ConvertJob {
   std::filesystem::path in;
   std::optional<SequenceFormat> from;  ///< detected from the folder if absent
   std::optional<RgbdCamera> camera;    ///< replaces the camera that the folder holds
   std::filesystem::path out;
-  SequenceFormat to = SequenceFormat::tum;
+  WrittenSequence to = WrittenSequence::tum;
 };
 
 struct ConvertOutcome {

@@ -9,7 +9,9 @@
 
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
+#include "vo/dataset/camera_file.h"
 #include "vo/dataset/depth_units.h"
+#include "vo/dataset/frame_images.h"
 #include "vo/files/input.h"
 #include "vo/image_files/png.h"
 #include "vo/motion_files/imu_file.h"
@@ -55,16 +57,6 @@ std::vector<double> yaml_numbers(const fs::path& path, const std::string& text,
   } catch (const Error& error) {
     fail(path.string(), ": ", key, ": ", error.what());
   }
-}
-
-/// Returns the camera; throws Error naming the file unless it is a usable one.
-const RgbdCamera& checked_camera(const RgbdCamera& camera, const fs::path& path) {
-  try {
-    camera.validate();
-  } catch (const Error& error) {
-    fail(path.string(), ": ", error.what());
-  }
-  return camera;
 }
 
 /// Returns the image's size, px, as `resolution` gives it.
@@ -251,10 +243,10 @@ SequenceSource open_euroc(const fs::path& folder, const std::optional<RgbdCamera
   }
   source.read = [=, camera = source.camera, timestamps = source.timestamps](std::size_t index) {
     const StampedFile& image = images->at(index);
-    RgbdFrame frame{timestamps[index], read_png(image.path), {}};
-    require_size(frame.image, camera.pinhole, image.path);
+    RgbdFrame frame{timestamps[index], read_frame_image(image.path, camera.pinhole), {}};
     if (has_depth) {
-      frame.depth = read_depth_png(folder / kDepth / "data" / image.path.filename(), camera);
+      frame.depth = read_depth_png(
+          folder / kDepth / "data" / image.path.filename().replace_extension(".png"), camera);
     }
     return frame;
   };

@@ -9,6 +9,7 @@
 #include "vo/core/fields.h"
 #include "vo/dataset/camera_file.h"
 #include "vo/dataset/depth_units.h"
+#include "vo/dataset/frame_images.h"
 #include "vo/files/input.h"
 #include "vo/image_files/png.h"
 #include "vo/motion_files/timestamp.h"
@@ -176,8 +177,8 @@ SequenceSource open_icl_nuim(const fs::path& folder, const std::optional<RgbdCam
   require(!source.timestamps.empty(), folder.string(), ": expected scene_00_0000.png");
   source.read = [folder, camera = source.camera](std::size_t index) {
     const fs::path image = folder / scene_file(index, "png");
-    RgbdFrame frame{time_of(static_cast<double>(index)), read_png(image), {}};
-    require_size(frame.image, camera.pinhole, image);
+    RgbdFrame frame{
+        time_of(static_cast<double>(index)), read_frame_image(image, camera.pinhole), {}};
     frame.depth = read_distances(folder / scene_file(index, "depth"), camera.pinhole);
     return frame;
   };
@@ -202,9 +203,8 @@ SequenceSource open_icl_tum(const fs::path& folder, const std::optional<RgbdCame
   require(!files.empty(), (folder / "associations.txt").string(), ": lists no frames");
   source.read = [files, camera = source.camera, timestamps = source.timestamps](std::size_t index) {
     const auto& [image, depth] = files.at(index);
-    RgbdFrame frame{timestamps[index], read_png(image), read_depth_png(depth, camera)};
-    require_size(frame.image, camera.pinhole, image);
-    return frame;
+    return RgbdFrame{timestamps[index], read_frame_image(image, camera.pinhole),
+                     read_depth_png(depth, camera)};
   };
   if (const fs::path trajectory = find_trajectory(folder); !trajectory.empty()) {
     for (const auto& [number, T_world_camera] :

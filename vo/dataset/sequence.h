@@ -25,10 +25,11 @@ enum class SequenceContent {
 
 /// An RGB-D sequence on disk, the one source of frames of everything that tracks. The layout is
 /// that of the TUM RGB-D benchmark:
-///     rgb/*.png (8 bit)  depth/*.png (16 bit)  rgb.txt  depth.txt  groundtruth.txt  camera.toml
+///     rgb/*.png (8 bit; JPEG, PGM or PPM, too)  depth/*.png (16 bit)  rgb.txt  depth.txt
+///     groundtruth.txt  camera.toml
 /// The lists hold `timestamp path` a line, seconds, in increasing time. groundtruth.txt and
-/// camera.toml may be absent. A folder without rgb.txt is read as `detect_format` recognises it:
-/// EuRoC or either form of ICL-NUIM.
+/// camera.toml may be absent. A folder of another SequenceFormat is read as `known_format`
+/// recognises it.
 class SequenceReader {
  public:
   /// `camera` takes precedence over the folder's camera.toml; throws Error if there is neither.

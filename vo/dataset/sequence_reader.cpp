@@ -4,11 +4,11 @@
 #include "vo/core/error.h"
 #include "vo/dataset/camera_file.h"
 #include "vo/dataset/depth_units.h"
+#include "vo/dataset/frame_images.h"
 #include "vo/dataset/sequence.h"
 #include "vo/dataset/sequence_source.h"
 #include "vo/files/input.h"
 #include "vo/geometry/associate.h"
-#include "vo/image_files/png.h"
 #include "vo/motion_files/timestamp.h"
 #include "vo/motion_files/trajectory_file.h"
 #include "vo/text_files/text_lines.h"
@@ -125,9 +125,7 @@ RgbdFrame SequenceReader::read(std::size_t index) const {
   RgbdFrame frame;
   frame.timestamp = entry.timestamp;
   const fs::path image = folder_ / entry.image;
-  frame.image = read_png(image);
-  require_size(frame.image, camera_.pinhole, image);
-  require(frame.image.depth() == CV_8U, image.string(), ": expected 8 bits per channel, got 16");
+  frame.image = read_frame_image(image, camera_.pinhole);
   if (!entry.depth.empty()) {
     frame.depth = read_depth_png(folder_ / entry.depth, camera_);
   }

@@ -5,7 +5,11 @@
 #include "vo/core/error.h"
 #include "vo/dataset/euroc.h"
 #include "vo/dataset/icl_nuim.h"
+#include "vo/dataset/open3d.h"
+#include "vo/dataset/scannet.h"
 #include "vo/dataset/sequence.h"
+#include "vo/dataset/seven_scenes.h"
+#include "vo/dataset/tartanair.h"
 #include "vo/motion_files/imu_file.h"
 
 namespace vo {
@@ -42,11 +46,23 @@ std::optional<SequenceFormat> known_format(const fs::path& folder) {
   if (fs::exists(folder / "scene_00_0000.png")) {
     return SequenceFormat::icl_nuim;
   }
-  if (fs::exists(folder / "rgb.txt")) {
+  if (fs::exists(folder / "rgb.txt") || fs::exists(folder / "sequence.toml")) {
     return SequenceFormat::tum;
   }
   if (fs::exists(folder / "associations.txt")) {
     return SequenceFormat::icl_tum;
+  }
+  if (fs::is_directory(folder / "intrinsic") && fs::is_directory(folder / "color")) {
+    return SequenceFormat::scannet;
+  }
+  if (fs::is_directory(folder / "image_left")) {
+    return SequenceFormat::tartanair;
+  }
+  if (!open3d_images(folder).empty()) {
+    return SequenceFormat::open3d;
+  }
+  if (holds_seven_scenes(folder)) {
+    return SequenceFormat::seven_scenes;
   }
   return std::nullopt;
 }
@@ -55,9 +71,12 @@ SequenceFormat detect_format(const fs::path& folder) {
   require(fs::is_directory(folder), folder.string(),
           ": there is no such folder, expected a sequence");
   const std::optional<SequenceFormat> format = known_format(folder);
-  require(format.has_value(), folder.string(),
-          ": holds no sequence that is known, expected rgb.txt (TUM), mav0/cam0/data.csv (EuRoC), "
-          "scene_00_0000.png (ICL-NUIM) or associations.txt (ICL-NUIM, TUM compatible)");
+  require(
+      format.has_value(), folder.string(),
+      ": holds no sequence that is known, expected rgb.txt (TUM), mav0/cam0/data.csv (EuRoC), "
+      "scene_00_0000.png (ICL-NUIM), associations.txt (ICL-NUIM, TUM compatible), "
+      "frame-000000.color.png (7-Scenes), intrinsic and color (ScanNet), image_left (TartanAir) "
+      "or color, rgb or image beside depth (Open3D, Redwood)");
   return *format;
 }
 
@@ -72,6 +91,14 @@ SequenceSource open_sequence(const fs::path& folder, SequenceFormat format,
       return open_icl_nuim(folder, camera);
     case SequenceFormat::icl_tum:
       return open_icl_tum(folder, camera);
+    case SequenceFormat::seven_scenes:
+      return open_seven_scenes(folder, camera);
+    case SequenceFormat::scannet:
+      return open_scannet(folder, camera);
+    case SequenceFormat::open3d:
+      return open_open3d(folder, camera);
+    case SequenceFormat::tartanair:
+      return open_tartanair(folder, camera);
   }
   return {};
 }

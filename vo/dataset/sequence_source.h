@@ -17,17 +17,25 @@
 namespace vo {
 
 enum class SequenceFormat {
-  tum,       ///< TUM RGB-D, vo/dataset/sequence.h
-  euroc,     ///< EuRoC MAV, vo/dataset/euroc.h
-  icl_nuim,  ///< ICL-NUIM as rendered, vo/dataset/icl_nuim.h
-  icl_tum,   ///< ICL-NUIM's "TUM compatible" files, vo/dataset/icl_nuim.h
+  tum,           ///< TUM RGB-D, vo/dataset/sequence.h
+  euroc,         ///< EuRoC MAV, vo/dataset/euroc.h
+  icl_nuim,      ///< ICL-NUIM as rendered, vo/dataset/icl_nuim.h
+  icl_tum,       ///< ICL-NUIM's "TUM compatible" files, vo/dataset/icl_nuim.h
+  seven_scenes,  ///< Microsoft's 7-Scenes, vo/dataset/seven_scenes.h
+  scannet,       ///< ScanNet as its SensReader exports it, vo/dataset/scannet.h
+  open3d,        ///< folders of Open3D and Redwood, vo/dataset/open3d.h
+  tartanair,     ///< TartanAir, vo/dataset/tartanair.h
 };
 
 constexpr auto enum_names(SequenceFormat) {
   return std::array{std::pair{SequenceFormat::tum, "tum"},
                     std::pair{SequenceFormat::euroc, "euroc"},
                     std::pair{SequenceFormat::icl_nuim, "icl-nuim"},
-                    std::pair{SequenceFormat::icl_tum, "icl-tum"}};
+                    std::pair{SequenceFormat::icl_tum, "icl-tum"},
+                    std::pair{SequenceFormat::seven_scenes, "7-scenes"},
+                    std::pair{SequenceFormat::scannet, "scannet"},
+                    std::pair{SequenceFormat::open3d, "open3d"},
+                    std::pair{SequenceFormat::tartanair, "tartanair"}};
 }
 
 /// A sequence on disk, whatever its format. The camera is x right, y down, z forward, the world

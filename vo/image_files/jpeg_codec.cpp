@@ -5,6 +5,7 @@
 #include <turbojpeg.h>
 
 #include "vo/core/error.h"
+#include "vo/image_files/new_image.h"
 
 namespace vo {
 namespace {
@@ -24,6 +25,39 @@ struct ReleaseBytes {
 void require_done(int status, const Codec& codec) {
   require(status == 0 || tjGetErrorCode(codec.get()) == TJERR_WARNING,
           "JPEG: ", tjGetErrorStr2(codec.get()));
+}
+
+/// What a JPEG file's header says.
+struct JpegHeader {
+  cv::Size size;
+  int chroma = 0;
+  int color_space = 0;
+};
+
+JpegHeader read_jpeg_header(const Codec& decoder, const std::uint8_t* bytes, std::size_t count) {
+  JpegHeader header;
+  require_done(tjDecompressHeader3(decoder.get(), bytes, count, &header.size.width,
+                                   &header.size.height, &header.chroma, &header.color_space),
+               decoder);
+  return header;
+}
+
+/// Throws Error if a file is shorter than its blocks of 8 x 8 px can be compressed to: even those
+/// of one colour take more than a bit in a hundred.
+void require_jpeg_long_enough(cv::Size size, std::size_t bytes) {
+  constexpr std::size_t kMostPixelsPerByte = 100 * 8 * 64;
+  const std::size_t pixels =
+      static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+  require(bytes >= pixels / kMostPixelsPerByte, "it has ", bytes, " bytes, too few for ",
+          size.width, "x", size.height, " px");
+}
+
+/// Throws Error if libjpeg-turbo made up what was missing at the end.
+void require_whole(const Codec& codec) {
+  const std::string_view warning = tjGetErrorStr2(codec.get());
+  require(tjGetErrorCode(codec.get()) != TJERR_WARNING ||
+              warning.find("Premature end") == std::string_view::npos,
+          "it is truncated");
 }
 
 int subsampling(ChromaSampling chroma) {
@@ -55,20 +89,40 @@ std::vector<std::uint8_t> encode_jpeg(const ColorImage& image, int quality, Chro
 
 ColorImage decode_jpeg(std::span<const std::uint8_t> bytes, cv::Size size) {
   const Codec decoder(tjInitDecompress());
-  int width = 0;
-  int height = 0;
-  int chroma = 0;
-  int colour_space = 0;
-  require_done(tjDecompressHeader3(decoder.get(), bytes.data(), bytes.size(), &width, &height,
-                                   &chroma, &colour_space),
-               decoder);
-  require(cv::Size(width, height) == size, "JPEG: is ", width, " x ", height, ", expected ",
-          size.width, " x ", size.height);
+  const JpegHeader header = read_jpeg_header(decoder, bytes.data(), bytes.size());
+  require(header.size == size, "JPEG: is ", header.size.width, " x ", header.size.height,
+          ", expected ", size.width, " x ", size.height);
   ColorImage image(size);
-  require_done(tjDecompress2(decoder.get(), bytes.data(), bytes.size(), image.data, width,
-                             kTightRows, height, TJPF_BGR, TJFLAG_ACCURATEDCT),
+  require_done(tjDecompress2(decoder.get(), bytes.data(), bytes.size(), image.data, size.width,
+                             kTightRows, size.height, TJPF_BGR, TJFLAG_ACCURATEDCT),
                decoder);
   return image;
+}
+
+bool is_jpeg(std::string_view bytes) {
+  return bytes.starts_with("\xff\xd8\xff");
+}
+
+cv::Mat decode_jpeg(std::string_view bytes, const std::filesystem::path& path) {
+  const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+  const Codec decoder(tjInitDecompress());
+  try {
+    const JpegHeader header = read_jpeg_header(decoder, data, bytes.size());
+    require_jpeg_long_enough(header.size, bytes.size());
+    const bool is_gray = header.color_space == TJCS_GRAY;
+    cv::Mat image = new_image(header.size, is_gray ? CV_8UC1 : CV_8UC3, path);
+    require_done(
+        tjDecompress2(decoder.get(), data, bytes.size(), image.data, image.cols, kTightRows,
+                      image.rows, is_gray ? TJPF_GRAY : TJPF_BGR, TJFLAG_ACCURATEDCT),
+        decoder);
+    require_whole(decoder);
+    return image;
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::input) {
+      throw;
+    }
+    fail(path.string(), ": cannot be decoded: ", error.what());
+  }
 }
 
 }  // namespace vo

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -28,5 +30,12 @@ std::vector<std::uint8_t> encode_jpeg(const ColorImage& image, int quality, Chro
 /// Decodes a JPEG file. Throws vo::Error if it cannot be decoded, or if its size is not the
 /// expected one, which is found before the image is allocated.
 ColorImage decode_jpeg(std::span<const std::uint8_t> bytes, cv::Size size);
+
+/// Returns whether bytes begin as those of a JPEG file do.
+bool is_jpeg(std::string_view bytes);
+
+/// Decodes a JPEG file as grey (CV_8UC1), if it is grey, or colour (CV_8UC3, BGR). Throws Error
+/// naming `path`, the file that the bytes are of, if they cannot be decoded or end too early.
+cv::Mat decode_jpeg(std::string_view bytes, const std::filesystem::path& path);
 
 }  // namespace vo

@@ -27,7 +27,7 @@ struct PngError {
 };
 
 struct ByteSource {
-  const std::string* bytes;
+  std::string_view bytes;
   std::size_t position = 0;
 };
 
@@ -41,10 +41,10 @@ void on_warning(png_structp /*png*/, png_const_charp /*message*/) {}
 
 void read_bytes(png_structp png, png_bytep target, std::size_t count) {
   auto* source = static_cast<ByteSource*>(png_get_io_ptr(png));
-  if (source->bytes->size() - source->position < count) {
+  if (source->bytes.size() - source->position < count) {
     png_error(png, "it is truncated");
   }
-  std::memcpy(target, source->bytes->data() + source->position, count);
+  std::memcpy(target, source->bytes.data() + source->position, count);
   source->position += count;
 }
 
@@ -203,14 +203,20 @@ void require_long_enough(const PngReadState& state, std::size_t bytes,
 
 }  // namespace
 
+bool is_png(std::string_view bytes) {
+  return bytes.size() >= kSignatureBytes &&
+         png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, kSignatureBytes) == 0;
+}
+
 cv::Mat read_png(const std::filesystem::path& path) {
-  const std::string bytes = read_file(path);
-  require(bytes.size() >= kSignatureBytes &&
-              png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, kSignatureBytes) == 0,
-          path.string(), ": is not a PNG image");
+  return decode_png(read_file(path), path);
+}
+
+cv::Mat decode_png(std::string_view bytes, const std::filesystem::path& path) {
+  require(is_png(bytes), path.string(), ": is not a PNG image");
   PngError error;
   const PngReadState state(error);
-  ByteSource source{&bytes};
+  ByteSource source{bytes};
   require_decoded(!error.is_out_of_memory && read_header(state.png(), state.info(), &source), error,
                   path);
   require_long_enough(state, bytes.size(), path);

@@ -7,6 +7,7 @@
 
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
+#include "vo/files/numbered_files.h"
 #include "vo/motion_files/pose_collector.h"
 #include "vo/motion_files/timestamp.h"
 #include "vo/motion_files/trajectory_file.h"
@@ -16,25 +17,6 @@ namespace {
 
 constexpr std::size_t kNumbers = 9;            // before an image's name
 constexpr std::size_t kNanosecondDigits = 19;  // of stamps since 2001
-
-/// Returns the digits, with at most one point between them, that a name without its ending ends
-/// with.
-std::string_view number_at_end(std::string_view stem) {
-  std::size_t begin = stem.size();
-  bool has_point = false;
-  while (begin > 0) {
-    const char c = stem[begin - 1];
-    const bool is_digit = c >= '0' && c <= '9';
-    const bool is_point = c == '.' && !has_point && begin < stem.size();
-    if (!is_digit && !is_point) {
-      break;
-    }
-    has_point = has_point || is_point;
-    --begin;
-  }
-  const std::string_view number = stem.substr(begin);
-  return number.starts_with('.') ? number.substr(1) : number;
-}
 
 double stamp_in_name(const TextLine& line, const std::string& name, std::string_view number) {
   if (number.find('.') != std::string_view::npos) {
@@ -70,8 +52,7 @@ double stamp_in_list(const TextLine& line, const std::string& name, std::string_
 
 /// Returns the line from its tenth field on, without blanks at its ends: names may have blanks.
 std::string name_of(const TextLine& line) {
-  const std::size_t begin =
-      static_cast<std::size_t>(line.fields[kNumbers].data() - line.text.data());
+  const auto begin = static_cast<std::size_t>(line.fields[kNumbers].data() - line.text.data());
   const std::string_view name = line.text.substr(begin);
   return std::string(name.substr(0, name.find_last_not_of(" \t\r") + 1));
 }

@@ -1,4 +1,4 @@
-// Folders of sequences: TUM's lists, EuRoC, both forms of ICL-NUIM, told apart as the program does.
+// Folders of sequences in each layout that is read, told apart as the program does.
 #include "tests/fuzz/fuzz_input.h"
 #include "vo/dataset/sequence_source.h"
 
