@@ -40,8 +40,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kTrackHelp =
-    "Tracks the camera of an RGB-D sequence in the layout of the TUM RGB-D benchmark and writes\n"
-    "T_world_camera of every tracked frame in TUM format; the world is the first camera's frame.\n"
+    "Tracks the camera of an RGB-D sequence, a folder as TUM RGB-D, EuRoC, ICL-NUIM, 7-Scenes,\n"
+    "ScanNet, Open3D, Redwood or TartanAir have it, and writes T_world_camera of every tracked\n"
+    "frame in TUM format; the world is the first camera's frame.\n"
     "With --mode mono only the images are read, and the depth of the first for --bootstrap rgbd;\n"
     "--preset and --debug-images are for --mode rgbd.\n"
     "Frames that are lost have no pose in the file; frames that are uncertain have one that must\n"
@@ -333,8 +334,7 @@ void add_track_command(CLI::App& program, Session& session) {
   CLI::App& command = *program.add_subcommand("track", kTrackHelp);
   const auto arguments = std::make_shared<TrackArguments>();
   command.footer(track_examples());
-  command.add_option("SEQUENCE", arguments->sequence, "folder with rgb.txt and depth.txt")
-      ->required();
+  command.add_option("SEQUENCE", arguments->sequence, "folder of a sequence")->required();
   command.add_option("--out", arguments->out, "trajectory to write")->required();
   add_camera_option(command, arguments->camera);
   command.add_option("--mode", arguments->mode, "rgbd | mono [rgbd]")
