@@ -188,7 +188,7 @@ class Stubs(unittest.TestCase):
                 continue
             self.assertIn(name, named)
             if isinstance(getattr(edvo, name), type) and not issubclass(getattr(edvo, name), Exception):
-                own = {part for part in vars(getattr(edvo, name)) if not part.startswith("__")}
+                own = {part for part in vars(getattr(edvo, name)) if not part.startswith("_")}
                 inherited = {"keys", "get", "set", "help", "update", "to_dict", "to_toml", "update_from_toml",
                              "from_toml", "from_dict"}
                 self.assertEqual(own - inherited, named[name], name)
