@@ -71,6 +71,14 @@ TEST(Luv, OfGreysHasTheirLightnessAndNoColour) {
   }
 }
 
+void expect_same_nodes(const vo::StructuredForest& read, const vo::StructuredForest& written) {
+  EXPECT_EQ(read.nodes().children, written.nodes().children);
+  EXPECT_EQ(read.nodes().feature_ids, written.nodes().feature_ids);
+  EXPECT_EQ(read.nodes().thresholds, written.nodes().thresholds);
+  EXPECT_EQ(read.nodes().edge_boundaries, written.nodes().edge_boundaries);
+  EXPECT_EQ(read.nodes().edge_bins, written.nodes().edge_bins);
+}
+
 TEST(StructuredForestFile, ReadsWhatWasWritten) {
   const TempFolder folder;
   const auto forest = small_forest(kLightnessInMiddle, 0.1234F, {1, 20, 255});
@@ -78,11 +86,7 @@ TEST(StructuredForestFile, ReadsWhatWasWritten) {
   for (const auto& [name, bytes] :
        {std::pair{"a.yml", text}, std::pair{"a.yml.gz", vo::gzip(text)}}) {
     const auto read = vo::read_structured_forest(folder.write(name, bytes));
-    EXPECT_EQ(read.nodes().children, forest.nodes().children);
-    EXPECT_EQ(read.nodes().feature_ids, forest.nodes().feature_ids);
-    EXPECT_EQ(read.nodes().thresholds, forest.nodes().thresholds);
-    EXPECT_EQ(read.nodes().edge_boundaries, forest.nodes().edge_boundaries);
-    EXPECT_EQ(read.nodes().edge_bins, forest.nodes().edge_bins);
+    expect_same_nodes(read, forest);
     EXPECT_EQ(read.parameters().trees_to_evaluate, 1);
   }
 }
@@ -122,10 +126,13 @@ TEST(StructuredForestFile, ReadsWhatOpenCvWritesInEachOfItsFormats) {
   }
 }
 
+/// Versions of OpenCV write the same numbers by different digits, so that bytes are not compared.
 TEST(StructuredForestFile, TheShippedModelIsWrittenAsItWasRead) {
-  const std::string model = EDVO_SOURCE_DIR "/assets/edges/structured_forest.yml.gz";
-  EXPECT_EQ(structured_forest_yaml(vo::read_structured_forest(model)),
-            vo::gunzip(vo::read_file(model), 100'000'000));
+  const TempFolder folder;
+  const auto shipped =
+      vo::read_structured_forest(EDVO_SOURCE_DIR "/assets/edges/structured_forest.yml.gz");
+  const auto path = folder.write("model.yml", structured_forest_yaml(shipped));
+  expect_same_nodes(vo::read_structured_forest(path), shipped);
 }
 
 /// What reading a model says in which `from` has become `to`.
