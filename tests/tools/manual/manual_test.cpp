@@ -52,7 +52,7 @@ TEST(BashCompletion, ProposesCommandsTheirPartsAndOptions) {
 
 TEST(BashCompletion, KnowsThePrograms) {
   const std::string script = support::run_program("completion bash").out;
-  EXPECT_EQ(proposed(script, "edvo render --traj"), "--trajectory ");
+  EXPECT_EQ(proposed(script, "edvo render --trajectory-f"), "--trajectory-format ");
   EXPECT_EQ(proposed(script, "edvo cache pr"), "prune ");
 }
 
