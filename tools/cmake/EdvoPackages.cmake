@@ -3,6 +3,7 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME edvo)
 set(CPACK_PACKAGE_VENDOR "")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has a synopsis of its own
 set(CPACK_PACKAGE_CONTACT "edvo developers <edvo@edvo.invalid>")
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_STRIP_FILES ON)
@@ -44,20 +45,27 @@ endfunction()
 
 edvo_package(program edvo science
   "edge-direct visual odometry with a synthetic RGB-D laboratory"
-  "edvo tracks RGB-D and single cameras by the photometric error of edge pixels, renders RGB-D sequences with exact ground truth from glTF scenes, and tests trackers against it."
+  "edvo tracks RGB-D and single cameras by the photometric error of edge pixels,
+renders RGB-D sequences with exact ground truth from glTF scenes, and tests
+trackers against it."
   "")
 edvo_package(runtime libedvo${EDVO_SOVERSION} libs
   "edge-direct visual odometry (shared libraries)"
-  "Libraries of the odometries, of the evaluation of trajectories, of data sets and of the renderer."
+  "Libraries of the odometries, of the evaluation of trajectories, of data sets
+and of the renderer."
   "")
 edvo_package(development libedvo-dev libdevel
   "edge-direct visual odometry (development files)"
   "Headers, the CMake package edvo and files of pkg-config."
   "libedvo${EDVO_SOVERSION} (= ${PROJECT_VERSION}), libeigen3-dev, libopencv-core-dev, libopencv-imgproc-dev")
+file(WRITE ${PROJECT_BINARY_DIR}/generated/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/generated/triggers)
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
 math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
 set(next_python ${Python3_VERSION_MAJOR}.${next_minor})
 edvo_package(python python3-edvo python
   "edge-direct visual odometry (Python module)"
-  "The module edvo: odometries, evaluation, sequences and the renderer on numpy arrays."
+  "The module edvo: odometries, evaluation, sequences and the renderer on numpy
+arrays."
   "python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), python3 (<< ${next_python}), python3-numpy")
 include(CPack)
