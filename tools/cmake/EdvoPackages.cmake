@@ -60,6 +60,14 @@ edvo_package(development libedvo-dev libdevel
   "libedvo${EDVO_SOVERSION} (= ${PROJECT_VERSION}), libeigen3-dev, libopencv-core-dev, libopencv-imgproc-dev")
 file(WRITE ${PROJECT_BINARY_DIR}/generated/triggers "activate-noawait ldconfig\n")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/generated/triggers)
+# What Python compiled of the module is nobody's file: without this it would stay when the package goes.
+file(WRITE ${PROJECT_BINARY_DIR}/generated/prerm "#!/bin/sh
+set -e
+if command -v py3clean > /dev/null; then
+  py3clean -p python3-edvo
+fi
+")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/generated/prerm)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
 set(next_python ${Python3_VERSION_MAJOR}.${next_minor})
