@@ -20,6 +20,7 @@
 #include "vo/core/fields.h"
 #include "vo/dataset/convert_sequence.h"
 #include "vo/files/output.h"
+#include "vo/geometry/associate.h"
 #include "vo/motion_files/timestamp.h"
 #include "vo/motion_files/trajectory_file.h"
 

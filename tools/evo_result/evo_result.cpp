@@ -27,20 +27,13 @@ struct MatchedPoses {
   vo::Trajectory estimate;  ///< aligned
 };
 
-std::vector<double> stamps_of(const vo::Trajectory& trajectory, double offset) {
-  std::vector<double> stamps;
-  for (const vo::StampedPose& pose : trajectory) {
-    stamps.push_back(pose.timestamp + offset);
-  }
-  return stamps;
-}
-
 MatchedPoses matched_poses(const EvaluatedTrajectories& trajectories, const vo::Trajectory& aligned,
                            const vo::EvaluationOptions& options) {
   MatchedPoses matched;
-  for (const auto& [i, j] : vo::associate(stamps_of(trajectories.truth, 0),
-                                          stamps_of(trajectories.estimate, options.time_offset),
-                                          options.max_time_difference)) {
+  for (const auto& [i, j] :
+       vo::associate(vo::timestamps_of(trajectories.truth),
+                     vo::timestamps_of(trajectories.estimate, options.time_offset),
+                     options.max_time_difference)) {
     matched.truth.push_back(trajectories.truth[i]);
     matched.estimate.push_back(aligned[j]);
   }

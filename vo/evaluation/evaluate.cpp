@@ -20,14 +20,6 @@ constexpr std::size_t kMinMatches = 3;  // fewer points do not determine a rotat
 
 using Matches = std::vector<std::pair<std::size_t, std::size_t>>;
 
-std::vector<double> timestamps(const Trajectory& trajectory, double offset) {
-  std::vector<double> result;
-  for (const StampedPose& pose : trajectory) {
-    result.push_back(pose.timestamp + offset);
-  }
-  return result;
-}
-
 std::string describe_span(const std::vector<double>& timestamps) {
   return timestamps.empty() ? "has no poses"
                             : concat("spans ", format_real(timestamps.front()), " s to ",
@@ -37,7 +29,7 @@ std::string describe_span(const std::vector<double>& timestamps) {
 /// Returns pairs (index in the truth, index in the estimate) of associated poses.
 Matches associated(const Trajectory& truth, const Trajectory& estimate,
                    const EvaluationOptions& options) {
-  return associate(timestamps(truth, 0), timestamps(estimate, options.time_offset),
+  return associate(timestamps_of(truth), timestamps_of(estimate, options.time_offset),
                    options.max_time_difference);
 }
 
@@ -48,9 +40,9 @@ Matches match(const Trajectory& truth, const Trajectory& estimate,
   require(matches.size() >= kMinMatches, "cannot evaluate: ", matches.size(), " of ",
           estimate.size(), " poses of the estimate are within ", options.max_time_difference,
           " s of a pose of the truth, expected at least ", kMinMatches, "; the truth ",
-          describe_span(timestamps(truth, 0)), ", the estimate with an offset of ",
+          describe_span(timestamps_of(truth)), ", the estimate with an offset of ",
           format_real(options.time_offset), " s ",
-          describe_span(timestamps(estimate, options.time_offset)));
+          describe_span(timestamps_of(estimate, options.time_offset)));
   return matches;
 }
 
@@ -171,7 +163,7 @@ ErrorsOverTime errors_over_time(const Trajectory& truth, const Trajectory& estim
 
 double tracked_fraction(std::span<const double> frames, const Trajectory& estimate) {
   constexpr double kSameStamp = 1e-4;  // s
-  return static_cast<double>(associate(frames, timestamps(estimate, 0), kSameStamp).size()) /
+  return static_cast<double>(associate(frames, timestamps_of(estimate), kSameStamp).size()) /
          static_cast<double>(frames.size());
 }
 

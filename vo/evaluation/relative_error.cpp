@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "vo/geometry/associate.h"
+
 namespace vo {
 namespace {
 
@@ -55,13 +57,6 @@ std::size_t nearest_earlier(const Trajectory& trajectory, double timestamp) {
   const bool before_is_nearer =
       after == trajectory.end() || timestamp - before->timestamp <= after->timestamp - timestamp;
   return static_cast<std::size_t>((before_is_nearer ? before : after) - trajectory.begin());
-}
-
-std::vector<double> stamps_of(const Trajectory& trajectory) {
-  std::vector<double> stamps(trajectory.size());
-  std::transform(trajectory.begin(), trajectory.end(), stamps.begin(),
-                 [](const StampedPose& pose) { return pose.timestamp; });
-  return stamps;
 }
 
 double median_interval(std::span<const double> stamps) {
@@ -148,10 +143,11 @@ AssociatedPoses associated_poses(const Trajectory& truth, const Trajectory& esti
 
 IntervalErrors interval_errors_tum(const Trajectory& truth, const Trajectory& estimate,
                                    const EvaluationOptions& options) {
-  const std::vector<double> true_stamps = stamps_of(truth);
+  const std::vector<double> true_stamps = timestamps_of(truth);
   const double max_difference = 2 * median_interval(true_stamps);
   IntervalErrors errors;
-  for (const Interval& interval : intervals_before_last(stamps_of(estimate), options.interval)) {
+  for (const Interval& interval :
+       intervals_before_last(timestamps_of(estimate), options.interval)) {
     const double begin = estimate[interval.begin].timestamp + options.time_offset;
     const double end = estimate[interval.end].timestamp + options.time_offset;
     const Interval of_truth = {nearest_by_bisection(true_stamps, begin),

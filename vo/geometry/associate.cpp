@@ -132,6 +132,15 @@ class ClosestPairs {
 
 }  // namespace
 
+std::vector<double> timestamps_of(const Trajectory& trajectory, double offset) {
+  std::vector<double> timestamps;
+  timestamps.reserve(trajectory.size());
+  for (const StampedPose& pose : trajectory) {
+    timestamps.push_back(pose.timestamp + offset);
+  }
+  return timestamps;
+}
+
 std::vector<std::pair<std::size_t, std::size_t>> associate(std::span<const double> a,
                                                            std::span<const double> b,
                                                            double max_difference) {

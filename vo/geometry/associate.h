@@ -5,7 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "vo/geometry/trajectory.h"
+
 namespace vo {
+
+/// Returns the stamps of a trajectory's poses plus an offset, s.
+std::vector<double> timestamps_of(const Trajectory& trajectory, double offset = 0);
 
 /// Returns pairs (index in a, index in b) of stamps that belong together, as associate.py of the
 /// TUM RGB-D benchmark: of all pairs closer than `max_difference` the closest is taken first, the

@@ -53,14 +53,6 @@ std::vector<std::string> format_timestamps(const std::vector<double>& timestamps
   return texts;
 }
 
-std::vector<double> timestamps_of(const Trajectory& trajectory) {
-  std::vector<double> timestamps;
-  for (const StampedPose& pose : trajectory) {
-    timestamps.push_back(pose.timestamp);
-  }
-  return timestamps;
-}
-
 void require_nanoseconds_apart(const std::vector<double>& timestamps) {
   for (std::size_t i = 1; i < timestamps.size(); ++i) {
     require(to_nanoseconds(timestamps[i]) > to_nanoseconds(timestamps[i - 1]), "frames ", i - 1,

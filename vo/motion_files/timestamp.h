@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "vo/geometry/trajectory.h"
-
 namespace vo {
 
 struct TextLine;
@@ -32,9 +30,6 @@ std::string format_timestamp(double timestamp);
 /// Returns increasing stamps, s, as every list of a sequence writes them: with 6 decimals, or,
 /// where two would be written alike, each with the digits that read back as the same number.
 std::vector<std::string> format_timestamps(const std::vector<double>& timestamps);
-
-/// Returns the stamps of a trajectory's poses, s.
-std::vector<double> timestamps_of(const Trajectory& trajectory);
 
 /// Throws Error naming the first two of increasing stamps, s, that fall in one nanosecond, the unit
 /// of EuRoC's files.

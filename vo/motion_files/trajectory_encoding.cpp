@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "vo/geometry/associate.h"
 #include "vo/motion_files/timestamp.h"
 #include "vo/motion_files/trajectory_file.h"
 

@@ -6,23 +6,16 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/example_trajectory.h"
+#include "vo/geometry/associate.h"
 
 namespace {
-
-std::vector<double> timestamps_of(const vo::Trajectory& trajectory) {
-  std::vector<double> timestamps;
-  for (const vo::StampedPose& pose : trajectory) {
-    timestamps.push_back(pose.timestamp);
-  }
-  return timestamps;
-}
 
 TEST(FrameErrors, AConstantDriftIsTheSameErrorInEveryStep) {
   const vo::Trajectory truth = support::example_trajectory(20, 10);
   vo::Vector6d velocity;
   velocity << 0, 0, 0, 0.02, 0, 0;  // rad/s
   // P_i = Q_i exp(t_i v) with a rotation about one axis, so a step errs by exp(v / 10), conjugated.
-  const std::vector<double> timestamps = timestamps_of(truth);
+  const std::vector<double> timestamps = vo::timestamps_of(truth);
   const tools::FramePoses poses = tools::poses_of_frames(truth, timestamps);
   const tools::FramePoses estimate =
       tools::poses_of_frames(support::drifting(truth, velocity), timestamps);
@@ -36,7 +29,7 @@ TEST(FrameErrors, AConstantDriftIsTheSameErrorInEveryStep) {
 
 TEST(FrameErrors, AShiftIsAPositionErrorAndNoErrorOfAStep) {
   const vo::Trajectory truth = support::example_trajectory(8, 10);
-  const std::vector<double> timestamps = timestamps_of(truth);
+  const std::vector<double> timestamps = vo::timestamps_of(truth);
   const tools::FramePoses poses = tools::poses_of_frames(truth, timestamps);
   const vo::SE3 T_shift(Eigen::Quaterniond::Identity(), {0, 0.003, 0.004});
   const tools::FramePoses shifted =
@@ -52,7 +45,7 @@ TEST(FrameErrors, AMissingPoseLeavesItsErrorsOut) {
   const vo::Trajectory truth = support::example_trajectory(5, 10);
   vo::Trajectory estimate = truth;
   estimate.erase(estimate.begin() + 2);
-  const std::vector<double> timestamps = timestamps_of(truth);
+  const std::vector<double> timestamps = vo::timestamps_of(truth);
   const tools::FramePoses poses = tools::poses_of_frames(truth, timestamps);
   const tools::FramePoses found = tools::poses_of_frames(estimate, timestamps);
   const tools::FrameErrors errors = tools::frame_errors(poses, found, found);
