@@ -11,7 +11,7 @@
 
 namespace tools {
 
-/// Where an edge pixel of a keyframe lies, and how sure that is.
+/// An edge pixel of a keyframe as a point in the world, with the uncertainty of its depth.
 struct CloudPoint {
   Eigen::Vector3f p_world;        ///< m
   std::uint8_t grey = 0;          ///< the keyframe's intensity there

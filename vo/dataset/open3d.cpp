@@ -25,7 +25,7 @@ constexpr double kOpen3dRate = 30;       // Hz, of images without stamps
 constexpr double kMaxDifference = 0.02;  // s, between the stamps of an image and its depth
 constexpr double kUnitsPerMetre = 1000;
 
-/// What the names of a folder's images say of time.
+/// The quantity that the names of a folder's images give: the frame's number or its stamp.
 enum class NameKind { number, stamp };
 
 /// An image of a folder by what its name says.

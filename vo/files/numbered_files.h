@@ -14,7 +14,7 @@ struct NumberedFile {
   std::filesystem::path path;
 };
 
-/// What names of a folder's files are like: `prefix`, digits, `suffix`, `ending`.
+/// The pattern of the names of a folder's files: `prefix`, digits, `suffix`, `ending`.
 struct NumberedNames {
   std::string prefix;
   std::string suffix;

@@ -95,7 +95,7 @@ TEST_F(ImageFile, GreyMapsHaveEightOrSixteenBits) {
   EXPECT_EQ(cv::norm(copy, wide, cv::NORM_INF), 0);
 }
 
-/// As Netpbm's description of PGM and PPM has it: comments in the header, high byte first, red
+/// Netpbm's description of PGM and PPM has comments in the header, the high byte first and red
 /// first.
 TEST_F(ImageFile, PortableMapsAreReadAsTheirFormatHasThem) {
   const cv::Mat grey = read("P5 # made by hand\n2 1\n# a line\n15\n" + std::string("\x0f\x03"));

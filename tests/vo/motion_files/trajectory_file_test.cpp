@@ -20,7 +20,7 @@ using support::TempFolder;
 using testing::EndsWith;
 using testing::HasSubstr;
 
-/// What reading a file with this text as TUM's says.
+/// Returns the error of reading a file with this text as TUM's.
 std::string error_of(const std::string& text) {
   const TempFolder folder;
   vo::write_file(folder.path() / "t.txt", text);
