@@ -46,8 +46,15 @@ cv::Mat pixels(int type, int width = kWidth, int height = kHeight) {
   return image;
 }
 
+/// A PNG whose eXIf chunk states 1.6 GB and ends after its name, for which libpng would ask.
+std::string png_with_huge_exif() {
+  constexpr std::size_t kAfterHeader = 33;  // the signature and the whole chunk IHDR
+  return vo::encode_png(pixels(CV_8UC1)).substr(0, kAfterHeader) + "ddddeXIf";
+}
+
 void add_images(Seeds& seeds) {
   seeds.push_back({"png/grey", vo::encode_png(pixels(CV_8UC1))});
+  seeds.push_back({"png/huge_exif", png_with_huge_exif()});
   seeds.push_back({"png/colour", vo::encode_png(pixels(CV_8UC3))});
   seeds.push_back({"png/depth", vo::encode_png(pixels(CV_16UC1))});
   for (const int type : {CV_8UC1, CV_8UC3, CV_16UC1}) {
