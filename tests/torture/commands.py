@@ -63,6 +63,7 @@ COMMANDS = [
     Command("test_tracker", ["test {inputs}/rgbd.toml --cache cache --quiet --bounds none --json results.json "
                              "--tracker '{edvo} track {{sequence}} --out {{output}}'"]),
     Command("track", ["track {inputs}/sequence --out track.txt --frame-log track.csv --debug-images 3 --quiet"]),
+    Command("track_map", ["track {inputs}/sequence --out track.txt --save-map map.ply --quiet"]),
     Command("track_force", ["track {inputs}/sequence --preset paper --out track.txt --debug-images 3 --force --quiet"],
             ["track {inputs}/sequence --out track.txt --debug-images 3 --quiet"]),
     Command("track_mono", ["track {inputs}/sequence --mode mono --bootstrap rgbd --out mono.txt --quiet"], ends=(0, 5)),
@@ -73,5 +74,7 @@ COMMANDS = [
     Command("ablate", ["ablate {inputs}/sequence --study levels --max-frames 4 --seeds 1 --quiet --out out"]),
     Command("sweep", ["sweep {inputs}/rgbd.toml --set odometry.tracker.pyramid.levels=2,3 --cache cache --quiet "
                       "--out out"]),
+    Command("kitti", ["convert {inputs}/track.txt kitti.txt --format kitti"]),
+    Command("evo_ape", ["evaluate {inputs}/sequence/groundtruth.txt {inputs}/track.txt --evo-ape ape.zip --json"]),
     Command("evaluate", ["evaluate {inputs}/sequence/groundtruth.txt {inputs}/track.txt --json"]),
 ]
