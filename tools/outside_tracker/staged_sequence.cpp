@@ -10,6 +10,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "vo/files/folder.h"
 #include "vo/files/system_failure.h"
 
 namespace tools {
@@ -61,9 +62,9 @@ void copy_read_only(const fs::path& from, const fs::path& to) {
 /// Takes the permission to write from the folder and those directly in it.
 void make_read_only(const fs::path& folder) {
   constexpr auto kWrite = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (entry.is_directory()) {
-      fs::permissions(entry.path(), kWrite, fs::perm_options::remove);
+  for (const vo::FolderEntry& entry : vo::entries_of(folder)) {
+    if (entry.kind == vo::EntryKind::folder) {
+      fs::permissions(folder / entry.name, kWrite, fs::perm_options::remove);
     }
   }
   fs::permissions(folder, kWrite, fs::perm_options::remove);
@@ -76,9 +77,9 @@ void copy_folder(const fs::path& from, const fs::path& to, const vo::WaitObserve
   if (error) {
     fail_to_stage(to, error);
   }
-  for (const fs::directory_entry& entry : fs::directory_iterator(from)) {
-    if (entry.is_regular_file() && !entry.is_symlink()) {
-      copy_read_only(entry.path(), to / entry.path().filename());
+  for (const vo::FolderEntry& entry : vo::entries_of(from)) {
+    if (entry.kind == vo::EntryKind::file) {
+      copy_read_only(from / entry.name, to / entry.name);
       waiting();
     }
   }

@@ -12,6 +12,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "vo/core/error.h"
+#include "vo/files/folder.h"
+
 namespace tools {
 namespace {
 
@@ -22,13 +25,14 @@ using Clock = std::chrono::steady_clock;
 /// Appends the children of a process, which each of its threads may have started.
 void add_children(pid_t process, std::vector<pid_t>& processes) {
   const fs::path tasks = fs::path("/proc") / std::to_string(process) / "task";
-  std::error_code error;
-  for (fs::directory_iterator task(tasks, error), end; !error && task != end;
-       task.increment(error)) {
-    std::ifstream children(task->path() / "children");
-    for (pid_t child = 0; children >> child;) {
-      processes.push_back(child);
+  try {
+    for (const vo::FolderEntry& task : vo::entries_of(tasks)) {
+      std::ifstream children(tasks / task.name / "children");
+      for (pid_t child = 0; children >> child;) {
+        processes.push_back(child);
+      }
     }
+  } catch (const vo::Error&) {  // the process has gone in between
   }
 }
 

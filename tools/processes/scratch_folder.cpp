@@ -8,10 +8,12 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <ftw.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "vo/core/error.h"
+#include "vo/files/folder.h"
 #include "vo/files/system_failure.h"
 
 namespace tools {
@@ -19,21 +21,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Lets the owner write into all folders below, without which what is in them cannot be removed.
-void make_writable(const fs::path& folder) {
-  std::error_code ignored;
-  for (fs::recursive_directory_iterator entry(folder, ignored), end; entry != end;
-       entry.increment(ignored)) {
-    if (entry->symlink_status(ignored).type() == fs::file_type::directory) {
-      fs::permissions(entry->path(), fs::perms::owner_all, fs::perm_options::add, ignored);
-    }
+/// Lets the owner write into a folder that nftw visits, without which what is in it cannot be
+/// removed.
+int make_writable(const char* path, const struct stat* status, int type, FTW* /*place*/) {
+  if (type == FTW_D || type == FTW_DNR) {
+    ::chmod(path, status->st_mode | S_IRWXU);  // or it stays
   }
+  return 0;
 }
 
-void remove_with_contents(const fs::path& folder) {
-  std::error_code ignored;
-  make_writable(folder);
-  fs::remove_all(folder, ignored);
+void remove_with_contents(const fs::path& folder) noexcept {
+  constexpr int kOpenFolders = 16;
+  ::nftw(folder.c_str(), make_writable, kOpenFolders, FTW_PHYS);
+  vo::remove_tree(folder);
 }
 
 constexpr const char* kPrefix = "edvo-";
@@ -56,12 +56,10 @@ void remove_if_abandoned(const fs::path& lock_file) {
 
 /// Removes what killed processes of this user left.
 void remove_abandoned_folders(const fs::path& place) {
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(place, ignored)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with(kPrefix) && name.ends_with(kLockSuffix) && is_own_file(entry.path())) {
+  for (const auto& [name, kind] : vo::entries_of(place)) {
+    if (name.starts_with(kPrefix) && name.ends_with(kLockSuffix) && is_own_file(place / name)) {
       try {
-        remove_if_abandoned(entry.path());
+        remove_if_abandoned(place / name);
       } catch (const vo::Error&) {  // it has gone in between
       }
     }

@@ -18,6 +18,7 @@
 #include "tools/report/trajectory_plot.h"
 #include "tools/scenario/mono_scenario.h"
 #include "vo/core/error.h"
+#include "vo/files/folder.h"
 #include "vo/files/result_files.h"
 #include "vo/motion_files/trajectory_file.h"
 #include "vo/output_folders/staged_folder.h"
@@ -55,10 +56,9 @@ std::vector<vo::NamedBytes> result_files(const Scenario& scenario, const Outcome
 
 /// Returns whether a folder has no visible files; a killed run leaves hidden ones.
 bool is_visibly_empty(const fs::path& folder) {
-  return std::all_of(fs::directory_iterator(folder), fs::directory_iterator(),
-                     [](const fs::directory_entry& entry) {
-                       return entry.path().filename().string().starts_with('.');
-                     });
+  const std::vector<vo::FolderEntry> entries = vo::entries_of(folder);
+  return std::all_of(entries.begin(), entries.end(),
+                     [](const vo::FolderEntry& entry) { return entry.name.starts_with('.'); });
 }
 
 /// Throws vo::Error if the folder holds files but no sequence of edvo's.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "vo/core/error.h"
+#include "vo/files/folder.h"
 #include "vo/files/input.h"
 #include "vo/hashing/content_hash.h"
 #include "vo/output_folders/file_records.h"
@@ -34,9 +35,8 @@ bool is_of_this_kind(const std::string& line) {
 
 std::vector<std::string> file_names(const fs::path& folder) {
   std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    const std::string name = entry.path().lexically_relative(folder).generic_string();
-    if (!entry.is_directory() && name != vo::kFileList) {
+  for (const auto& [name, kind] : vo::entries_below(folder)) {
+    if (kind != vo::EntryKind::folder && name != vo::kFileList) {
       names.push_back(name);
     }
   }

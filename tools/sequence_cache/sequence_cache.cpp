@@ -13,6 +13,7 @@
 #include "tools/sequence_cache/scene_files_hash.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
+#include "vo/files/folder.h"
 #include "vo/files/input.h"
 #include "vo/files/output.h"
 #include "vo/files/result_files.h"
@@ -61,18 +62,18 @@ std::string problem_of(const EntryPlaces& places) {
 }
 
 void remove_entry(const EntryPlaces& places) {
-  std::error_code ignored;
-  fs::remove(places.files, ignored);
-  fs::remove_all(places.sequence, ignored);
+  vo::remove_tree(places.files);
+  vo::remove_tree(places.sequence);
 }
 
 /// Removes unfinished sequences of processes that were killed while rendering.
 void remove_unfinished(const fs::path& cache) {
   std::vector<std::string> keys;
   if (fs::is_directory(cache / "sequences")) {
-    for (const fs::directory_entry& entry : fs::directory_iterator(cache / "sequences")) {
-      const fs::path name = entry.path().filename();
-      if (entry.is_directory() && vo::StagedFolder::staging_of(name.stem()).filename() == name) {
+    for (const auto& [entry, kind] : vo::entries_of(cache / "sequences")) {
+      const fs::path name = entry;
+      if (kind == vo::EntryKind::folder &&
+          vo::StagedFolder::staging_of(name.stem()).filename() == name) {
         keys.push_back(name.stem().string());
       }
     }
@@ -80,8 +81,7 @@ void remove_unfinished(const fs::path& cache) {
   for (const std::string& key : keys) {
     const EntryPlaces places = places_of(cache, key);
     if (const auto lock = vo::FileLock::try_lock(places.lock, vo::LockKind::exclusive)) {
-      std::error_code ignored;
-      fs::remove_all(vo::StagedFolder::staging_of(places.sequence), ignored);
+      vo::remove_tree(vo::StagedFolder::staging_of(places.sequence));
     }
   }
 }
@@ -94,8 +94,8 @@ std::string value_of(const std::vector<vo::TomlValue>& values, const std::string
 
 std::uintmax_t size_of(const fs::path& folder) {
   std::uintmax_t bytes = 0;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    bytes += entry.is_regular_file() ? entry.file_size() : 0;
+  for (const auto& [name, kind] : vo::entries_below(folder)) {
+    bytes += kind == vo::EntryKind::file ? fs::file_size(folder / name) : 0;
   }
   return bytes;
 }
@@ -124,9 +124,8 @@ std::optional<CacheEntry> describe_entry(const fs::path& cache, const std::strin
 std::vector<std::string> keys_in(const fs::path& cache) {
   std::vector<std::string> keys;
   if (fs::is_directory(cache / "sequences")) {
-    for (const fs::directory_entry& entry : fs::directory_iterator(cache / "sequences")) {
-      const std::string name = entry.path().filename().string();
-      if (entry.is_directory() && !entry.path().has_extension()) {
+    for (const auto& [name, kind] : vo::entries_of(cache / "sequences")) {
+      if (kind == vo::EntryKind::folder && !fs::path(name).has_extension()) {
         keys.push_back(name);
       }
     }

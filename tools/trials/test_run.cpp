@@ -12,6 +12,7 @@
 #include "tools/trials/trial_message.h"
 #include "vo/core/error.h"
 #include "vo/core/version.h"
+#include "vo/files/folder.h"
 #include "vo/text_files/toml_file.h"
 
 namespace tools {
@@ -33,13 +34,13 @@ bool is_slow(const fs::path& file) {
 
 std::vector<fs::path> scenarios_in(const fs::path& folder, SlowScenarios slow) {
   std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const bool is_scenario = entry.path().extension() == ".toml" && entry.is_regular_file();
-    if (is_scenario && (slow == SlowScenarios::include || !is_slow(entry.path()))) {
-      files.push_back(entry.path());
+  for (const vo::FolderEntry& entry : vo::entries_of(folder)) {
+    const fs::path file = folder / entry.name;
+    const bool is_scenario = file.extension() == ".toml" && fs::is_regular_file(file);
+    if (is_scenario && (slow == SlowScenarios::include || !is_slow(file))) {
+      files.push_back(file);
     }
   }
-  std::sort(files.begin(), files.end());
   vo::require(!files.empty(), folder.string(), ": has no scenario, expected .toml files");
   return files;
 }

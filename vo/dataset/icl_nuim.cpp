@@ -10,6 +10,7 @@
 #include "vo/dataset/camera_file.h"
 #include "vo/dataset/depth_units.h"
 #include "vo/dataset/frame_images.h"
+#include "vo/files/folder.h"
 #include "vo/files/input.h"
 #include "vo/image_files/png.h"
 #include "vo/motion_files/timestamp.h"
@@ -138,9 +139,9 @@ std::string format_scene_pose(const PinholeCamera& camera, const SE3& T_world_ca
 }
 
 fs::path find_trajectory(const fs::path& folder) {
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (entry.path().string().ends_with(".gt.freiburg")) {
-      return entry.path();
+  for (const FolderEntry& entry : entries_of(folder)) {
+    if (entry.name.ends_with(".gt.freiburg")) {
+      return folder / entry.name;
     }
   }
   return {};

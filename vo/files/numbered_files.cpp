@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "vo/core/error.h"
+#include "vo/files/folder.h"
 #include "vo/files/input.h"
 
 namespace vo {
@@ -63,13 +64,9 @@ bool is_image_ending(std::string_view text) {
 
 std::vector<std::string> names_in(const fs::path& folder) {
   std::vector<std::string> names;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
-       entry.increment(error)) {
-    names.push_back(entry->path().filename().string());
+  for (FolderEntry& entry : entries_of(folder)) {
+    names.push_back(std::move(entry.name));
   }
-  require(!error, folder.string(), ": cannot be listed: ", error.message());
-  std::sort(names.begin(), names.end());
   return names;
 }
 

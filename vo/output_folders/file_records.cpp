@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "vo/core/error.h"
+#include "vo/files/folder.h"
 #include "vo/files/input.h"
 #include "vo/files/partial_file.h"
 #include "vo/hashing/content_hash.h"
@@ -78,9 +79,9 @@ bool is_intact(const fs::path& folder, const std::string& name, const FileRecord
 
 std::vector<std::string> files_below(const fs::path& folder) {
   std::vector<std::string> files;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    if (!fs::is_directory(entry.symlink_status())) {
-      files.push_back(entry.path().lexically_relative(folder).generic_string());
+  for (FolderEntry& entry : entries_below(folder)) {
+    if (entry.kind != EntryKind::folder) {
+      files.push_back(std::move(entry.name));
     }
   }
   std::sort(files.begin(), files.end());

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "vo/core/error.h"
+#include "vo/files/folder.h"
 #include "vo/files/input.h"
 #include "vo/files/partial_file.h"
 #include "vo/files/system_failure.h"
@@ -20,11 +21,6 @@ namespace fs = std::filesystem;
 /// Returns the name of a folder while another takes its place.
 fs::path old_name(const fs::path& path) {
   return path.parent_path() / ("." + path.filename().string() + ".old-edvo");
-}
-
-void remove_quietly(const fs::path& path) {
-  std::error_code ignored;
-  fs::remove_all(path, ignored);
 }
 
 bool have_same_files(const fs::path& a, const fs::path& b) {
@@ -44,9 +40,9 @@ void require_elsewhere(const fs::path& path) {
 
 /// Waits until a folder and all that is below are on the disk.
 void sync_tree(const fs::path& folder) {
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    if (!entry.is_symlink()) {
-      sync_to_disk(entry.path());
+  for (const FolderEntry& entry : entries_below(folder)) {
+    if (entry.kind != EntryKind::link) {
+      sync_to_disk(folder / entry.name);
     }
   }
   sync_to_disk(folder);
@@ -78,7 +74,7 @@ void put_folder_in_place(const fs::path& made, const fs::path& path, Durability 
     sync_to_disk(path.parent_path());
   }
   if (is_replaced) {
-    remove_quietly(old_name(path));
+    remove_tree(old_name(path));
   }
 }
 
@@ -87,8 +83,8 @@ void remove_leftovers(const fs::path& path) {
   if (fs::exists(old) && !fs::exists(path)) {
     rename_to(old, path);
   }
-  remove_quietly(old);
-  remove_quietly(partial_name(path));
+  remove_tree(old);
+  remove_tree(partial_name(path));
 }
 
 void tidy_up_beside(const fs::path& path) {
@@ -126,7 +122,7 @@ OutputFolder::OutputFolder(const fs::path& path, const OutputPolicy& policy,
 }
 
 OutputFolder::~OutputFolder() {
-  remove_quietly(partial_);
+  remove_tree(partial_);
 }
 
 void OutputFolder::write(const std::vector<NamedBytes>& files) const {

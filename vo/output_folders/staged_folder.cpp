@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "vo/core/error.h"
+#include "vo/files/folder.h"
 #include "vo/files/input.h"
 #include "vo/files/system_failure.h"
 #include "vo/output_folders/file_records.h"
@@ -33,10 +34,8 @@ FileRecords planned(const StagedContent& content) {
 }
 
 void remove_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::remove_all(folder, error);
-  if (error) {
-    fail_with(folder, "cannot be removed", error.value());
+  if (const int error = remove_tree(folder); error != 0) {
+    fail_with(folder, "cannot be removed", error);
   }
 }
 
@@ -106,8 +105,7 @@ void StagedFolder::begin() const {
       fail_with(staging_, "cannot be made", error.value());
     }
   } catch (const Error&) {
-    std::error_code ignored;
-    fs::remove_all(fresh, ignored);
+    remove_tree(fresh);
     throw;
   }
 }
