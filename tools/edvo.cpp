@@ -31,6 +31,7 @@ constexpr const char* kDescription =
     "  edvo render       a glTF scene and a camera path -> an RGB-D sequence with exact poses\n"
     "  edvo path         what a camera path does in a scene: clearance, speed, flow, blank views\n"
     "  edvo convert      an RGB-D sequence -> TUM, EuRoC or ICL-NUIM\n"
+    "  edvo record       an RGB-D camera that runs -> a sequence\n"
     "  edvo track        an RGB-D sequence -> a trajectory\n"
     "  edvo evaluate     two trajectories -> their errors\n"
     "  edvo run          a scenario: all three, and a verdict\n"
@@ -64,6 +65,7 @@ int run(std::vector<std::string> words, tools::Session& session) {
   tools::add_render_command(program, session);
   tools::add_path_command(program, session);
   tools::add_convert_command(program, session);
+  tools::add_record_command(program, session);
   tools::add_track_command(program, session);
   tools::add_evaluate_command(program, session);
   tools::add_run_command(program, session);

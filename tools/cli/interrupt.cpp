@@ -29,6 +29,10 @@ void remember_signals() {
   std::signal(SIGPIPE, SIG_DFL);
 }
 
+bool is_interrupted() {
+  return received_signal() != 0;
+}
+
 void throw_if_interrupted() {
   switch (received_signal()) {
     case SIGINT:

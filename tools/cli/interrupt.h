@@ -7,6 +7,9 @@ namespace tools {
 /// reads ends the process by SIGPIPE, whatever its parent ignored.
 void remember_signals();
 
+/// Returns whether a signal has been recorded, for what ends well when it is stopped.
+bool is_interrupted();
+
 /// Throws vo::Error (`interrupted` after SIGINT, `temporary` after SIGTERM or SIGHUP) once a signal
 /// has been recorded.
 void throw_if_interrupted();

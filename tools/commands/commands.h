@@ -12,6 +12,7 @@ namespace tools {
 void add_inspect_command(CLI::App& program, Session& session);
 void add_render_command(CLI::App& program, Session& session);
 void add_convert_command(CLI::App& program, Session& session);
+void add_record_command(CLI::App& program, Session& session);
 void add_track_command(CLI::App& program, Session& session);
 void add_evaluate_command(CLI::App& program, Session& session);
 void add_run_command(CLI::App& program, Session& session);

@@ -42,16 +42,7 @@ std::vector<NamedBytes> encode_frame(const SequenceSource& source, WrittenSequen
 /// Encodes a TUM folder's lists, which have a line for each stamp, and its poses and IMU readings,
 /// which have stamps of their own.
 std::vector<NamedBytes> encode_tum_lists(const SequenceSource& source) {
-  Trajectory stamps;
-  for (const double timestamp : source.timestamps) {
-    stamps.push_back({timestamp, {}});
-  }
-  std::vector<NamedBytes> files;
-  for (NamedBytes& file : encode_lists({source.camera}, stamps)) {
-    if (file.name != "groundtruth.txt") {
-      files.push_back(std::move(file));
-    }
-  }
+  std::vector<NamedBytes> files = encode_image_lists({source.camera}, source.timestamps);
   if (!source.truth.empty()) {
     files.push_back({"groundtruth.txt", format_trajectory(source.truth)});
   }

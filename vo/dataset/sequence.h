@@ -110,7 +110,11 @@ std::vector<std::string> frame_files(const SequenceLayout& layout, std::size_t i
 std::vector<NamedBytes> encode_frame(const SequenceLayout& layout, std::size_t index,
                                      const RgbdFrame& frame);
 
-/// Encodes the lists, groundtruth.txt and camera.toml for frames 0 to truth.size() - 1.
+/// Encodes the lists of the images and camera.toml for frames of these stamps, s.
+std::vector<NamedBytes> encode_image_lists(const SequenceLayout& layout,
+                                           const std::vector<double>& timestamps);
+
+/// Encodes what `encode_image_lists` does and groundtruth.txt for frames 0 to truth.size() - 1.
 std::vector<NamedBytes> encode_lists(const SequenceLayout& layout, const Trajectory& truth);
 
 }  // namespace vo

@@ -5,6 +5,7 @@
 #include "vo/dataset/camera_file.h"
 #include "vo/dataset/depth_units.h"
 #include "vo/dataset/sequence.h"
+#include "vo/geometry/associate.h"
 #include "vo/image_files/npy.h"
 #include "vo/image_files/png.h"
 #include "vo/motion_files/timestamp.h"
@@ -14,10 +15,9 @@ namespace vo {
 namespace {
 
 std::string format_list(const char* title, const char* folder, const char* extension,
-                        const Trajectory& truth, double delay) {
-  std::vector<double> timestamps;
-  for (const StampedPose& pose : truth) {
-    timestamps.push_back(pose.timestamp + delay);
+                        std::vector<double> timestamps, double delay) {
+  for (double& timestamp : timestamps) {
+    timestamp += delay;
   }
   const std::vector<std::string> stamps = format_timestamps(timestamps);
   std::string text = concat("# ", title, "\n# timestamp filename\n");
@@ -56,18 +56,24 @@ std::vector<NamedBytes> encode_frame(const SequenceLayout& layout, std::size_t i
   return files;
 }
 
-std::vector<NamedBytes> encode_lists(const SequenceLayout& layout, const Trajectory& truth) {
+std::vector<NamedBytes> encode_image_lists(const SequenceLayout& layout,
+                                           const std::vector<double>& timestamps) {
   std::vector<NamedBytes> files = {
-      {"rgb.txt", format_list("colour images, sRGB", "rgb", "png", truth, 0)},
-      {"depth.txt", format_list("planar depth at pixel centres, 16 bit", "depth", "png", truth,
+      {"rgb.txt", format_list("colour images, sRGB", "rgb", "png", timestamps, 0)},
+      {"depth.txt", format_list("planar depth at pixel centres, 16 bit", "depth", "png", timestamps,
                                 layout.depth_delay)}};
   if (layout.float_depth == FloatDepth::npy) {
     files.push_back(
         {"depth_float.txt", format_list("planar depth at pixel centres, m", "depth_float", "npy",
-                                        truth, layout.depth_delay)});
+                                        timestamps, layout.depth_delay)});
   }
-  files.push_back({"groundtruth.txt", format_trajectory(truth)});
   files.push_back({"camera.toml", format_camera(layout.camera)});
+  return files;
+}
+
+std::vector<NamedBytes> encode_lists(const SequenceLayout& layout, const Trajectory& truth) {
+  std::vector<NamedBytes> files = encode_image_lists(layout, timestamps_of(truth));
+  files.push_back({"groundtruth.txt", format_trajectory(truth)});
   return files;
 }
 

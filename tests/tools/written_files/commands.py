@@ -43,6 +43,7 @@ class Run:
     words: str
     json: str = ""
     exit_codes: tuple = (0,)
+    camera: bool = False  # reads a camera of OpenNI2, in whose place a driver shows `sequence`
 
 
 ROOM = "assets/room/room.gltf"
@@ -62,6 +63,7 @@ RUNS = [
     Run("convert sequence icl_tum --format icl-tum --json", "convert"),
     Run("convert euroc tum --format tum --json", "convert"),
     Run("track sequence --out track.txt --frame-log track.csv --debug-images 6 --save-map map.ply --json", "track"),
+    Run("record openni2 recorded --frames 3 --json", "record", camera=True),
     Run("track sequence --out again.txt --save-map map.pcd --quiet"),
     Run("track sequence --mode mono --bootstrap rgbd --out mono.txt --frame-log mono.csv --save-map mono.pcd --json",
         "track"),

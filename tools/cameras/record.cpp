@@ -1,0 +1,105 @@
+#include "tools/cameras/record.h"
+
+#include <atomic>
+#include <exception>
+#include <future>
+#include <optional>
+#include <vector>
+
+#include <tbb/concurrent_queue.h>
+
+#include "vo/core/error.h"
+#include "vo/dataset/sequence.h"
+#include "vo/output_folders/output_folder.h"
+
+namespace tools {
+namespace {
+
+constexpr std::size_t kMostWaiting = 300;  // frames of 640x480 px: 0.6 GB
+
+/// Encodes and writes frames in a thread of its own.
+class FrameWriter {
+ public:
+  FrameWriter(const vo::SequenceLayout& layout, const vo::OutputFolder& folder)
+      : layout_(layout), folder_(folder) {
+    waiting_.set_capacity(kMostWaiting);
+    written_ = std::async(std::launch::async, [this] { write_all(); });
+  }
+  ~FrameWriter() {
+    if (written_.valid()) {
+      waiting_.push(std::nullopt);
+    }
+  }
+  FrameWriter(const FrameWriter&) = delete;
+  FrameWriter& operator=(const FrameWriter&) = delete;
+  FrameWriter(FrameWriter&&) = delete;
+  FrameWriter& operator=(FrameWriter&&) = delete;
+
+  /// Takes a frame; throws what writing an earlier one has thrown.
+  void put(const vo::RgbdFrame& frame) {
+    if (has_failed_) {
+      finish();
+    }
+    waiting_.push(frame);
+  }
+
+  /// Waits until all frames are written; throws what writing one of them has thrown.
+  void finish() {
+    waiting_.push(std::nullopt);
+    written_.get();
+  }
+
+ private:
+  /// Writes what it is given until there is no more; what follows a failure is taken and dropped,
+  /// so that nobody waits for room.
+  void write_all() {
+    std::optional<vo::RgbdFrame> frame;
+    std::exception_ptr failure;
+    for (std::size_t index = 0; waiting_.pop(frame), frame; ++index) {
+      if (failure) {
+        continue;
+      }
+      try {
+        folder_.write(vo::encode_frame(layout_, index, *frame));
+      } catch (...) {
+        failure = std::current_exception();
+        has_failed_ = true;
+      }
+    }
+    if (failure) {
+      std::rethrow_exception(failure);
+    }
+  }
+
+  vo::SequenceLayout layout_;
+  const vo::OutputFolder& folder_;
+  tbb::concurrent_bounded_queue<std::optional<vo::RgbdFrame>> waiting_;
+  std::atomic<bool> has_failed_ = false;
+  std::future<void> written_;
+};
+
+}  // namespace
+
+RecordOutcome record(const LiveCamera& camera, const RecordJob& job, const vo::OutputPolicy& policy,
+                     const RecordObserver& observer) {
+  vo::OutputFolder folder(job.out, policy, {});
+  const vo::SequenceLayout layout{camera.camera};
+  std::vector<double> timestamps;
+  FrameWriter writer(layout, folder);
+  while (job.frames == 0 || timestamps.size() < job.frames) {
+    const std::optional<vo::RgbdFrame> frame = camera.next(observer.is_stopped);
+    if (!frame) {
+      break;
+    }
+    writer.put(*frame);
+    timestamps.push_back(frame->timestamp);
+    observer.on_frame(timestamps.size());
+  }
+  writer.finish();
+  vo::require(!timestamps.empty(), camera.device, ": has given no frame before it was stopped");
+  folder.write(vo::encode_image_lists(layout, timestamps));
+  folder.commit();
+  return {timestamps.size(), camera.missed(), timestamps.back() - timestamps.front()};
+}
+
+}  // namespace tools
