@@ -8,7 +8,7 @@
 
 #include "synth/scene/vertex_sample.h"
 #include "vo/core/error.h"
-#include "vo/dataset/depth_units.h"
+#include "vo/frames/depth_units.h"
 
 namespace synth {
 namespace {

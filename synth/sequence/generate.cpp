@@ -6,7 +6,7 @@
 #include "synth/scene/scene_motion.h"
 #include "synth/sensor/noise_model.h"
 #include "vo/core/error.h"
-#include "vo/dataset/depth_units.h"
+#include "vo/frames/depth_units.h"
 #include "vo/motion_files/trajectory_file.h"
 
 namespace synth {

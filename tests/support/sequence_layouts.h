@@ -9,8 +9,8 @@
 
 #include "tests/support/plane_frames.h"
 #include "vo/dataset/camera_file.h"
-#include "vo/dataset/depth_units.h"
 #include "vo/dataset/sequence_source.h"
+#include "vo/frames/depth_units.h"
 #include "vo/image_files/npy.h"
 #include "vo/image_files/png.h"
 

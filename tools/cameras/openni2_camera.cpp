@@ -13,7 +13,7 @@
 
 #include "tools/cameras/frame_pairs.h"
 #include "vo/core/error.h"
-#include "vo/dataset/depth_units.h"
+#include "vo/frames/depth_units.h"
 
 namespace tools {
 namespace {

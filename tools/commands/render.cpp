@@ -17,7 +17,7 @@
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
 #include "vo/core/error.h"
-#include "vo/dataset/depth_units.h"
+#include "vo/frames/depth_units.h"
 
 namespace tools {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "vo/core/error.h"
-#include "vo/dataset/depth_units.h"
+#include "vo/frames/depth_units.h"
 
 namespace python {
 

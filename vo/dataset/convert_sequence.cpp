@@ -5,10 +5,10 @@
 
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/dataset/depth_units.h"
 #include "vo/dataset/euroc.h"
 #include "vo/dataset/icl_nuim.h"
 #include "vo/dataset/sequence.h"
+#include "vo/frames/depth_units.h"
 #include "vo/motion_files/imu_file.h"
 #include "vo/motion_files/timestamp.h"
 #include "vo/motion_files/trajectory_file.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "vo/core/error.h"
-#include "vo/dataset/depth_units.h"
+#include "vo/frames/depth_units.h"
 #include "vo/image_files/image_file.h"
 #include "vo/image_files/npy.h"
 

@@ -7,9 +7,9 @@
 
 #include "vo/core/error.h"
 #include "vo/dataset/camera_file.h"
-#include "vo/dataset/depth_units.h"
 #include "vo/dataset/frame_files.h"
 #include "vo/dataset/frame_images.h"
+#include "vo/frames/depth_units.h"
 #include "vo/image_files/image_file.h"
 #include "vo/motion_files/pose_matrix.h"
 

@@ -10,18 +10,11 @@
 
 #include "vo/core/image.h"
 #include "vo/files/output.h"
+#include "vo/frames/sequence_frames.h"
 #include "vo/geometry/camera.h"
 #include "vo/geometry/trajectory.h"
 
 namespace vo {
-
-struct SequenceSource;
-
-/// The images of a sequence that are read.
-enum class SequenceContent {
-  colour_and_depth,
-  colour,  ///< depth.txt and its images are not touched; frames have no depth
-};
 
 /// An RGB-D sequence on disk, the one source of frames of everything that tracks. The layout is
 /// that of the TUM RGB-D benchmark:

@@ -3,9 +3,9 @@
 
 #include "vo/core/error.h"
 #include "vo/dataset/camera_file.h"
-#include "vo/dataset/depth_units.h"
 #include "vo/dataset/sequence.h"
 #include "vo/geometry/associate.h"
+#include "vo/frames/depth_units.h"
 #include "vo/image_files/npy.h"
 #include "vo/image_files/png.h"
 #include "vo/motion_files/timestamp.h"

@@ -3,11 +3,11 @@
 
 #include "vo/core/error.h"
 #include "vo/dataset/camera_file.h"
-#include "vo/dataset/depth_units.h"
 #include "vo/dataset/frame_images.h"
 #include "vo/dataset/sequence.h"
 #include "vo/dataset/sequence_source.h"
 #include "vo/files/input.h"
+#include "vo/frames/depth_units.h"
 #include "vo/geometry/associate.h"
 #include "vo/motion_files/timestamp.h"
 #include "vo/motion_files/trajectory_file.h"

@@ -1,18 +1,12 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
-#include "vo/core/image.h"
+#include "vo/frames/sequence_frames.h"
 #include "vo/geometry/camera.h"
-#include "vo/geometry/imu.h"
-#include "vo/geometry/trajectory.h"
 
 namespace vo {
 
@@ -37,18 +31,6 @@ constexpr auto enum_names(SequenceFormat) {
                     std::pair{SequenceFormat::open3d, "open3d"},
                     std::pair{SequenceFormat::tartanair, "tartanair"}};
 }
-
-/// A sequence on disk, whatever its format. The camera is x right, y down, z forward, the world
-/// right-handed; readers of formats with other conventions convert them.
-struct SequenceSource {
-  RgbdCamera camera;
-  std::vector<double> timestamps;                    ///< s, of the frames, increasing
-  std::function<RgbdFrame(std::size_t index)> read;  ///< for any thread; depth is empty if absent
-  Trajectory truth;                                  ///< ground truth; empty if absent
-  ImuRecord imu;  ///< of the body that carries the camera; empty if absent
-  SE3 T_body_camera;
-  std::vector<std::string> notes;  ///< sentences on what was not as the format has it
-};
 
 /// Returns the format whose files a folder holds; none where they are of no known format.
 std::optional<SequenceFormat> known_format(const std::filesystem::path& folder);

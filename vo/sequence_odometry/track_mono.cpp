@@ -7,7 +7,7 @@
 
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/dataset/depth_units.h"
+#include "vo/frames/depth_units.h"
 #include "vo/image_files/npy.h"
 #include "vo/motion_files/timestamp.h"
 

@@ -22,7 +22,7 @@
 #include <Driver/OniDriverAPI.h>
 #include <opencv2/imgproc.hpp>
 
-#include "vo/dataset/depth_units.h"
+#include "vo/frames/depth_units.h"
 #include "vo/dataset/sequence.h"
 
 namespace {

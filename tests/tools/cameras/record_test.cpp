@@ -7,7 +7,7 @@
 #include "tests/support/plane_sequence.h"
 #include "tests/support/program_test.h"
 #include "tools/cameras/live_camera.h"
-#include "vo/dataset/depth_units.h"
+#include "vo/frames/depth_units.h"
 #include "vo/dataset/sequence.h"
 
 namespace {

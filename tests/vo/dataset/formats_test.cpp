@@ -8,11 +8,11 @@
 #include "tests/support/temp_folder.h"
 #include "vo/core/fields.h"
 #include "vo/dataset/camera_file.h"
-#include "vo/dataset/depth_units.h"
 #include "vo/dataset/euroc.h"
 #include "vo/dataset/icl_nuim.h"
 #include "vo/dataset/sequence.h"
 #include "vo/files/input.h"
+#include "vo/frames/depth_units.h"
 #include "vo/motion_files/imu_file.h"
 
 namespace {

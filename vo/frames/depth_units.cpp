@@ -1,4 +1,4 @@
-#include "vo/dataset/depth_units.h"
+#include "vo/frames/depth_units.h"
 
 #include <algorithm>
 #include <cmath>
