@@ -2,84 +2,21 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <new>
 #include <string_view>
 #include <system_error>
 
-#include <fcntl.h>
 #include <poll.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "vo/core/error.h"
 #include "vo/files/partial_file.h"
+#include "vo/files/ranged_file.h"
 #include "vo/files/system_failure.h"
 
 namespace vo {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string_view kind_of(mode_t mode) {
-  if (S_ISDIR(mode)) {
-    return "a folder";
-  }
-  if (S_ISFIFO(mode)) {
-    return "a pipe";
-  }
-  return S_ISSOCK(mode) ? "a socket" : "a device";
-}
-
-/// Owns an open file.
-class OpenFile {
- public:
-  /// Opens without waiting, which a pipe without a writer would have one do.
-  explicit OpenFile(const fs::path& path)
-      : path_(path), descriptor_(uninterrupted([&] {
-          return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-        })) {
-    require(descriptor_ >= 0 || errno != ENOENT, path.string(), ": there is no such file");
-    if (descriptor_ < 0) {
-      fail_with(path, "cannot be read", errno);
-    }
-  }
-  ~OpenFile() { ::close(descriptor_); }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  OpenFile(OpenFile&&) = delete;
-  OpenFile& operator=(OpenFile&&) = delete;
-
-  /// Returns the size of the regular file, bytes.
-  std::uintmax_t size() const {
-    struct stat status {};
-    if (::fstat(descriptor_, &status) != 0) {
-      fail_with(path_, "cannot be read", errno);
-    }
-    require(S_ISREG(status.st_mode), path_.string(), ": is ", kind_of(status.st_mode),
-            ", expected a regular file");
-    return static_cast<std::uintmax_t>(status.st_size);
-  }
-
-  /// Fills `bytes` from the file's start; it becomes shorter where the file is.
-  void read(std::string& bytes) const {
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-      const ssize_t count = ::read(descriptor_, bytes.data() + done, bytes.size() - done);
-      if (count < 0 && errno != EINTR) {
-        fail_with(path_, "cannot be read to its end", errno);
-      }
-      if (count == 0) {
-        break;
-      }
-      done += static_cast<std::size_t>(count > 0 ? count : 0);
-    }
-    bytes.resize(done);
-  }
-
- private:
-  const fs::path& path_;
-  int descriptor_;
-};
 
 bool is_within(const fs::path& folder, const fs::path& path) {
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
@@ -89,18 +26,10 @@ bool is_within(const fs::path& folder, const fs::path& path) {
 }  // namespace
 
 std::string read_file(const fs::path& path, std::uintmax_t max_bytes) {
-  const OpenFile file(path);
-  const std::uintmax_t size = file.size();
-  require(size <= max_bytes, path.string(), ": has ", size, " bytes, expected at most ", max_bytes);
-  std::string bytes;
-  try {
-    bytes.resize(size);
-  } catch (const std::bad_alloc&) {
-    fail_as(ErrorKind::temporary, path.string(), ": reading it needs ", size,
-            " bytes of memory, which are not there");
-  }
-  file.read(bytes);
-  return bytes;
+  const RangedFile file(path);
+  require(file.size() <= max_bytes, path.string(), ": has ", file.size(),
+          " bytes, expected at most ", max_bytes);
+  return file.read(0, file.size());
 }
 
 void copy_stream(int from, int to, const std::string& name, std::uintmax_t max_bytes,
