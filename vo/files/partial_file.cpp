@@ -78,7 +78,8 @@ PartialFile::PartialFile(const fs::path& path)
 PartialFile::PartialFile(PartialFile&& other) noexcept
     : path_(std::move(other.path_)),
       partial_(std::move(other.partial_)),
-      lock_(std::move(other.lock_)) {
+      lock_(std::move(other.lock_)),
+      is_begun_(other.is_begun_) {
   other.lock_.reset();
 }
 
@@ -88,11 +89,16 @@ PartialFile::~PartialFile() {
   }
 }
 
-void PartialFile::commit(std::string_view bytes, Durability durability) {
-  if (::ftruncate(lock_->descriptor(), 0) != 0) {
+void PartialFile::append(std::string_view bytes) {
+  if (!is_begun_ && ::ftruncate(lock_->descriptor(), 0) != 0) {
     fail_with(path_, kNotWritten, errno);
   }
+  is_begun_ = true;
   write_bytes(lock_->descriptor(), bytes, path_);
+}
+
+void PartialFile::commit(Durability durability) {
+  append({});
   if (durability == Durability::synced) {
     sync_descriptor(lock_->descriptor(), path_);
   }
@@ -103,6 +109,11 @@ void PartialFile::commit(std::string_view bytes, Durability durability) {
   if (durability == Durability::synced) {
     sync_to_disk(path_.parent_path());
   }
+}
+
+void PartialFile::commit(std::string_view bytes, Durability durability) {
+  append(bytes);
+  commit(durability);
 }
 
 void remove_abandoned(const fs::path& path) {

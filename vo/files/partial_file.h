@@ -32,7 +32,13 @@ class PartialFile {
   PartialFile(const PartialFile&) = delete;
   PartialFile& operator=(const PartialFile&) = delete;
 
-  /// Writes the bytes and gives the file its final name, in place of a file that is there.
+  /// Writes bytes behind those before.
+  void append(std::string_view bytes);
+
+  /// Gives the file its final name, in place of a file that is there.
+  void commit(Durability durability);
+
+  /// Writes bytes and gives the file its final name.
   void commit(std::string_view bytes, Durability durability);
 
  private:
@@ -41,6 +47,7 @@ class PartialFile {
   std::filesystem::path path_;
   std::filesystem::path partial_;
   std::optional<FileLock> lock_;  ///< nothing once committed or moved from
+  bool is_begun_ = false;         ///< whether what a killed process left is gone
 };
 
 /// Removes the partial file that a killed process left of `path`, if any.

@@ -4,9 +4,8 @@
 #include <cstdint>
 #include <limits>
 
-#include <zlib.h>
-
 #include "vo/core/error.h"
+#include "vo/files/crc32.h"
 
 namespace vo {
 namespace {
@@ -33,13 +32,12 @@ void append32(std::string& bytes, std::uint32_t value) {
 
 /// Appends what the headers of a file share: from the version that is needed to the name's length.
 void append_description(std::string& bytes, const NamedBytes& file) {
-  const uLong checksum =
-      crc32_z(0, reinterpret_cast<const Bytef*>(file.bytes.data()), file.bytes.size());
+  const std::uint32_t checksum = crc32_of(file.bytes);
   const auto size = static_cast<std::uint32_t>(file.bytes.size());
   for (const std::uint16_t value : {kVersion, kUtf8Names, kStored, kMidnight, kFirstDay}) {
     append16(bytes, value);
   }
-  append32(bytes, static_cast<std::uint32_t>(checksum));
+  append32(bytes, checksum);
   append32(bytes, size);  // compressed
   append32(bytes, size);
   append16(bytes, static_cast<std::uint16_t>(file.name.size()));
