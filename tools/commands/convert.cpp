@@ -12,6 +12,7 @@
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/scene_arguments.h"
 #include "tools/cli/standard_streams.h"
+#include "tools/cli/topic_arguments.h"
 #include "tools/cli/trajectory_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/track_arguments.h"
@@ -21,6 +22,7 @@
 #include "vo/dataset/convert_sequence.h"
 #include "vo/files/output.h"
 #include "vo/geometry/associate.h"
+#include "vo/motion_files/recorded_trajectory.h"
 #include "vo/motion_files/timestamp.h"
 #include "vo/motion_files/trajectory_file.h"
 
@@ -28,7 +30,8 @@ namespace tools {
 namespace {
 
 constexpr const char* kConvertHelp =
-    "Writes a sequence, IN a folder, in another format, its poses, camera and IMU included, or a\n"
+    "Writes a sequence, IN a folder or recording, in another format, its poses, camera and IMU "
+    "included, or a\n"
     "trajectory, IN a file. Sequences:\n"
     "  tum       rgb/, depth/ (16 bit), rgb.txt, depth.txt, groundtruth.txt, camera.toml,\n"
     "            imu.csv, imu.toml\n"
@@ -39,10 +42,13 @@ constexpr const char* kConvertHelp =
     "  icl-nuim  scene_00_NNNN.png, .depth (text, m along the ray), .txt (POV-Ray's camera)\n"
     "  icl-tum   the \"TUM compatible\" form: rgb/N.png, depth/N.png, associations.txt,\n"
     "            *.gt.freiburg\n"
+    "  mcap      one file for Foxglove, Rerun and ROS 2: images, depth, CameraInfo, poses as\n"
+    "            PoseStamped and /tf\n"
     "Both forms of ICL-NUIM have a camera with y up (fy < 0) in a left-handed world and no stamps\n"
     "(30 Hz): converting turns them round. Depth beyond 16 bit becomes 0 and is counted. "
     "7-Scenes,\n"
-    "ScanNet, Open3D's and Redwood's folders and TartanAir are read, too, and not written.\n"
+    "ScanNet, Open3D's and Redwood's folders, TartanAir and ROS 1 bags are read, too, and not\n"
+    "written.\n"
     "Trajectories, of any format that is read:\n"
     "  tum       timestamp tx ty tz qx qy qz qw, s\n"
     "  euroc     timestamp,px,py,pz,qw,qx,qy,qz, ns, as its ground truth without velocity and "
@@ -53,6 +59,7 @@ constexpr const char* kConvertHelp =
 constexpr const char* kConvertExamples =
     "Examples:\n"
     "  edvo convert sequence sequence_euroc --format euroc\n"
+    "  edvo convert sequence sequence.mcap --format mcap\n"
     "  edvo convert living_room_traj0 sequence --format tum\n"
     "  edvo convert estimate.txt poses.txt --format kitti\n"
     "  edvo convert poses/00.txt groundtruth.txt --format tum --times sequences/00/times.txt";
@@ -65,6 +72,9 @@ struct ConvertArguments {
   std::string from;
   std::string camera;
   std::string times;
+  vo::SequenceTopics topics;
+  std::string compression = "zstd";
+  bool points = false;
 };
 
 vo::ConvertJob chosen_job(const ConvertArguments& arguments) {
@@ -76,6 +86,9 @@ vo::ConvertJob chosen_job(const ConvertArguments& arguments) {
     }
   });
   job.camera = given_camera(arguments.camera);
+  job.recorded.topics = arguments.topics;
+  job.mcap.compression = vo::parse_enum<vo::Compression>(arguments.compression);
+  job.mcap_clouds = arguments.points ? vo::PointClouds::written : vo::PointClouds::none;
   return job;
 }
 
@@ -184,6 +197,19 @@ void convert_sequence(const ConvertArguments& arguments, const Session& session)
   print(arguments, outcome, session.out);
 }
 
+/// Returns whether IN is a trajectory: a file, but of recordings those of which a topic is named,
+/// which have no images, or which are to be written as a trajectory alone.
+bool is_trajectory(const ConvertArguments& arguments) {
+  const vo::RecordingName name = vo::recording_name(arguments.in);
+  vo::require(std::filesystem::exists(name.file), arguments.in,
+              ": there is no such folder or file, expected a sequence or a trajectory");
+  if (!std::filesystem::is_regular_file(name.file) || !vo::recording_format(name.file)) {
+    return std::filesystem::is_regular_file(name.file);
+  }
+  return !name.topic.empty() || arguments.format == vo::to_string(WrittenTrajectory::kitti) ||
+         !vo::records_images(name.file);
+}
+
 }  // namespace
 
 void add_convert_command(CLI::App& program, Session& session) {
@@ -194,18 +220,23 @@ void add_convert_command(CLI::App& program, Session& session) {
   command.add_option("OUT", arguments->out, "folder or trajectory to make")->required();
   command
       .add_option("--format", arguments->format,
-                  "tum | euroc | icl-nuim | icl-tum, of a trajectory tum | euroc | kitti")
+                  "tum | euroc | icl-nuim | icl-tum | mcap, of a trajectory tum | euroc | kitti")
       ->required();
   command.add_option("--from", arguments->from, "the format of IN, where it is not found out");
   command.add_option("--camera", arguments->camera, "preset or FILE.toml, instead of IN's own");
   command.add_option("--times", arguments->times,
                      "list of the stamps of a trajectory without (KITTI, COLMAP)");
+  add_topic_options(command, arguments->topics);
+  command
+      .add_option("--compression", arguments->compression,
+                  "of an MCAP file, none | lz4 | zstd [zstd]")
+      ->check(CLI::IsMember({"none", "lz4", "zstd"}));
+  command.add_flag("--points", arguments->points,
+                   "the points of each depth image in an MCAP file, too");
   add_common_options(command, arguments->common);
   take_streams(command, {.inputs = {"--camera", "--times"}, .others = {"IN", "OUT"}});
   command.callback([arguments, &session] {
-    vo::require(std::filesystem::exists(arguments->in), arguments->in,
-                ": there is no such folder or file, expected a sequence or a trajectory");
-    if (std::filesystem::is_regular_file(arguments->in)) {
+    if (is_trajectory(*arguments)) {
       convert_trajectory(*arguments, session);
     } else {
       convert_sequence(*arguments, session);

@@ -12,6 +12,7 @@
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/scene_arguments.h"
 #include "tools/cli/standard_streams.h"
+#include "tools/cli/topic_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/depth/depth_output.h"
 #include "tools/depth/depth_table.h"
@@ -43,6 +44,7 @@ struct DepthArguments {
   std::string depth_file;
   int every = 20;
   double max_time_difference = 0.02;
+  vo::SequenceTopics topics;  ///< of a recording
   double depth_noise = 0;
 };
 
@@ -128,12 +130,14 @@ int depth(const DepthArguments& arguments, const Session& session) {
   std::vector<MappedFrame> frames;
   if (arguments.track) {
     frames = track_and_judge(
-        {arguments.sequence, camera, arguments.max_time_difference, arguments.depth_file}, tracking,
-        arguments.depth_noise,
+        {arguments.sequence, camera, arguments.max_time_difference, arguments.depth_file,
+         arguments.topics},
+        tracking, arguments.depth_noise,
         observer(is_metric(tracking.bootstrap) ? MapScale::metric : MapScale::arbitrary),
         bar.callback());
   } else {
-    const vo::SequenceReader sequence(arguments.sequence, camera, arguments.max_time_difference);
+    const vo::SequenceReader sequence(arguments.sequence, camera, arguments.max_time_difference,
+                                      vo::SequenceContent::colour_and_depth, arguments.topics);
     frames = map_sequence(sequence, mapping, observer(MapScale::metric), bar.callback());
   }
   vo::require(frames.size() > 1, arguments.sequence,
@@ -179,6 +183,7 @@ void add_depth_command(CLI::App& program, Session& session) {
       .add_option("--depth-noise", arguments->depth_noise,
                   "of the sequence's depth, sigma / depth^2, 1/m: 0.0019 for a Kinect [0]")
       ->check(CLI::NonNegativeNumber);
+  add_topic_options(command, arguments->topics);
   add_common_options(command, arguments->common);
   take_streams(command, {.inputs = {"--camera", "--depth-file"}, .others = {"SEQUENCE", "--out"}});
   command.callback([arguments, &session] { session.status = depth(*arguments, session); });

@@ -17,6 +17,7 @@
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/scene_arguments.h"
 #include "tools/cli/standard_streams.h"
+#include "tools/cli/topic_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/track_arguments.h"
 #include "tools/depth/mono_run.h"
@@ -41,8 +42,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kTrackHelp =
     "Tracks the camera of an RGB-D sequence, a folder as TUM RGB-D, EuRoC, ICL-NUIM, 7-Scenes,\n"
-    "ScanNet, Open3D, Redwood or TartanAir have it, and writes T_world_camera of every tracked\n"
-    "frame in TUM format; the world is the first camera's frame.\n"
+    "ScanNet, Open3D, Redwood or TartanAir have it, or a recording (MCAP, ROS 1 bag), and writes\n"
+    "T_world_camera of every tracked frame in TUM format; the world is the first camera's frame.\n"
     "With --mode mono only the images are read, and the depth of the first for --bootstrap rgbd;\n"
     "--preset and --debug-images are for --mode rgbd.\n"
     "Frames that are lost have no pose in the file; frames that are uncertain have one that must\n"
@@ -57,7 +58,8 @@ std::string track_examples() {
       "  edvo track rgbd_dataset_freiburg1_xyz --camera tum-fr1 --preset paper --out estimate.txt\n"
       "  edvo track sequence --set keyframes.every=5 --set edges.percentile=90 --out e.txt --json\n"
       "  edvo track sequence --debug-images 30 --out e.txt   # pictures in e_panels/\n"
-      "  edvo track sequence --mode mono --bootstrap auto --out e.txt --frame-log e.csv\n\n"
+      "  edvo track sequence --mode mono --bootstrap auto --out e.txt --frame-log e.csv\n"
+      "  edvo track robot.mcap --rgb-topic /front/color/image_raw --out e.txt\n\n"
       "Camera presets:\n";
   for (const vo::CameraPreset& preset : vo::camera_presets()) {
     text += "  " + preset.name + std::string(13 - preset.name.size(), ' ') + preset.help + "\n";
@@ -239,7 +241,8 @@ int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCame
                ProgressBar& bar, const Session& session) {
   const vo::TrackerOptions chosen = chosen_options(arguments, session.err);
   cv::setNumThreads(chosen.align.threads);
-  const vo::SequenceReader sequence(arguments.sequence, camera, arguments.max_time_difference);
+  const vo::SequenceReader sequence(arguments.sequence, camera, arguments.max_time_difference,
+                                    vo::SequenceContent::colour_and_depth, arguments.topics);
   vo::TrackerOptions options = chosen.starting_from(sequence.camera());
   PanelWriter panels(beside(arguments.out, "_panels"), arguments.debug_images,
                      arguments.common.output_policy(), throw_if_interrupted);
@@ -288,7 +291,7 @@ int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCame
               "`edvo depth --track` draws monocular maps");
   vo::MonoOptions options = chosen_mono_options(arguments, session.err);
   const vo::MonoInput input{arguments.sequence, camera, arguments.max_time_difference,
-                            arguments.depth_file};
+                            arguments.depth_file, arguments.topics};
   KeyframeCloud cloud;
   const vo::MonoSequenceResult result = vo::track_mono_sequence(
       input, options, arguments.save_map.empty() ? vo::MonoObserver() : cloud.mono_observer(),
@@ -334,7 +337,8 @@ void add_track_command(CLI::App& program, Session& session) {
   CLI::App& command = *program.add_subcommand("track", kTrackHelp);
   const auto arguments = std::make_shared<TrackArguments>();
   command.footer(track_examples());
-  command.add_option("SEQUENCE", arguments->sequence, "folder of a sequence")->required();
+  command.add_option("SEQUENCE", arguments->sequence, "folder of a sequence, or recording")
+      ->required();
   command.add_option("--out", arguments->out, "trajectory to write")->required();
   add_camera_option(command, arguments->camera);
   command.add_option("--mode", arguments->mode, "rgbd | mono [rgbd]")
@@ -361,6 +365,7 @@ void add_track_command(CLI::App& program, Session& session) {
       ->check(CLI::PositiveNumber);
   command.add_option("--max-time-difference", arguments->max_time_difference,
                      "between the stamps of colour and depth, s [0.02]");
+  add_topic_options(command, arguments->topics);
   add_common_options(command, arguments->common);
   take_streams(command, {.inputs = {"--camera", "--config", "--depth-file"},
                          .outputs = {"--out", "--frame-log"},

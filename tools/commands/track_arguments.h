@@ -8,6 +8,7 @@
 
 #include "tools/cli/options.h"
 #include "tools/colour/colour.h"
+#include "vo/recordings/sequence_topics.h"
 #include "vo/text_files/toml_file.h"
 
 namespace tools {
@@ -35,6 +36,7 @@ struct TrackArguments {
   std::string save_map;  ///< .ply or .pcd for the keyframes' points; empty without one
   int debug_images = 0;
   double max_time_difference = 0.02;       ///< s
+  vo::SequenceTopics topics;               ///< of a recording
   std::vector<vo::TomlValue> config_keys;  ///< of the configuration, without mode and preset
 };
 

@@ -43,7 +43,8 @@ std::optional<MappedFrame> MapJudge::judge(const vo::MonoOdometry& odometry,
 std::vector<MappedFrame> track_and_judge(const vo::MonoInput& input, const vo::MonoOptions& options,
                                          double depth_noise, const MapObserver& observe,
                                          const vo::Progress& progress) {
-  const vo::SequenceReader truth(input.folder, input.camera, input.max_time_difference);
+  const vo::SequenceReader truth(input.folder, input.camera, input.max_time_difference,
+                                 vo::SequenceContent::colour_and_depth, input.topics);
   MapJudge judge(truth, options.bootstrap, depth_noise);
   std::vector<MappedFrame> frames;
   std::size_t index = 0;

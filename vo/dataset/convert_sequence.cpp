@@ -35,6 +35,8 @@ std::vector<NamedBytes> encode_frame(const SequenceSource& source, WrittenSequen
       return encode_icl_nuim_frame(source.camera, index, frame, pose_of(source, frame));
     case WrittenSequence::icl_tum:
       return encode_icl_tum_frame(source.camera, index, frame);
+    case WrittenSequence::mcap:
+      break;  // a file, not a folder
   }
   return {};
 }
@@ -67,8 +69,50 @@ std::vector<NamedBytes> encode_lists(const SequenceSource& source, WrittenSequen
       return encode_icl_nuim_lists(source);
     case WrittenSequence::icl_tum:
       return encode_icl_tum_lists(source);
+    case WrittenSequence::mcap:
+      break;
   }
   return {};
+}
+
+/// Writes the folder of a sequence; returns how many pixels of depth 16 bits do not hold.
+std::size_t write_folder(const ConvertJob& job, const SequenceSource& source,
+                         const OutputPolicy& policy, const Progress& progress) {
+  if (job.to == WrittenSequence::euroc) {
+    require_nanoseconds_apart(source.timestamps);
+  }
+  OutputFolder output(job.out, policy, [&] { progress(0, 0); });
+  bool has_depth = false;
+  std::size_t beyond_16_bit = 0;
+  for (std::size_t i = 0; i < source.timestamps.size(); ++i) {
+    const RgbdFrame frame = source.read(i);
+    require(!frame.depth.empty() || job.to == WrittenSequence::euroc, job.in.string(),
+            ": has no depth, which ", to_string(job.to), " expects");
+    has_depth = !frame.depth.empty();
+    if (job.to != WrittenSequence::icl_nuim) {
+      beyond_16_bit += count_beyond_16_bit(frame.depth, source.camera.depth_units_per_m);
+    }
+    output.write(encode_frame(source, job.to, i, frame));
+    progress(i + 1, source.timestamps.size());
+  }
+  output.write(encode_lists(source, job.to, has_depth));
+  output.commit();
+  return beyond_16_bit;
+}
+
+/// Returns sentences on what of a sequence an MCAP file does not hold.
+std::vector<std::string> left_out_of_mcap(const ConvertJob& job, const SequenceSource& source) {
+  std::vector<std::string> notes;
+  if (!source.imu.samples.empty()) {
+    notes.push_back(concat(job.out.string(), ": the IMU's ", source.imu.samples.size(),
+                           " samples are not written"));
+  }
+  if (source.camera.readout.is_rolling() || source.camera.depth_noise.is_known()) {
+    notes.push_back(job.out.string() +
+                    ": CameraInfo holds neither the read-out time nor the depth noise of the "
+                    "camera; --camera gives them again");
+  }
+  return notes;
 }
 
 }  // namespace
@@ -77,30 +121,18 @@ ConvertOutcome convert_sequence(const ConvertJob& job, const OutputPolicy& polic
                                 const Progress& progress) {
   ConvertOutcome outcome;
   outcome.from = job.from ? *job.from : detect_format(job.in);
-  const SequenceSource source = open_sequence(job.in, outcome.from, job.camera);
-  if (job.to == WrittenSequence::euroc) {
-    require_nanoseconds_apart(source.timestamps);
-  }
-  OutputFolder output(job.out, policy, [&] { progress(0, 0); });
-  bool has_depth = false;
-  for (std::size_t i = 0; i < source.timestamps.size(); ++i) {
-    const RgbdFrame frame = source.read(i);
-    require(!frame.depth.empty() || job.to == WrittenSequence::euroc, job.in.string(),
-            ": has no depth, which ", to_string(job.to), " expects");
-    has_depth = !frame.depth.empty();
-    if (job.to != WrittenSequence::icl_nuim) {
-      outcome.depth_beyond_16_bit +=
-          count_beyond_16_bit(frame.depth, source.camera.depth_units_per_m);
-    }
-    output.write(encode_frame(source, job.to, i, frame));
-    progress(i + 1, source.timestamps.size());
-  }
-  output.write(encode_lists(source, job.to, has_depth));
-  output.commit();
+  const SequenceSource source = open_sequence(job.in, outcome.from, job.camera, job.recorded);
   outcome.frames = source.timestamps.size();
   outcome.poses = source.truth.size();
-  outcome.imu_samples = source.imu.samples.size();
   outcome.notes = source.notes;
+  if (job.to == WrittenSequence::mcap) {
+    write_mcap_sequence(job.out, source, job.mcap, job.mcap_clouds, policy, progress);
+    const std::vector<std::string> notes = left_out_of_mcap(job, source);
+    outcome.notes.insert(outcome.notes.end(), notes.begin(), notes.end());
+    return outcome;
+  }
+  outcome.depth_beyond_16_bit = write_folder(job, source, policy, progress);
+  outcome.imu_samples = source.imu.samples.size();
   return outcome;
 }
 

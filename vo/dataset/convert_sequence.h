@@ -12,25 +12,29 @@
 #include "vo/dataset/sequence_source.h"
 #include "vo/files/output.h"
 #include "vo/geometry/camera.h"
+#include "vo/recordings/mcap_sequence.h"
 
 namespace vo {
 
 /// The formats that a sequence is written in.
-enum class WrittenSequence { tum, euroc, icl_nuim, icl_tum };
+enum class WrittenSequence { tum, euroc, icl_nuim, icl_tum, mcap };
 
 constexpr auto enum_names(WrittenSequence) {
-  return std::array{std::pair{WrittenSequence::tum, "tum"},
-                    std::pair{WrittenSequence::euroc, "euroc"},
-                    std::pair{WrittenSequence::icl_nuim, "icl-nuim"},
-                    std::pair{WrittenSequence::icl_tum, "icl-tum"}};
+  return std::array{
+      std::pair{WrittenSequence::tum, "tum"}, std::pair{WrittenSequence::euroc, "euroc"},
+      std::pair{WrittenSequence::icl_nuim, "icl-nuim"},
+      std::pair{WrittenSequence::icl_tum, "icl-tum"}, std::pair{WrittenSequence::mcap, "mcap"}};
 }
 
 struct ConvertJob {
   std::filesystem::path in;
   std::optional<SequenceFormat> from;  ///< detected from the folder if absent
   std::optional<RgbdCamera> camera;    ///< replaces the camera that the folder holds
+  RecordingRequest recorded{};         ///< what is taken of a recording
   std::filesystem::path out;
   WrittenSequence to = WrittenSequence::tum;
+  McapLayout mcap{};                            ///< of an MCAP file
+  PointClouds mcap_clouds = PointClouds::none;  ///< in an MCAP file
 };
 
 struct ConvertOutcome {
@@ -42,7 +46,8 @@ struct ConvertOutcome {
   std::vector<std::string> notes;       ///< of the sequence that was read
 };
 
-/// Converts a sequence to another format, in a folder that appears only when it is complete.
+/// Converts a sequence to another format, in a folder, or of MCAP in a file, that appears only when
+/// it is complete.
 ConvertOutcome convert_sequence(const ConvertJob& job, const OutputPolicy& policy,
                                 const Progress& progress);
 

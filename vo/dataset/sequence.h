@@ -13,6 +13,7 @@
 #include "vo/frames/sequence_frames.h"
 #include "vo/geometry/camera.h"
 #include "vo/geometry/trajectory.h"
+#include "vo/recordings/sequence_topics.h"
 
 namespace vo {
 
@@ -21,17 +22,18 @@ namespace vo {
 ///     rgb/*.png (8 bit; JPEG, PGM or PPM, too)  depth/*.png (16 bit)  rgb.txt  depth.txt
 ///     groundtruth.txt  camera.toml
 /// The lists hold `timestamp path` a line, seconds, in increasing time. groundtruth.txt and
-/// camera.toml may be absent. A folder of another SequenceFormat is read as `known_format`
-/// recognises it.
+/// camera.toml may be absent. A folder of another SequenceFormat, or a recording, is read as
+/// `known_format` recognises it.
 class SequenceReader {
  public:
   /// `camera` takes precedence over the folder's camera.toml; throws Error if there is neither.
   /// Colour and depth are paired by nearest stamp, greedily by smallest difference, each image
-  /// once.
+  /// once. `topics` are for recordings.
   explicit SequenceReader(const std::filesystem::path& folder,
                           std::optional<RgbdCamera> camera = std::nullopt,
                           double max_time_difference = 0.02,
-                          SequenceContent content = SequenceContent::colour_and_depth);
+                          SequenceContent content = SequenceContent::colour_and_depth,
+                          const SequenceTopics& topics = {});
 
   const RgbdCamera& camera() const { return camera_; }
   const Trajectory& ground_truth() const { return ground_truth_; }  ///< empty when there is none

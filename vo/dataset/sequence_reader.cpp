@@ -56,13 +56,18 @@ RgbdCamera camera_of(const fs::path& folder, const std::optional<RgbdCamera>& gi
 }  // namespace
 
 SequenceReader::SequenceReader(const fs::path& folder, std::optional<RgbdCamera> camera,
-                               double max_time_difference, SequenceContent content)
+                               double max_time_difference, SequenceContent content,
+                               const SequenceTopics& topics)
     : folder_(folder) {
-  require(fs::is_directory(folder), folder.string(),
-          ": there is no such folder, expected a sequence (rgb.txt, depth.txt and their images)");
-  const SequenceFormat format = known_format(folder).value_or(SequenceFormat::tum);
-  if (format != SequenceFormat::tum) {
-    adopt(open_sequence(folder, format, camera));
+  const std::optional<SequenceFormat> known = known_format(folder);
+  require(known || fs::is_directory(folder), folder.string(),
+          fs::exists(folder)
+              ? ": is no recording, expected an MCAP file, a ROS 1 bag or the folder of a sequence"
+              : ": there is no such folder, expected a sequence (rgb.txt, depth.txt and their "
+                "images)");
+  const SequenceFormat format = known.value_or(SequenceFormat::tum);
+  if (format != SequenceFormat::tum || !topics.are_free()) {
+    adopt(open_sequence(folder, format, camera, {topics, max_time_difference, content}));
     require(content == SequenceContent::colour || !read(0).depth.empty(), folder.string(),
             ": its frames have no depth, expected some or --mode mono");
     return;

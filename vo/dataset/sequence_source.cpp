@@ -37,9 +37,26 @@ SequenceSource open_tum(const fs::path& folder, const std::optional<RgbdCamera>&
   return source;
 }
 
+SequenceFormat format_of_recording(const fs::path& file) {
+  return recording_format(file) == RecordingFormat::bag ? SequenceFormat::bag
+                                                        : SequenceFormat::mcap;
+}
+
+SequenceSource open_recording_of(const fs::path& path, SequenceFormat format,
+                                 const std::optional<RgbdCamera>& camera,
+                                 const RecordingRequest& request) {
+  const fs::path file = recording_at(path);
+  require(!file.empty() && format_of_recording(file) == format, path.string(), ": is no ",
+          to_string(format), " recording");
+  return open_recording(file, camera, request);
+}
+
 }  // namespace
 
 std::optional<SequenceFormat> known_format(const fs::path& folder) {
+  if (fs::is_regular_file(folder)) {
+    return recording_format(folder) ? std::optional(format_of_recording(folder)) : std::nullopt;
+  }
   if (fs::exists(folder / "mav0/cam0/data.csv")) {
     return SequenceFormat::euroc;
   }
@@ -64,24 +81,32 @@ std::optional<SequenceFormat> known_format(const fs::path& folder) {
   if (holds_seven_scenes(folder)) {
     return SequenceFormat::seven_scenes;
   }
+  if (fs::is_directory(folder) && !recording_at(folder).empty()) {
+    return format_of_recording(recording_at(folder));
+  }
   return std::nullopt;
 }
 
-SequenceFormat detect_format(const fs::path& folder) {
-  require(fs::is_directory(folder), folder.string(),
-          ": there is no such folder, expected a sequence");
-  const std::optional<SequenceFormat> format = known_format(folder);
+SequenceFormat detect_format(const fs::path& path) {
+  require(fs::exists(path), path.string(), ": there is no such folder, expected a sequence");
+  const std::optional<SequenceFormat> format = known_format(path);
+  require(format.has_value() || fs::is_directory(path), path.string(),
+          ": is no recording, expected an MCAP file, a ROS 1 bag or the folder of a sequence");
   require(
-      format.has_value(), folder.string(),
+      format.has_value(), path.string(),
       ": holds no sequence that is known, expected rgb.txt (TUM), mav0/cam0/data.csv (EuRoC), "
       "scene_00_0000.png (ICL-NUIM), associations.txt (ICL-NUIM, TUM compatible), "
-      "frame-000000.color.png (7-Scenes), intrinsic and color (ScanNet), image_left (TartanAir) "
-      "or color, rgb or image beside depth (Open3D, Redwood)");
+      "frame-000000.color.png (7-Scenes), intrinsic and color (ScanNet), image_left (TartanAir), "
+      "color, rgb or image beside depth (Open3D, Redwood) or one .mcap (ROS 2)");
   return *format;
 }
 
 SequenceSource open_sequence(const fs::path& folder, SequenceFormat format,
-                             const std::optional<RgbdCamera>& camera) {
+                             const std::optional<RgbdCamera>& camera,
+                             const RecordingRequest& request) {
+  const bool is_recorded = format == SequenceFormat::mcap || format == SequenceFormat::bag;
+  require(is_recorded || request.topics.are_free(), folder.string(),
+          ": is no recording, of which topics are chosen");
   switch (format) {
     case SequenceFormat::tum:
       return open_tum(folder, camera);
@@ -99,6 +124,9 @@ SequenceSource open_sequence(const fs::path& folder, SequenceFormat format,
       return open_open3d(folder, camera);
     case SequenceFormat::tartanair:
       return open_tartanair(folder, camera);
+    case SequenceFormat::mcap:
+    case SequenceFormat::bag:
+      return open_recording_of(folder, format, camera, request);
   }
   return {};
 }

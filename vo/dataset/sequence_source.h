@@ -7,6 +7,7 @@
 
 #include "vo/frames/sequence_frames.h"
 #include "vo/geometry/camera.h"
+#include "vo/recordings/recorded_sequence.h"
 
 namespace vo {
 
@@ -19,6 +20,8 @@ enum class SequenceFormat {
   scannet,       ///< ScanNet as its SensReader exports it, vo/dataset/scannet.h
   open3d,        ///< folders of Open3D and Redwood, vo/dataset/open3d.h
   tartanair,     ///< TartanAir, vo/dataset/tartanair.h
+  mcap,          ///< an MCAP file, or a folder of ROS 2's that holds one, vo/recordings
+  bag,           ///< a ROS 1 bag, vo/recordings
 };
 
 constexpr auto enum_names(SequenceFormat) {
@@ -29,17 +32,22 @@ constexpr auto enum_names(SequenceFormat) {
                     std::pair{SequenceFormat::seven_scenes, "7-scenes"},
                     std::pair{SequenceFormat::scannet, "scannet"},
                     std::pair{SequenceFormat::open3d, "open3d"},
-                    std::pair{SequenceFormat::tartanair, "tartanair"}};
+                    std::pair{SequenceFormat::tartanair, "tartanair"},
+                    std::pair{SequenceFormat::mcap, "mcap"},
+                    std::pair{SequenceFormat::bag, "bag"}};
 }
 
-/// Returns the format whose files a folder holds; none where they are of no known format.
-std::optional<SequenceFormat> known_format(const std::filesystem::path& folder);
+/// Returns the format whose files a folder holds, or that a file is of; none where that is not
+/// known.
+std::optional<SequenceFormat> known_format(const std::filesystem::path& path);
 
-/// Returns the format of the sequence in a folder; throws Error unless it is a known one.
-SequenceFormat detect_format(const std::filesystem::path& folder);
+/// Returns the format of the sequence in a folder or file; throws Error unless it is a known one.
+SequenceFormat detect_format(const std::filesystem::path& path);
 
-/// Opens a sequence; `camera` takes precedence over the one in the folder.
-SequenceSource open_sequence(const std::filesystem::path& folder, SequenceFormat format,
-                             const std::optional<RgbdCamera>& camera = std::nullopt);
+/// Opens a sequence; `camera` takes precedence over the one in the folder. `request` is for
+/// recordings; throws Error where it names topics of another format.
+SequenceSource open_sequence(const std::filesystem::path& path, SequenceFormat format,
+                             const std::optional<RgbdCamera>& camera = std::nullopt,
+                             const RecordingRequest& request = {});
 
 }  // namespace vo

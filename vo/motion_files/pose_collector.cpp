@@ -3,23 +3,18 @@
 #include <algorithm>
 #include <utility>
 
-#include "vo/core/error.h"
-
 namespace vo {
 
 PoseCollector::PoseCollector(std::filesystem::path path, Order order)
     : path_(std::move(path)), order_(order) {}
 
-void PoseCollector::add(const StampedPose& pose, const TextLine& line) {
+double PoseCollector::take(const StampedPose& pose) {
   const double back = poses_.empty() ? 0 : latest_ - pose.timestamp;
-  if (order_ == Order::of_time && back > kMaxDisorder) {
-    fail(line.place(), ": expected a stamp after the ones before it, or up to ", kMaxDisorder,
-         " s earlier, got one that is ", back, " s earlier");
-  }
   disordered_ += back > 0 ? 1 : 0;
   most_disorder_ = std::max(most_disorder_, back);
   latest_ = poses_.empty() ? pose.timestamp : std::max(latest_, pose.timestamp);
   poses_.push_back(pose);
+  return back;
 }
 
 Trajectory PoseCollector::finish(std::vector<std::string>& notes) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "vo/core/error.h"
 #include "vo/geometry/trajectory.h"
-#include "vo/text_files/text_lines.h"
 
 namespace vo {
 
@@ -27,14 +27,24 @@ class PoseCollector {
 
   void reserve(std::size_t poses) { poses_.reserve(poses); }
 
-  /// Adds the pose of a line. Throws Error if its stamp is more than `kMaxDisorder` before one that
-  /// came earlier in a file in the order of time.
-  void add(const StampedPose& pose, const TextLine& line);
+  /// Adds the pose of a line, or of what else has a `place()`. Throws Error if its stamp is more
+  /// than `kMaxDisorder` before one that came earlier in a file in the order of time.
+  template <typename Place>
+  void add(const StampedPose& pose, const Place& where) {
+    const double back = take(pose);
+    if (order_ == Order::of_time && back > kMaxDisorder) {
+      fail(where.place(), ": expected a stamp after the ones before it, or up to ", kMaxDisorder,
+           " s earlier, got one that is ", back, " s earlier");
+    }
+  }
 
   /// Returns the trajectory and appends to `notes`. Throws Error if there are no poses.
   Trajectory finish(std::vector<std::string>& notes);
 
  private:
+  /// Adds a pose; returns by how much its stamp, s, is before the latest.
+  double take(const StampedPose& pose);
+
   std::filesystem::path path_;
   Order order_;
   Trajectory poses_;

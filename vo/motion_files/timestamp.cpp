@@ -12,6 +12,8 @@
 namespace vo {
 namespace {
 
+constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
+
 /// Returns the shortest text without an exponent that reads back as the same number.
 std::string exact_timestamp(double timestamp) {
   std::array<char, 512> text{};  // the smallest number has 327 decimals behind the point
@@ -35,7 +37,15 @@ double parse_timestamp(const TextLine& line, std::size_t field, double unit_s) {
 }
 
 std::int64_t to_nanoseconds(double seconds) {
-  return std::llround(seconds / kNanosecond);
+  const double whole = std::floor(seconds);
+  return static_cast<std::int64_t>(whole) * kNanosecondsPerSecond +
+         std::llround((seconds - whole) * kNanosecondsPerSecond);
+}
+
+double seconds_of(std::int64_t nanoseconds) {
+  const std::int64_t whole = nanoseconds / kNanosecondsPerSecond;
+  return static_cast<double>(whole) +
+         static_cast<double>(nanoseconds - whole * kNanosecondsPerSecond) / kNanosecondsPerSecond;
 }
 
 std::string format_timestamp(double timestamp) {

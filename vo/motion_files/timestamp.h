@@ -21,8 +21,13 @@ double checked_timestamp(const TextLine& line, double timestamp);
 /// the line unless it is a number within `kMaxTimestamp` of 0.
 double parse_timestamp(const TextLine& line, std::size_t field, double unit_s);
 
-/// Returns seconds rounded to whole nanoseconds, the unit of stamps in EuRoC's files.
+/// Returns the exact value of seconds rounded to whole nanoseconds, the unit of stamps in EuRoC's
+/// files and in recordings.
 std::int64_t to_nanoseconds(double seconds);
+
+/// Returns whole nanoseconds as seconds: of those that `to_nanoseconds` returned, the seconds that
+/// it was given, to half a nanosecond where they were finer.
+double seconds_of(std::int64_t nanoseconds);
 
 /// Returns a stamp, s, with 6 decimals: `0.033333`.
 std::string format_timestamp(double timestamp);

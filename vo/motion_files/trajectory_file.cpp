@@ -5,9 +5,11 @@
 #include <utility>
 
 #include "vo/core/error.h"
+#include "vo/core/fields.h"
 #include "vo/motion_files/colmap_images.h"
 #include "vo/motion_files/frame_times.h"
 #include "vo/motion_files/pose_collector.h"
+#include "vo/motion_files/recorded_trajectory.h"
 #include "vo/motion_files/timestamp.h"
 #include "vo/text_files/text_lines.h"
 
@@ -117,8 +119,26 @@ Trajectory read_as(TrajectoryFormat format, const TextFile& file, const FrameTim
       return read_kitti(file, times, notes);
     case TrajectoryFormat::colmap:
       return read_colmap_images(file, times, notes);
+    case TrajectoryFormat::mcap:
+    case TrajectoryFormat::bag:
+      fail(file.path().string(), ": is no recording, expected ", to_string(format));
   }
   return {};
+}
+
+TrajectoryFormat format_of(const Recording& recording) {
+  return recording.format() == RecordingFormat::mcap ? TrajectoryFormat::mcap
+                                                     : TrajectoryFormat::bag;
+}
+
+TrajectoryFile read_recording(const RecordingName& name, const TrajectoryReading& reading) {
+  const Recording recording(name.file);
+  TrajectoryFile result{.format = format_of(recording), .notes = recording.notes()};
+  require(!reading.format || *reading.format == result.format, name.file.string(), ": is a ",
+          to_string(result.format), " recording, expected ",
+          to_string(reading.format.value_or(result.format)));
+  result.trajectory = read_recorded_trajectory(recording, name.topic, result.notes);
+  return result;
 }
 
 }  // namespace
@@ -142,6 +162,10 @@ SE3 checked_pose(const std::string& place, const Eigen::Matrix<double, 3, 4>& ro
 
 TrajectoryFile read_trajectory_file(const std::filesystem::path& path,
                                     const TrajectoryReading& reading) {
+  const RecordingName name = recording_name(path);
+  if (recording_format(name.file)) {
+    return read_recording(name, reading);
+  }
   const TextFile file(path);
   TrajectoryFile result;
   result.format = reading.format ? *reading.format : recognise_trajectory(file);

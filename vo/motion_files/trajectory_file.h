@@ -38,8 +38,9 @@ struct TrajectoryFile {
 };
 
 /// Reads a trajectory. Of several poses with one stamp the first counts; stamps that go back by at
-/// most 0.5 s are sorted. KITTI's poses without `times` are 0.1 s apart; COLMAP's have their stamps
-/// as `read_colmap_images` says. Throws Error naming file and line.
+/// most 0.5 s are sorted. The path of a recording may have a topic behind it, as `recording_name`
+/// and `read_recorded_trajectory` have it. KITTI's poses without `times` are 0.1 s apart; COLMAP's
+/// have their stamps as `read_colmap_images` says. Throws Error naming file and line.
 TrajectoryFile read_trajectory_file(const std::filesystem::path& path,
                                     const TrajectoryReading& reading = {});
 

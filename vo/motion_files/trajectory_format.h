@@ -14,6 +14,8 @@ enum class TrajectoryFormat {
   kitti,     ///< the upper three rows of T_world_camera, m, row by row and without stamps
   orb_slam,  ///< as `tum` but with stamps in ns, as ORB-SLAM3 writes it for EuRoC
   colmap,    ///< COLMAP's images.txt: T_camera_world of images, which have names and no stamps
+  mcap,      ///< a topic of an MCAP file, vo/motion_files/recorded_trajectory.h
+  bag,       ///< a topic of a ROS 1 bag
 };
 
 constexpr auto enum_names(TrajectoryFormat) {
@@ -21,7 +23,9 @@ constexpr auto enum_names(TrajectoryFormat) {
                     std::pair{TrajectoryFormat::euroc, "euroc"},
                     std::pair{TrajectoryFormat::kitti, "kitti"},
                     std::pair{TrajectoryFormat::orb_slam, "orb-slam"},
-                    std::pair{TrajectoryFormat::colmap, "colmap"}};
+                    std::pair{TrajectoryFormat::colmap, "colmap"},
+                    std::pair{TrajectoryFormat::mcap, "mcap"},
+                    std::pair{TrajectoryFormat::bag, "bag"}};
 }
 
 /// Returns the format of a trajectory's file by the first line that is neither empty nor a comment:

@@ -79,13 +79,15 @@ std::string MonoSequenceResult::why_no_pose() const {
 }
 
 MonoFrames::MonoFrames(const MonoInput& input, MonoBootstrap bootstrap)
-    : sequence_(input.folder, input.camera, input.max_time_difference, SequenceContent::colour) {
+    : sequence_(input.folder, input.camera, input.max_time_difference, SequenceContent::colour,
+                input.topics) {
   if (bootstrap == MonoBootstrap::file) {
     require(!input.depth_file.empty(), "mono: expected --depth-file FILE with --bootstrap file");
     first_depth_ = read_depth_file(input.depth_file, sequence_.camera());
     check_depth(input.depth_file, first_depth_);
   } else if (bootstrap == MonoBootstrap::rgbd) {
-    const SequenceReader paired(input.folder, input.camera, input.max_time_difference);
+    const SequenceReader paired(input.folder, input.camera, input.max_time_difference,
+                                SequenceContent::colour_and_depth, input.topics);
     const RgbdFrame first = paired.read(0);
     first_depth_ = first.depth;
     while (sequence_.timestamp(first_index_) < first.timestamp) {

@@ -19,6 +19,7 @@ struct MonoInput {
   std::optional<RgbdCamera> camera;   ///< overrides the folder's camera
   double max_time_difference = 0.02;  ///< s, between colour and depth of the first frame
   std::filesystem::path depth_file;   ///< 16-bit PNG, or .npy in metres, for bootstrap=file
+  SequenceTopics topics;              ///< of a recording
 };
 
 struct MonoSequenceResult {

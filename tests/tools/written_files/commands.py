@@ -61,6 +61,8 @@ RUNS = [
     Run("convert sequence euroc --format euroc --json", "convert"),
     Run("convert sequence icl --format icl-nuim --json", "convert"),
     Run("convert sequence icl_tum --format icl-tum --json", "convert"),
+    Run("convert sequence sequence.mcap --format mcap --points --compression none --json", "convert"),
+    Run("convert sequence.mcap from_mcap --format tum --json", "convert"),
     Run("convert euroc tum --format tum --json", "convert"),
     Run("track sequence --out track.txt --frame-log track.csv --debug-images 6 --save-map map.ply --json", "track"),
     Run("record openni2 recorded --frames 3 --json", "record", camera=True),

@@ -10,10 +10,12 @@ import io
 import json
 import math
 import re
+import struct
 import subprocess
 import tomllib
 import xml.etree.ElementTree as ElementTree
 import zipfile
+import zlib
 
 import numpy
 
@@ -250,9 +252,47 @@ def parse_zip(path):
         require(math.isclose(stats[name], value, rel_tol=1e-9, abs_tol=1e-12), f"{name} is {stats[name]}, not {value}")
 
 
+def parse_mcap(path):
+    """An MCAP file as its specification has it: records to the last byte, CRC-32s, chunks that their index finds, and
+    as many messages as the statistics say."""
+    data, magic = path.read_bytes(), b"\x89MCAP0\r\n"
+    require(data.startswith(magic) and data.endswith(magic), "does not begin and end as MCAP does")
+    counts, chunks, indexed, statistics, summary = {}, set(), set(), None, None
+    for opcode, begin, content in mcap_records(data, len(magic), len(data) - len(magic)):
+        if opcode == 0x06:
+            chunks.add(begin)
+            size, crc, name = struct.unpack_from("<QII", content, 16)
+            require(name == 0, "this parser reads chunks that are not compressed")
+            records = content[40:]
+            require(len(records) == size and zlib.crc32(records) == crc, f"the chunk at {begin} is damaged")
+            for kind, _, message in mcap_records(records, 0, len(records)):
+                if kind == 0x05:
+                    (channel,) = struct.unpack_from("<H", message)
+                    counts[channel] = counts.get(channel, 0) + 1
+        elif opcode == 0x08:
+            indexed.add(struct.unpack_from("<Q", content, 16)[0])
+        elif opcode == 0x0B:
+            statistics = struct.unpack_from("<QHIIII", content)
+        elif opcode == 0x0F:
+            require(zlib.crc32(data[:begin]) == struct.unpack("<I", content)[0], "the data's CRC-32 is wrong")
+        elif opcode == 0x02:
+            summary, _, crc = struct.unpack("<QQI", content)
+            require(zlib.crc32(data[summary : begin + 25]) == crc, "the summary's CRC-32 is wrong")
+    require(summary and chunks == indexed, f"chunks are at {sorted(chunks)}, their index has {sorted(indexed)}")
+    require(statistics[0] == sum(counts.values()) and statistics[5] == len(chunks), f"statistics are {statistics}")
+
+
+def mcap_records(data, at, end):
+    while at < end:
+        opcode, size = struct.unpack_from("<BQ", data, at)
+        require(at + 9 + size <= end, f"the record at {at} has {size} bytes, which are not there")
+        yield opcode, at, data[at + 9 : at + 9 + size]
+        at += 9 + size
+
+
 PARSERS = {".json": parse_json, ".toml": parse_toml, ".csv": parse_csv, ".svg": parse_svg,
            ".xml": parse_junit, ".html": parse_html, ".md": parse_markdown,
-           ".ply": parse_ply, ".pcd": parse_pcd, ".zip": parse_zip}
+           ".ply": parse_ply, ".pcd": parse_pcd, ".zip": parse_zip, ".mcap": parse_mcap}
 OTHERS = {".png", ".npy", ".flo", ".txt", ".gz", ".yaml", ".depth", ".freiburg", ".files", ""}
 
 
