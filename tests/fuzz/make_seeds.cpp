@@ -6,8 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/bag_file.h"
+#include "tests/support/recordings.h"
 #include "tests/support/small_forest.h"
 #include "vo/core/error.h"
+#include "vo/core/fields.h"
 #include "vo/dataset/camera_file.h"
 #include "vo/dataset/euroc.h"
 #include "vo/dataset/icl_nuim.h"
@@ -22,6 +25,7 @@
 #include "vo/image_files/pnm.h"
 #include "vo/motion_files/imu_file.h"
 #include "vo/motion_files/trajectory_file.h"
+#include "vo/recordings/camera_message.h"
 #include "vo/structured_forest/structured_forest_file.h"
 
 namespace {
@@ -183,6 +187,30 @@ void add_sequences(const vo::SequenceSource& source, Seeds& seeds) {
   add_numbered_sequences(source, frame, seeds);
 }
 
+/// Recordings of one frame, its camera and its pose, in each layout that is read.
+void add_recordings(Seeds& seeds) {
+  vo::RosCameraInfo info =
+      vo::camera_info_of(vo::PinholeCamera::from_horizontal_fov(kWidth, kHeight, 60));
+  info.header = {1, "camera"};
+  const std::vector<support::TestMessage> messages = {
+      {"/c/camera_info", "sensor_msgs/msg/CameraInfo", 1, vo::encode_cdr(info)},
+      support::image_message("/c/image_raw", 1, "rgb8", pixels(CV_8UC3)),
+      support::image_message("/d/image_raw", 1, "32FC1", pixels(CV_32FC1)),
+      support::pose_message("/pose", support::pose_at_x(1, 1)),
+      support::tf_message({support::pose_at_x(1, 1), support::pose_at_x(2, 1)})};
+  for (const auto compression :
+       {vo::Compression::none, vo::Compression::lz4, vo::Compression::zstd}) {
+    const std::string bytes = support::mcap_of(messages, {.compression = compression});
+    const std::string name = "recording/" + std::string(vo::to_string(compression));
+    seeds.push_back({name, bytes});
+    seeds.push_back({name + "_cut", bytes.substr(0, bytes.size() - 8)});
+  }
+  seeds.push_back(
+      {"recording/bag", support::bag_of({support::bag_image("/c/image", 1, "mono8", 1, 9),
+                                         support::bag_image("/d/image", 1, "16UC1", 2, 9),
+                                         support::bag_pose("/pose", 1, 2)})});
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -197,6 +225,7 @@ int main(int count, char** arguments) {
     add_text(source, seeds);
     add_forest(seeds);
     add_sequences(source, seeds);
+    add_recordings(seeds);
     vo::write_files(arguments[1], seeds, vo::ExistingOutput::replace);
   } catch (const vo::Error& error) {
     std::fprintf(stderr, "%s\n", error.what());
