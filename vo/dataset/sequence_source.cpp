@@ -54,7 +54,7 @@ SequenceSource open_recording_of(const fs::path& path, SequenceFormat format,
 }  // namespace
 
 std::optional<SequenceFormat> known_format(const fs::path& folder) {
-  if (fs::is_regular_file(folder)) {
+  if (!fs::is_directory(folder)) {
     return recording_format(folder) ? std::optional(format_of_recording(folder)) : std::nullopt;
   }
   if (fs::exists(folder / "mav0/cam0/data.csv")) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <system_error>
 #include <utility>
 
 #include "vo/core/error.h"
@@ -52,24 +53,14 @@ SE3 checked(const RosPose& pose, const MessagePlace& where) {
   return checked_pose(where.place(), {qw, qx, qy, qz}, {x, y, z});
 }
 
-/// Visits the poses in the messages of topics.
-template <typename Visit>
-void for_each_pose(const Recording& recording, const std::vector<std::uint32_t>& topics,
-                   const Visit& visit) {
-  recording.for_each_message(topics, [&](const RecordedMessage& message, std::string_view) {
-    const MessagePlace where{recording, message};
-    const RecordedTopic& topic = recording.topics()[message.topic];
-    std::vector<RosPose> poses;
-    try {
-      poses = parse_poses(recording.read(message), topic.encoding, topic.type);
-    } catch (const Error& error) {
-      fail(where.place(), ": ", error.what());
-    }
-    for (const RosPose& pose : poses) {
-      visit(pose, topic, where);
-    }
-    return true;
-  });
+/// Returns the poses in a message.
+std::vector<RosPose> poses_in(const Recording& recording, const MessagePlace& where) {
+  const RecordedTopic& topic = recording.topics()[where.message.topic];
+  try {
+    return parse_poses(recording.read(where.message), topic.encoding, topic.type);
+  } catch (const Error& error) {
+    fail(where.place(), ": ", error.what());
+  }
 }
 
 /// Returns the index of the topic of poses that a name, or its absence, means.
@@ -94,10 +85,12 @@ std::uint32_t choose_poses(const Recording& recording, const std::string& name) 
 Trajectory read_messages(const Recording& recording, std::uint32_t topic,
                          std::vector<std::string>& notes) {
   std::vector<std::pair<RosPose, RecordedMessage>> found;
-  for_each_pose(recording, {topic},
-                [&](const RosPose& pose, const RecordedTopic&, const MessagePlace& where) {
-                  found.emplace_back(pose, where.message);
-                });
+  recording.for_each_message({topic}, [&](const RecordedMessage& message, std::string_view) {
+    for (const RosPose& pose : poses_in(recording, {recording, message})) {
+      found.emplace_back(pose, message);
+    }
+    return true;
+  });
   const std::string place = recording.path().string() + ": " + recording.topics()[topic].name;
   const bool has_stamps = std::any_of(
       found.begin(), found.end(), [](const auto& each) { return each.first.header.stamp_ns != 0; });
@@ -152,7 +145,13 @@ std::pair<std::string, std::string> only_moving(const TransformTree& tree,
 }
 
 Trajectory read_tf(const Recording& recording, const std::string& frames) {
-  const TransformTree tree = read_transforms(recording);
+  TransformTree tree;
+  recording.for_each_message(transform_topics(recording),
+                             [&](const RecordedMessage& message, std::string_view) {
+                               add_transforms(recording, message, tree);
+                               return true;
+                             });
+  tree.finish();
   const std::string path = recording.path().string();
   const auto [parent, child] =
       frames.empty() ? only_moving(tree, path) : split_frames(tree, frames, path);
@@ -167,35 +166,39 @@ Trajectory read_tf(const Recording& recording, const std::string& frames) {
 
 RecordingName recording_name(const std::filesystem::path& path) {
   const std::string text = path.string();
-  for (std::size_t colon = text.find(':'); colon != std::string::npos && !exists(path);
+  std::error_code ignored;
+  for (std::size_t colon = text.find(':'); colon != std::string::npos && !exists(path, ignored);
        colon = text.find(':', colon + 1)) {
-    if (is_regular_file(std::filesystem::path(text.substr(0, colon)))) {
+    if (is_regular_file(std::filesystem::path(text.substr(0, colon)), ignored)) {
       return {text.substr(0, colon), text.substr(colon + 1)};
     }
   }
   return {path, {}};
 }
 
-TransformTree read_transforms(const Recording& recording) {
+std::vector<std::uint32_t> transform_topics(const Recording& recording) {
   std::vector<std::uint32_t> topics;
   for (std::uint32_t i = 0; i < recording.topics().size(); ++i) {
     if (is_tf(recording.topics()[i])) {
       topics.push_back(i);
     }
   }
-  TransformTree tree;
-  for_each_pose(recording, topics,
-                [&](const RosPose& pose, const RecordedTopic& topic, const MessagePlace& where) {
-                  const SE3 T_parent_child = checked(pose, where);
-                  if (topic.name.ends_with("tf_static")) {
-                    tree.add_fixed(pose.header.frame_id, pose.child_frame_id, T_parent_child);
-                  } else {
-                    tree.add(pose.header.frame_id, pose.child_frame_id,
-                             {seconds_of(pose.header.stamp_ns), T_parent_child});
-                  }
-                });
-  tree.finish();
-  return tree;
+  return topics;
+}
+
+void add_transforms(const Recording& recording, const RecordedMessage& message,
+                    TransformTree& tree) {
+  const MessagePlace where{recording, message};
+  const bool is_fixed = recording.topics()[message.topic].name.ends_with("tf_static");
+  for (const RosPose& pose : poses_in(recording, where)) {
+    const SE3 T_parent_child = checked(pose, where);
+    if (is_fixed) {
+      tree.add_fixed(pose.header.frame_id, pose.child_frame_id, T_parent_child);
+    } else {
+      tree.add(pose.header.frame_id, pose.child_frame_id,
+               {seconds_of(pose.header.stamp_ns), T_parent_child});
+    }
+  }
 }
 
 Trajectory read_recorded_trajectory(const Recording& recording, const std::string& topic,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -21,8 +22,12 @@ struct RecordingName {
 /// there has no topic.
 RecordingName recording_name(const std::filesystem::path& path);
 
-/// Returns the transforms of all messages of tf in a recording, those of /tf_static as fixed.
-TransformTree read_transforms(const Recording& recording);
+/// Returns the topics of tf in a recording, by their index.
+std::vector<std::uint32_t> transform_topics(const Recording& recording);
+
+/// Adds the transforms of a message of tf, those of /tf_static as fixed.
+void add_transforms(const Recording& recording, const RecordedMessage& message,
+                    TransformTree& tree);
 
 /// Reads the poses of a topic: PoseStamped, PoseWithCovarianceStamped, Odometry, TransformStamped,
 /// or of `/tf:PARENT.CHILD`, where one frame is in another. Without a topic, they are of the one

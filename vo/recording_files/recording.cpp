@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <system_error>
 
 #include "vo/core/error.h"
 #include "vo/recording_files/bag_index.h"
@@ -52,7 +53,9 @@ std::size_t size_of(
 }  // namespace
 
 std::optional<RecordingFormat> recording_format(const std::filesystem::path& path) {
-  return std::filesystem::is_regular_file(path) ? format_of(RangedFile(path)) : std::nullopt;
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored) ? format_of(RangedFile(path))
+                                                         : std::nullopt;
 }
 
 Recording::Recording(const std::filesystem::path& path)
@@ -68,7 +71,7 @@ Recording::Bytes Recording::decompressed(std::uint32_t part) const {
       return latest_.front().second;
     }
   }
-  const auto bytes = std::make_shared<const std::string>(read_part(file_, index_.parts.at(part)));
+  Bytes bytes = std::make_shared<const std::string>(read_part(file_, index_.parts.at(part)));
   const std::scoped_lock lock(mutex_);
   latest_.emplace_front(part, bytes);
   while (latest_.size() > 1 && (latest_.size() > kKeptParts || size_of(latest_) > kKeptBytes)) {
@@ -100,6 +103,13 @@ void Recording::visit_part(std::uint32_t number, const std::vector<bool>& is_wan
   } else {
     for_each_bag_message(bytes, begin, begin + part.size, take);
   }
+}
+
+bool Recording::may_have_messages(std::uint32_t topic) const {
+  return std::any_of(index_.parts.begin(), index_.parts.end(), [&](const RecordingPart& part) {
+    return !part.has_topics ||
+           std::find(part.topics.begin(), part.topics.end(), topic) != part.topics.end();
+  });
 }
 
 void Recording::for_each_message(const std::vector<std::uint32_t>& topics,

@@ -40,6 +40,9 @@ class Recording {
   const std::vector<RecordedTopic>& topics() const { return index_.topics; }
   const std::vector<std::string>& notes() const { return index_.notes; }
 
+  /// Returns whether a topic may have messages: not of those that are described alone.
+  bool may_have_messages(std::uint32_t topic) const;
+
   /// Visits the messages of topics, given by their index, in the order of the file.
   void for_each_message(const std::vector<std::uint32_t>& topics, const Visitor& visit) const;
 

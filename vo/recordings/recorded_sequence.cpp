@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "vo/core/error.h"
+#include "vo/files/numbered_files.h"
 #include "vo/geometry/associate.h"
 #include "vo/motion_files/recorded_trajectory.h"
 #include "vo/recording_files/ros_messages.h"
@@ -62,14 +63,14 @@ void require_camera_size(const Recording& recording, const ImageTopic& topic,
 
 /// Pairs images with depth of nearly the same stamp.
 std::vector<RecordedFrame> frames_of(const Recording& recording, const ChosenTopics& chosen,
-                                     const RecordingRequest& request,
+                                     const RecordingRequest& request, const OtherMessages& others,
                                      std::vector<std::string>& notes) {
   const bool has_depth = chosen.depth && request.content == SequenceContent::colour_and_depth;
   std::vector<std::uint32_t> topics = {chosen.image.index};
   if (has_depth) {
     topics.push_back(chosen.depth->index);
   }
-  const std::vector<StampedMessages> found = find_messages(recording, topics, notes);
+  const std::vector<StampedMessages> found = find_messages(recording, topics, others, notes);
   const StampedMessages& images = found.front();
   std::vector<RecordedFrame> frames;
   if (!has_depth) {
@@ -111,17 +112,48 @@ RgbdFrame read_recorded(const Recording& recording, const RecordedFrame& frame,
   return result;
 }
 
-/// Returns the poses of the image's frame in /tf below a frame called `world`; empty without.
-Trajectory truth_of_tf(const Recording& recording, const std::string& frame) {
-  constexpr const char* kWorld = "world";
-  const TransformTree tree = read_transforms(recording);
-  const std::vector<std::string> above = tree.above(frame);
-  if (std::find(above.begin(), above.end(), kWorld) == above.end()) {
-    return {};
+/// The truth in /tf, which a sequence can do without: of transforms that cannot be read, a note
+/// says so, and there is no truth.
+class TruthOfTf {
+ public:
+  TruthOfTf(const Recording& recording, std::vector<std::string>& notes)
+      : recording_(recording), notes_(notes) {}
+
+  OtherMessages messages() {
+    return {transform_topics(recording_),
+            [this](const RecordedMessage& message) { take(message); }};
   }
-  Trajectory truth = tree.poses(kWorld, frame);
-  return truth.size() > 1 ? truth : Trajectory();
-}
+
+  /// Returns the poses of a frame below one called `world`; empty without.
+  Trajectory truth(const std::string& frame) {
+    constexpr const char* kWorld = "world";
+    tree_.finish();
+    const std::vector<std::string> above = tree_.above(frame);
+    if (!is_usable_ || std::find(above.begin(), above.end(), kWorld) == above.end()) {
+      return {};
+    }
+    Trajectory truth = tree_.poses(kWorld, frame);
+    return truth.size() > 1 ? truth : Trajectory();
+  }
+
+ private:
+  void take(const RecordedMessage& message) {
+    if (!is_usable_) {
+      return;
+    }
+    try {
+      add_transforms(recording_, message, tree_);
+    } catch (const Error& error) {
+      is_usable_ = false;
+      notes_.push_back(concat(error.what(), "; /tf is not taken for the truth"));
+    }
+  }
+
+  const Recording& recording_;
+  std::vector<std::string>& notes_;
+  TransformTree tree_;
+  bool is_usable_ = true;
+};
 
 }  // namespace
 
@@ -129,17 +161,15 @@ fs::path recording_at(const fs::path& path) {
   if (!fs::is_directory(path)) {
     return recording_format(path) ? path : fs::path();
   }
-  fs::path found;
-  for (const fs::directory_entry& entry : fs::directory_iterator(path)) {
-    if (entry.path().extension() == ".mcap" && recording_format(entry.path())) {
-      require(found.empty(), path.string(), ": holds several recordings (",
-              std::min(found.filename(), entry.path().filename()).string(), ", ",
-              std::max(found.filename(), entry.path().filename()).string(),
+  std::string found;
+  for (const std::string& name : names_in(path)) {
+    if (name.ends_with(".mcap") && recording_format(path / name)) {
+      require(found.empty(), path.string(), ": holds several recordings (", found, ", ", name,
               "), expected one; name the file");
-      found = entry.path();
+      found = name;
     }
   }
-  return found;
+  return found.empty() ? fs::path() : path / found;
 }
 
 bool records_images(const fs::path& file) {
@@ -159,13 +189,15 @@ SequenceSource open_recording(const fs::path& file, const std::optional<RgbdCame
   if (chosen.depth && request.content == SequenceContent::colour_and_depth) {
     require_camera_size(*recording, *chosen.depth, source.camera.pinhole);
   }
+  TruthOfTf tf(*recording, source.notes);
+  const OtherMessages others = request.topics.truth.empty() ? tf.messages() : OtherMessages{{}, {}};
   const auto frames = std::make_shared<const std::vector<RecordedFrame>>(
-      frames_of(*recording, chosen, request, source.notes));
+      frames_of(*recording, chosen, request, others, source.notes));
   for (const RecordedFrame& frame : *frames) {
     source.timestamps.push_back(frame.timestamp);
   }
   source.truth = request.topics.truth.empty()
-                     ? truth_of_tf(*recording, chosen.image.traits.frame_id)
+                     ? tf.truth(chosen.image.traits.frame_id)
                      : read_recorded_trajectory(*recording, request.topics.truth, source.notes);
   source.read = [recording, frames, camera = source.camera](std::size_t index) {
     return read_recorded(*recording, frames->at(index), camera);

@@ -38,12 +38,11 @@ class TopicSurvey {
   explicit TopicSurvey(const Recording& recording) : recording_(recording) {
     std::vector<std::uint32_t> open;
     for (std::uint32_t i = 0; i < recording.topics().size(); ++i) {
-      if (holds_images(recording.topics()[i].type)) {
+      if (holds_images(recording.topics()[i].type) && recording.may_have_messages(i)) {
         open.push_back(i);
       }
     }
-    const std::set<std::uint32_t> all(open.begin(), open.end());
-    std::set<std::uint32_t> left = all;
+    std::set<std::uint32_t> left(open.begin(), open.end());
     if (left.empty()) {
       return;
     }

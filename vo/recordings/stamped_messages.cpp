@@ -22,12 +22,15 @@ struct Found {
 /// Takes the times of recording where no message has a stamp.
 void take_recorded_times(std::vector<Found>& found, const std::string& place,
                          std::vector<std::string>& notes) {
+  constexpr auto kMostNs = static_cast<std::uint64_t>(kMaxTimestamp / kNanosecond);
   const bool has_stamps =
       std::any_of(found.begin(), found.end(), [](const Found& each) { return each.stamp_ns != 0; });
   if (has_stamps || found.empty()) {
     return;
   }
   for (Found& each : found) {
+    require(each.message.time_ns <= kMostNs, place, ": expected times of recording within ",
+            kMaxTimestamp, " s of 0");
     each.stamp_ns = static_cast<std::int64_t>(each.message.time_ns);
   }
   notes.push_back(place + ": its messages have no stamps; the times of recording are taken");
@@ -81,11 +84,18 @@ StampedMessages without_repeats(const std::vector<Found>& found, const std::stri
 
 std::vector<StampedMessages> find_messages(const Recording& recording,
                                            const std::vector<std::uint32_t>& topics,
+                                           const OtherMessages& others,
                                            std::vector<std::string>& notes) {
   std::vector<std::vector<Found>> found(topics.size());
-  recording.for_each_message(topics, [&](const RecordedMessage& message, std::string_view head) {
+  std::vector<std::uint32_t> all = topics;
+  all.insert(all.end(), others.topics.begin(), others.topics.end());
+  recording.for_each_message(all, [&](const RecordedMessage& message, std::string_view head) {
     const auto at = static_cast<std::size_t>(
         std::find(topics.begin(), topics.end(), message.topic) - topics.begin());
+    if (at == topics.size()) {
+      others.take(message);
+      return true;
+    }
     try {
       const std::int64_t stamp = parse_stamp(head, recording.topics()[message.topic].encoding);
       found[at].push_back({stamp, message});

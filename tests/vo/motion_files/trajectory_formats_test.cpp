@@ -113,7 +113,8 @@ TEST_F(TrajectoryFormats, WhatIsOfNoFormatIsAnErrorThatNamesThemAll) {
   EXPECT_THAT(error_of("# x\n1 0 0 0 0 0 0\n"),
               HasSubstr("t.txt:2: expected the 8 values of a pose"));
   EXPECT_THAT(error_of("# x\n1 0 0 0 0 0 0\n"), EndsWith("(COLMAP's images.txt), got 7"));
-  EXPECT_THAT(error_of("#ROSBAG V2.0\n"), EndsWith("t.txt: holds no poses"));
+  EXPECT_THAT(error_of("# x\n"), EndsWith("t.txt: holds no poses"));
+  EXPECT_THAT(error_of("#ROSBAG V2.0\n"), EndsWith("t.txt: has no header"));
 }
 
 /// TUM's fr2/desk has one such line among 20 960.

@@ -288,6 +288,28 @@ TEST_F(RecordedSequence, CameraInfoMustFitTheImage) {
   EXPECT_THAT(error_text(open_with), HasSubstr("not calibrated"));
 }
 
+TEST_F(RecordedSequence, TheTruthIsWhereTfHasTheCameraBelowTheWorld) {
+  std::vector<TestMessage> messages = {
+      support::tf_message({support::pose_at_x(0, 0.1, "body", "camera")}, "/tf_static")};
+  for (const int frame : {1, 2, 3}) {
+    messages.push_back(image_message("/c/image_raw", frame * kFrameNs, "mono8", grey(frame)));
+    messages.push_back(support::pose_message("/vicon", support::pose_at_x(frame, 7)));
+    messages.push_back(
+        support::tf_message({support::pose_at_x(frame * kFrameNs, frame, "world", "body")}));
+  }
+  const auto truth = open(mcap_of(messages)).truth;
+  ASSERT_EQ(truth.size(), 3U);
+  EXPECT_DOUBLE_EQ(truth[1].T_world_camera.translation().x(), 2.1) << "m";
+  const auto chosen = open(mcap_of(messages), {.topics = {.truth = "/vicon"}}).truth;
+  EXPECT_EQ(chosen.at(0).T_world_camera.translation().x(), 7) << "m";
+  vo::RosPose none = support::pose_at_x(4 * kFrameNs, 0, "world", "body");
+  none.rotation = {};
+  messages.push_back(support::tf_message({none}));
+  const auto source = open(mcap_of(messages));
+  EXPECT_THAT(source.truth, IsEmpty());
+  EXPECT_THAT(source.notes, testing::ElementsAre(HasSubstr("not taken for the truth")));
+}
+
 TEST_F(RecordedSequence, AFolderOfRos2HoldsOneRecording) {
   const fs::path recording = folder.path() / "talk";
   fs::create_directories(recording);
