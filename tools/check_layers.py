@@ -28,7 +28,7 @@ ONLY_IN = {  # header of a library: the files that may name it
     "png.h": ["vo/image_files/png.cpp"],
     "turbojpeg.h": ["vo/image_files/jpeg_codec.cpp"],
     "xxhash.h": ["vo/hashing/content_hash.cpp"],
-    "zlib.h": ["vo/files/gzip.cpp", "vo/files/crc32.cpp"],
+    "zlib.h": ["vo/archives/gzip.cpp", "vo/archives/crc32.cpp"],
     "lz4": ["vo/recording_files/compression.cpp"],
     "zstd.h": ["vo/recording_files/compression.cpp"],
     "bzlib.h": ["vo/recording_files/compression.cpp"],

@@ -15,8 +15,8 @@
 #include "tools/train_edges/comparison_picture.h"
 #include "tools/train_edges/detector_sweep.h"
 #include "tools/train_edges/forest_trainer.h"
+#include "vo/archives/gzip.h"
 #include "vo/core/error.h"
-#include "vo/files/gzip.h"
 #include "vo/image_files/png.h"
 #include "vo/structured_forest/structured_forest_file.h"
 

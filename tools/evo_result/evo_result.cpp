@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
-#include "vo/files/zip.h"
+#include "vo/archives/zip.h"
 #include "vo/geometry/associate.h"
 #include "vo/image_files/npy.h"
 

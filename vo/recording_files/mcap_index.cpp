@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "vo/archives/crc32.h"
 #include "vo/core/error.h"
-#include "vo/files/crc32.h"
 #include "vo/recording_files/byte_cursor.h"
 #include "vo/recording_files/mcap_records.h"
 

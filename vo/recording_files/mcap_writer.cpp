@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "vo/archives/crc32.h"
 #include "vo/core/fields.h"
 #include "vo/core/version.h"
-#include "vo/files/crc32.h"
 #include "vo/recording_files/byte_writer.h"
 
 namespace vo {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "vo/archives/crc32.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/files/crc32.h"
 
 namespace vo {
 

@@ -12,8 +12,8 @@
 
 #include <opencv2/core/persistence.hpp>
 
+#include "vo/archives/gzip.h"
 #include "vo/core/error.h"
-#include "vo/files/gzip.h"
 #include "vo/files/input.h"
 #include "vo/structured_forest/forest_text.h"
 

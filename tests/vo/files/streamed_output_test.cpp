@@ -8,7 +8,7 @@
 
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
-#include "vo/files/crc32.h"
+#include "vo/archives/crc32.h"
 #include "vo/files/input.h"
 #include "vo/files/ranged_file.h"
 

@@ -10,7 +10,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/small_forest.h"
 #include "tests/support/temp_folder.h"
-#include "vo/files/gzip.h"
+#include "vo/archives/gzip.h"
 #include "vo/files/input.h"
 #include "vo/structured_forest/luv.h"
 #include "vo/structured_forest/structured_forest_file.h"

@@ -1,11 +1,11 @@
-#include "vo/files/zip.h"
+#include "vo/archives/zip.h"
 
 #include <array>
 #include <cstdint>
 #include <limits>
 
+#include "vo/archives/crc32.h"
 #include "vo/core/error.h"
-#include "vo/files/crc32.h"
 
 namespace vo {
 namespace {

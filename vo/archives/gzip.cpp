@@ -1,4 +1,4 @@
-#include "vo/files/gzip.h"
+#include "vo/archives/gzip.h"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "vo/files/zip.h"
+#include "vo/archives/zip.h"
 
 #include <string>
 #include <vector>

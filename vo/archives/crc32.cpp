@@ -1,4 +1,4 @@
-#include "vo/files/crc32.h"
+#include "vo/archives/crc32.h"
 
 #include <zlib.h>
 
