@@ -74,6 +74,12 @@ std::uint32_t choose_poses(const Recording& recording, const std::string& name) 
     }
   }
   const std::string path = recording.path().string();
+  const auto other = std::find_if(topics.begin(), topics.end(), [&](const RecordedTopic& topic) {
+    return !name.empty() && topic.name == name && !holds_poses(topic.type);
+  });
+  require(other == topics.end(), path, ": ", name, " is a ",
+          other == topics.end() ? "" : other->type,
+          ", expected poses, of one of: ", list_poses(recording));
   require(name.empty() || !found.empty() || !tf.empty(), path, ": has no poses of ", name,
           ", expected one of: ", list_poses(recording));
   require(!found.empty() || !tf.empty(), path, ": has no topic of poses");

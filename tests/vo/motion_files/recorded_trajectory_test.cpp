@@ -61,6 +61,10 @@ TEST_F(RecordedTrajectory, OfSeveralTopicsOneIsNamed) {
   EXPECT_THAT(error_text([&] { read(messages, "/c"); }),
               AllOf(HasSubstr("has no poses of /c"), HasSubstr("/tf (tf2_msgs/TFMessage)")));
   EXPECT_THAT(error_text([&] { read(messages, "/b:world.camera"); }), HasSubstr("/tf alone"));
+  EXPECT_THAT(error_text([&] {
+                read({{"/scan", "sensor_msgs/msg/LaserScan", 1, "x"}}, "/scan");
+              }),
+              HasSubstr("/scan is a sensor_msgs/LaserScan, expected poses, of one of: none"));
 }
 
 TEST_F(RecordedTrajectory, FramesOfTfAreChained) {
