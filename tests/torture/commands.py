@@ -70,6 +70,10 @@ COMMANDS = [
     Command("depth", ["depth {inputs}/sequence --out out --every 3 --quiet"]),
     Command("euroc", ["convert {inputs}/sequence out --format euroc --quiet"]),
     Command("icl_nuim", ["convert {inputs}/sequence out --format icl-nuim --quiet"]),
+    Command("tartanair", ["convert {inputs}/sequence out --format tartanair --quiet"]),
+    Command("kitti_odometry", ["convert {inputs}/sequence out --format kitti --quiet"]),
+    Command("colmap", ["convert {inputs}/sequence out --format colmap --quiet"]),
+    Command("transforms_json", ["convert {inputs}/sequence out --format transforms-json --quiet"]),
     Command("tum", ["convert {inputs}/sequence out --format tum --quiet"]),
     Command("ablate", ["ablate {inputs}/sequence --study levels --max-frames 4 --seeds 1 --quiet --out out"]),
     Command("sweep", ["sweep {inputs}/rgbd.toml --set odometry.tracker.pyramid.levels=2,3 --cache cache --quiet "

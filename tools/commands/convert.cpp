@@ -19,7 +19,7 @@
 #include "tools/json/document.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
-#include "vo/dataset/convert_sequence.h"
+#include "vo/exports/convert_sequence.h"
 #include "vo/files/output.h"
 #include "vo/geometry/associate.h"
 #include "vo/motion_files/recorded_trajectory.h"
@@ -45,10 +45,19 @@ constexpr const char* kConvertHelp =
     "  mcap      one file for Foxglove, Rerun and ROS 2: images, depth, CameraInfo, poses as\n"
     "            PoseStamped and /tf\n"
     "Both forms of ICL-NUIM have a camera with y up (fy < 0) in a left-handed world and no stamps\n"
-    "(30 Hz): converting turns them round. Depth beyond 16 bit becomes 0 and is counted. "
+    "(30 Hz): converting turns them round. Depth beyond 16 bit becomes 0 and is counted. What a\n"
+    "format cannot hold is named; where it has no lens distortion, images are undistorted. "
     "7-Scenes,\n"
-    "ScanNet, Open3D's and Redwood's folders, TartanAir and ROS 1 bags are read, too, and not\n"
-    "written.\n"
+    "ScanNet, Open3D's and Redwood's folders and ROS 1 bags are read, too, and not written. For\n"
+    "other programs:\n"
+    "  tartanair        image_left/, depth_left/ (.npy, m), pose_left.txt, and our camera.toml\n"
+    "  kitti            its odometry: sequences/00/image_2/ (grey: image_0/), times.txt, "
+    "calib.txt,\n"
+    "                   and poses/00.txt in the first camera; no depth\n"
+    "  colmap           images/, sparse/0/cameras.txt, images.txt, points3D.txt (from depth)\n"
+    "  transforms-json  Nerfstudio's transforms.json, images/, depths/ (16 bit, mm)\n"
+    "  mcap             a file of ROS 2: Image, CameraInfo, PoseStamped, tf (--points: "
+    "PointCloud2)\n"
     "Trajectories, of any format that is read:\n"
     "  tum       timestamp tx ty tz qx qy qz qw, s\n"
     "  euroc     timestamp,px,py,pz,qw,qx,qy,qz, ns, as its ground truth without velocity and "
@@ -60,6 +69,8 @@ constexpr const char* kConvertExamples =
     "Examples:\n"
     "  edvo convert sequence sequence_euroc --format euroc\n"
     "  edvo convert sequence sequence.mcap --format mcap\n"
+    "  edvo convert sequence nerf --format transforms-json\n"
+    "  edvo convert fr1_xyz model --format colmap --camera tum-fr1\n"
     "  edvo convert living_room_traj0 sequence --format tum\n"
     "  edvo convert estimate.txt poses.txt --format kitti\n"
     "  edvo convert poses/00.txt groundtruth.txt --format tum --times sequences/00/times.txt";
@@ -108,6 +119,7 @@ void print(const ConvertArguments& arguments, const vo::ConvertOutcome& outcome,
                                            {"poses", outcome.poses},
                                            {"imu_samples", outcome.imu_samples},
                                            {"depth_beyond_16_bit", outcome.depth_beyond_16_bit},
+                                           {"dropped", outcome.dropped},
                                            {"notes", outcome.notes}};
     std::cout << json_text(json_document({"convert"}, result));
     return;
@@ -116,6 +128,9 @@ void print(const ConvertArguments& arguments, const vo::ConvertOutcome& outcome,
             << outcome.imu_samples << " IMU samples\n";
   if (outcome.depth_beyond_16_bit > 0) {
     std::cout << outcome.depth_beyond_16_bit << " depth pixels beyond 16 bit became 0\n";
+  }
+  for (const std::string& dropped : outcome.dropped) {
+    std::cout << colours.paint(Tone::caution, "dropped") << "  " << dropped << "\n";
   }
   print_notes(outcome.notes, colours);
 }
@@ -198,7 +213,7 @@ void convert_sequence(const ConvertArguments& arguments, const Session& session)
 }
 
 /// Returns whether IN is a trajectory: a file, but of recordings those of which a topic is named,
-/// which have no images, or which are to be written as a trajectory alone.
+/// or which have no images.
 bool is_trajectory(const ConvertArguments& arguments) {
   const vo::RecordingName name = vo::recording_name(arguments.in);
   vo::require(std::filesystem::exists(name.file), arguments.in,
@@ -206,8 +221,7 @@ bool is_trajectory(const ConvertArguments& arguments) {
   if (!std::filesystem::is_regular_file(name.file) || !vo::recording_format(name.file)) {
     return std::filesystem::is_regular_file(name.file);
   }
-  return !name.topic.empty() || arguments.format == vo::to_string(WrittenTrajectory::kitti) ||
-         !vo::records_images(name.file);
+  return !name.topic.empty() || !vo::records_images(name.file);
 }
 
 }  // namespace
@@ -219,8 +233,10 @@ void add_convert_command(CLI::App& program, Session& session) {
   command.add_option("IN", arguments->in, "folder of a sequence, or trajectory")->required();
   command.add_option("OUT", arguments->out, "folder or trajectory to make")->required();
   command
-      .add_option("--format", arguments->format,
-                  "tum | euroc | icl-nuim | icl-tum | mcap, of a trajectory tum | euroc | kitti")
+      .add_option(
+          "--format", arguments->format,
+          "tum | euroc | icl-nuim | icl-tum | tartanair | kitti | colmap | transforms-json | "
+          "mcap, of a trajectory tum | euroc | kitti")
       ->required();
   command.add_option("--from", arguments->from, "the format of IN, where it is not found out");
   command.add_option("--camera", arguments->camera, "preset or FILE.toml, instead of IN's own");

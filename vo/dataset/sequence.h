@@ -94,6 +94,9 @@ struct SequenceLayout {
   double depth_delay = 0;  ///< s, from the stamp of a colour image to that of its depth
 };
 
+/// Returns the number of a frame as names of files have it: `000012`.
+std::string frame_number(std::size_t index);
+
 /// Returns the path of a frame's file within the sequence: `depth/000012.png`.
 std::string frame_file(const std::string& folder, std::size_t index, const std::string& extension);
 

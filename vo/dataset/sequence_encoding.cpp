@@ -29,10 +29,14 @@ std::string format_list(const char* title, const char* folder, const char* exten
 
 }  // namespace
 
-std::string frame_file(const std::string& folder, std::size_t index, const std::string& extension) {
+std::string frame_number(std::size_t index) {
   std::array<char, 32> number{};
   std::snprintf(number.data(), number.size(), "%06zu", index);
-  return folder + "/" + number.data() + "." + extension;
+  return number.data();
+}
+
+std::string frame_file(const std::string& folder, std::size_t index, const std::string& extension) {
+  return folder + "/" + frame_number(index) + "." + extension;
 }
 
 std::vector<std::string> frame_files(const SequenceLayout& layout, std::size_t index) {

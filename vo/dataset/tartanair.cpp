@@ -3,9 +3,13 @@
 #include <array>
 
 #include "vo/core/error.h"
+#include "vo/core/fields.h"
 #include "vo/dataset/camera_file.h"
 #include "vo/dataset/frame_files.h"
 #include "vo/dataset/frame_images.h"
+#include "vo/dataset/sequence.h"
+#include "vo/image_files/npy.h"
+#include "vo/image_files/png.h"
 #include "vo/motion_files/trajectory_file.h"
 #include "vo/text_files/text_lines.h"
 
@@ -53,6 +57,22 @@ Trajectory read_north_east_down_poses(const std::filesystem::path& path,
   return truth;
 }
 
+std::string format_north_east_down_poses(const SequenceSource& source) {
+  const SE3 turn = turn_to_forward_z();
+  std::string text;
+  for (const double timestamp : source.timestamps) {
+    const SE3 T = turn.inverse() * *pose_at(source.truth, timestamp) * turn;
+    const Eigen::Vector3d& t = T.translation();
+    const Eigen::Quaterniond& q = T.rotation();
+    text += format_real(t.x());
+    for (const double value : {t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) {
+      text += " " + format_real(value);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 SequenceSource open_tartanair(const std::filesystem::path& folder,
@@ -71,6 +91,23 @@ SequenceSource open_tartanair(const std::filesystem::path& folder,
     source.truth = read_north_east_down_poses(folder / "pose_left.txt", source.timestamps);
   }
   return source;
+}
+
+std::vector<NamedBytes> encode_tartanair_frame(std::size_t index, const RgbdFrame& frame) {
+  const std::string number = frame_number(index);
+  std::vector<NamedBytes> files = {{"image_left/" + number + "_left.png", encode_png(frame.image)}};
+  if (!frame.depth.empty()) {
+    files.push_back({"depth_left/" + number + "_left_depth.npy", encode_npy(frame.depth)});
+  }
+  return files;
+}
+
+std::vector<NamedBytes> encode_tartanair_lists(const SequenceSource& source) {
+  std::vector<NamedBytes> files = {{"camera.toml", format_camera(source.camera)}};
+  if (!source.truth.empty()) {
+    files.push_back({"pose_left.txt", format_north_east_down_poses(source)});
+  }
+  return files;
 }
 
 }  // namespace vo

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "vo/dataset/sequence_source.h"
+#include "vo/files/output.h"
 
 namespace vo {
 
@@ -16,5 +19,12 @@ namespace vo {
 /// length of 320 px.
 SequenceSource open_tartanair(const std::filesystem::path& folder,
                               const std::optional<RgbdCamera>& camera);
+
+/// Encodes a frame's image and, if it has depth, its depth as files.
+std::vector<NamedBytes> encode_tartanair_frame(std::size_t index, const RgbdFrame& frame);
+
+/// Encodes all files but those of the frames: camera.toml and, if there is ground truth,
+/// pose_left.txt, for which every frame needs a pose.
+std::vector<NamedBytes> encode_tartanair_lists(const SequenceSource& source);
 
 }  // namespace vo

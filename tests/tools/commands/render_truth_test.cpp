@@ -138,7 +138,7 @@ TEST(ConvertProgram, BadInputIsToldAndNothingIsWritten) {
   const std::string out = "' '" + (folder.path() / "out").string() + "' --format ";
   folder.write("in/readme", "nothing");
   const std::string in = "convert '" + (folder.path() / "in").string() + out;
-  EXPECT_EQ(run_program(in + "kitti").exit_code, 2);
+  EXPECT_EQ(run_program(in + "7-scenes").exit_code, 2);
   const ProgramResult result = run_program(in + "tum");
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_THAT(result.err, HasSubstr("holds no sequence that is known"));

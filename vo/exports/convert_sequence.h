@@ -1,30 +1,19 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "vo/core/progress.h"
 #include "vo/dataset/sequence_source.h"
+#include "vo/exports/sequence_target.h"
 #include "vo/files/output.h"
 #include "vo/geometry/camera.h"
 #include "vo/recordings/mcap_sequence.h"
 
 namespace vo {
-
-/// The formats that a sequence is written in.
-enum class WrittenSequence { tum, euroc, icl_nuim, icl_tum, mcap };
-
-constexpr auto enum_names(WrittenSequence) {
-  return std::array{
-      std::pair{WrittenSequence::tum, "tum"}, std::pair{WrittenSequence::euroc, "euroc"},
-      std::pair{WrittenSequence::icl_nuim, "icl-nuim"},
-      std::pair{WrittenSequence::icl_tum, "icl-tum"}, std::pair{WrittenSequence::mcap, "mcap"}};
-}
 
 struct ConvertJob {
   std::filesystem::path in;
@@ -41,9 +30,10 @@ struct ConvertOutcome {
   SequenceFormat from = SequenceFormat::tum;
   std::size_t frames = 0;
   std::size_t poses = 0;
-  std::size_t imu_samples = 0;
+  std::size_t imu_samples = 0;          ///< that were written
   std::size_t depth_beyond_16_bit = 0;  ///< depth pixels too far for 16 bits, written as 0
-  std::vector<std::string> notes;       ///< of the sequence that was read
+  std::vector<std::string> dropped;     ///< what the format cannot hold, as words of a list
+  std::vector<std::string> notes;       ///< sentences on the sequence that was read
 };
 
 /// Converts a sequence to another format, in a folder, or of MCAP in a file, that appears only when

@@ -1,0 +1,146 @@
+#include "vo/exports/convert_sequence.h"
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/error_text.h"
+#include "tests/support/sequence_layouts.h"
+#include "tests/support/temp_folder.h"
+#include "vo/core/fields.h"
+#include "vo/dataset/camera_file.h"
+#include "vo/dataset/sequence.h"
+#include "vo/motion_files/trajectory_file.h"
+
+namespace {
+
+using support::error_text;
+using support::TempFolder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr std::array kOthers = {vo::WrittenSequence::tartanair, vo::WrittenSequence::kitti,
+                                vo::WrittenSequence::colmap, vo::WrittenSequence::transforms_json};
+
+/// Writes the textured plane of four frames as TUM's layout.
+vo::SequenceSource write_plane(const std::filesystem::path& folder) {
+  const vo::SequenceSource source = support::rendered_sequence(4);
+  for (std::size_t i = 0; i < source.timestamps.size(); ++i) {
+    vo::write_files(folder, vo::encode_frame({source.camera}, i, source.read(i)));
+  }
+  vo::write_files(folder, vo::encode_lists({source.camera}, source.truth));
+  return source;
+}
+
+/// The plane in TUM's layout, in a folder of its own.
+class ConvertSequence : public testing::Test {
+ protected:
+  ConvertSequence() : source(write_plane(in)) {}
+
+  vo::ConvertOutcome convert(vo::WrittenSequence to) const {
+    return vo::convert_sequence({.in = in, .out = out(to), .to = to}, {}, [](auto, auto) {});
+  }
+
+  void set_camera(const vo::RgbdCamera& camera) const {
+    folder.write("in/camera.toml", vo::format_camera(camera));
+  }
+
+  std::filesystem::path out(vo::WrittenSequence to) const {
+    return folder.path() / std::string(vo::to_string(to));
+  }
+
+  /// The error of a conversion, which must leave nothing.
+  std::string error(vo::WrittenSequence to) const {
+    const std::string text = error_text([&] { convert(to); });
+    EXPECT_FALSE(std::filesystem::exists(out(to)));
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+      EXPECT_EQ(entry.path().filename(), "in") << "is left over";
+    }
+    return text;
+  }
+
+  TempFolder folder;
+  std::filesystem::path in = folder.path() / "in";
+  vo::SequenceSource source;
+};
+
+TEST_F(ConvertSequence, TartanAirIsReadBackWithItsPosesAndDepth) {
+  const vo::ConvertOutcome outcome = convert(vo::WrittenSequence::tartanair);
+  EXPECT_EQ(outcome.frames, 4U);
+  EXPECT_THAT(outcome.dropped, ElementsAre("the frames' stamps"));
+  const auto copy = vo::open_sequence(out(vo::WrittenSequence::tartanair),
+                                      vo::detect_format(out(vo::WrittenSequence::tartanair)));
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_LT(
+        (copy.truth[i].T_world_camera.inverse() * source.truth[i].T_world_camera).log().norm(),
+        1e-8);
+    EXPECT_EQ(cv::norm(copy.read(i).image, source.read(i).image, cv::NORM_INF), 0);
+    EXPECT_LT(cv::norm(copy.read(i).depth, source.read(i).depth, cv::NORM_INF), 0.0006) << "m";
+  }
+}
+
+TEST_F(ConvertSequence, FramesWithoutAPoseAreLeftOutAndCounted) {
+  vo::Trajectory late(source.truth.begin() + 1, source.truth.end());
+  folder.write("in/groundtruth.txt", vo::format_trajectory(late));
+  for (const vo::WrittenSequence to : kOthers) {
+    const vo::ConvertOutcome outcome = convert(to);
+    EXPECT_EQ(outcome.frames, 3U) << vo::to_string(to);
+    EXPECT_THAT(outcome.notes, ElementsAre("1 of 4 frames have no pose and are left out"));
+  }
+}
+
+TEST_F(ConvertSequence, WithoutPosesThoseWhichNeedThemAreErrorsAndTheOthersHaveNone) {
+  std::filesystem::remove(in / "groundtruth.txt");
+  for (const auto to : {vo::WrittenSequence::colmap, vo::WrittenSequence::transforms_json}) {
+    EXPECT_THAT(error(to), HasSubstr("none of its frames has a pose, which "));
+  }
+  EXPECT_EQ(convert(vo::WrittenSequence::kitti).frames, 4U);
+  EXPECT_FALSE(std::filesystem::exists(out(vo::WrittenSequence::kitti) / "poses"));
+  EXPECT_EQ(convert(vo::WrittenSequence::tartanair).frames, 4U);
+  EXPECT_FALSE(std::filesystem::exists(out(vo::WrittenSequence::tartanair) / "pose_left.txt"));
+}
+
+TEST_F(ConvertSequence, ACameraWithYUpIsAnError) {
+  vo::RgbdCamera camera = source.camera;
+  camera.pinhole.fy = -camera.pinhole.fy;
+  set_camera(camera);
+  for (const vo::WrittenSequence to : kOthers) {
+    EXPECT_THAT(error(to), HasSubstr("in: its camera has y up, fy = -")) << vo::to_string(to);
+  }
+}
+
+TEST_F(ConvertSequence, ALensIsTakenOutWhereTheFormatHasNone) {
+  vo::RgbdCamera camera = source.camera;
+  camera.pinhole.distortion = {-0.1, 0.02, 0.001, 0.001, 0.01};
+  camera.readout.seconds = 0.02;
+  set_camera(camera);
+  EXPECT_THAT(convert(vo::WrittenSequence::kitti).dropped,
+              ElementsAre("depth", "the rolling shutter's read-out time"));
+  for (const auto to : {vo::WrittenSequence::kitti, vo::WrittenSequence::euroc,
+                        vo::WrittenSequence::icl_tum, vo::WrittenSequence::tartanair}) {
+    std::filesystem::remove_all(out(to));
+    EXPECT_THAT(convert(to).notes, ElementsAre(HasSubstr("images are undistorted, ")))
+        << vo::to_string(to);
+  }
+  EXPECT_THAT(convert(vo::WrittenSequence::colmap).notes, IsEmpty());
+  EXPECT_THAT(convert(vo::WrittenSequence::transforms_json).notes, IsEmpty());
+  const auto euroc =
+      vo::open_sequence(out(vo::WrittenSequence::euroc), vo::SequenceFormat::euroc).camera.pinhole;
+  EXPECT_TRUE(euroc.distortion.is_zero());
+}
+
+TEST_F(ConvertSequence, AColmapModelIsReadAsATrajectoryByTheNamesOfItsImages) {
+  convert(vo::WrittenSequence::colmap);
+  const vo::Trajectory poses =
+      vo::read_trajectory(out(vo::WrittenSequence::colmap) / "sparse/0/images.txt");
+  ASSERT_EQ(poses.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(poses[i].timestamp, source.timestamps[i], 1e-6);
+    EXPECT_LT((poses[i].T_world_camera.inverse() * source.truth[i].T_world_camera).log().norm(),
+              1e-8);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,24 @@
+#include "vo/exports/tum_lists.h"
+
+#include "vo/dataset/sequence.h"
+#include "vo/motion_files/imu_file.h"
+#include "vo/motion_files/trajectory_file.h"
+
+namespace vo {
+
+std::vector<NamedBytes> encode_tum_lists(const SequenceSource& source) {
+  std::vector<NamedBytes> files = encode_image_lists({source.camera}, source.timestamps);
+  if (!source.truth.empty()) {
+    files.push_back({"groundtruth.txt", format_trajectory(source.truth)});
+  }
+  if (!source.imu.samples.empty()) {
+    files.push_back({"imu.csv", format_imu(source.imu.samples)});
+    files.push_back({"imu.toml", format_imu_noise(source.imu.noise)});
+  }
+  if (!source.imu.states.empty()) {
+    files.push_back({"truth/imu_states.csv", format_states(source.imu.states)});
+  }
+  return files;
+}
+
+}  // namespace vo
