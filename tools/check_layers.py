@@ -33,6 +33,7 @@ ONLY_IN = {  # header of a library: the files that may name it
     "zstd.h": ["vo/recording_files/compression.cpp"],
     "bzlib.h": ["vo/recording_files/compression.cpp"],
     "webp/": ["tools/pictures/webp.cpp"],
+    "httplib.h": ["tools/live/http/"],
     "CLI/": ["tools/cli/", "tools/commands/", "tools/edvo.cpp"],
     "opencv2/rgbd": ["tools/bench/peers/opencv_peer.cpp"],
     "boost/": ["tools/statistics/significance.cpp"],

@@ -35,6 +35,7 @@ constexpr const char* kDescription =
     "  edvo track        an RGB-D sequence -> a trajectory\n"
     "  edvo evaluate     two trajectories -> their errors\n"
     "  edvo run          a scenario: all three, and a verdict\n"
+    "  edvo view         a page that shows what a run has made; --live shows it meanwhile\n"
     "  edvo depth        monocular mapping alone: an inverse-depth map beside the truth\n"
     "  edvo test         many scenarios: did a tracker, ours or another, get worse?\n"
     "  edvo compare      two results or builds, with statistics\n"
@@ -81,6 +82,7 @@ int run(std::vector<std::string> words, tools::Session& session) {
   tools::add_budget_command(program, session);
   tools::add_basin_command(program, session);
   tools::add_sweep_command(program, session);
+  tools::add_view_command(program, session);
   tools::add_completion_command(program, session);
   tools::add_manual_command(program, session);
   tools::add_colour_option(program);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -45,6 +46,9 @@ struct MadeFrame {
   std::vector<vo::NamedBytes> files;
   std::size_t depth_beyond_16_bit = 0;  ///< pixels stored as 0 because 16 bits cannot hold them
 };
+
+/// Called with each frame that was made, from any thread but never from two at once.
+using MadeFrameObserver = std::function<void(std::size_t index, const MadeFrame& frame)>;
 
 /// Makes the frames of one sequence, from any thread: each is a pure function of the scene, the
 /// recipe and its index. The scene and the recipe must outlive the generator.

@@ -135,7 +135,8 @@ std::string with_advice(const vo::Error& error, const fs::path& staging) {
 /// Renders the job's share into a folder that was staged for it, without what is said of the
 /// result.
 RenderOutcome rendered(const RenderJob& job, const Scene& scene, const fs::path& folder,
-                       const vo::OutputPolicy& policy, const vo::Progress& progress) {
+                       const vo::OutputPolicy& policy, const RenderObservers& observers) {
+  const vo::Progress& progress = observers.progress;
   RenderOutcome outcome{.folder = folder};
   const vo::StagedContent content =
       sequence_content(job.recipe, {kManifest, format_manifest(job, scene)});
@@ -150,7 +151,7 @@ RenderOutcome rendered(const RenderJob& job, const Scene& scene, const fs::path&
     return outcome;
   }
   try {
-    ShareRenderer renderer({scene, job.recipe}, content, staged, progress);
+    ShareRenderer renderer({scene, job.recipe}, content, staged, observers);
     render_share(job, renderer, staged, outcome);
   } catch (const vo::Error& error) {
     throw vo::Error(with_advice(error, staged.staging()), error.kind());
@@ -164,11 +165,12 @@ RenderOutcome rendered(const RenderJob& job, const Scene& scene, const fs::path&
 }  // namespace
 
 RenderOutcome render_sequence(const RenderJob& job, const fs::path& folder,
-                              const vo::OutputPolicy& policy, const vo::Progress& progress) {
+                              const vo::OutputPolicy& policy, const vo::Progress& progress,
+                              const MadeFrameObserver& observe) {
   job.recipe.camera.validate();
   share_of(job);  // throws before any work
   const Scene& scene = job.scene.scene();
-  RenderOutcome outcome = rendered(job, scene, folder, policy, progress);
+  RenderOutcome outcome = rendered(job, scene, folder, policy, {progress, observe});
   outcome.notes = job.scene.notes();
   outcome.depth_coverage = depth_coverage(job.recipe, all_frames(job), outcome.folder);
   if (outcome.depth_coverage) {

@@ -40,9 +40,10 @@ struct RenderOutcome {
 /// completion the frames lie in `<folder>.part`, which any number of processes with equal inputs
 /// fill, at once or in turn, each with its share; each frame is rendered by one of them, and one
 /// completes the sequence when all are there. A finished frame is not rendered again unless its
-/// files have changed since.
+/// files have changed since. `observe` is called with the frames that this call renders.
 RenderOutcome render_sequence(const RenderJob& job, const std::filesystem::path& folder,
-                              const vo::OutputPolicy& policy, const vo::Progress& progress);
+                              const vo::OutputPolicy& policy, const vo::Progress& progress,
+                              const MadeFrameObserver& observe = {});
 
 /// Returns the frames of the job's share that the folder or else its staging folder lacks; all of
 /// them if neither has the job's inputs or the folder's name is empty.

@@ -56,6 +56,10 @@ void ShareRenderer::render_unless_others_do(std::size_t frame) {
     staged_.put(std::move(*claim), made.files);
     depth_beyond_16_bit_ += made.depth_beyond_16_bit;
     ++rendered_;
+    if (observers_.frame) {
+      const std::lock_guard lock(mutex_);
+      observers_.frame(frame, made);
+    }
   } else if (!staged_.has(part)) {
     return;
   }
@@ -65,8 +69,8 @@ void ShareRenderer::render_unless_others_do(std::size_t frame) {
 }
 
 void ShareRenderer::tell() const {
-  if (progress_) {
-    progress_(done_, total_);
+  if (observers_.progress) {
+    observers_.progress(done_, total_);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "synth/sequence/generate.h"
@@ -24,15 +25,20 @@ struct SequenceSubject {
   const SequenceRecipe& recipe;
 };
 
+/// What a ShareRenderer tells of its work; an empty callback is not called.
+struct RenderObservers {
+  vo::Progress progress;  ///< also called while others are waited for
+  MadeFrameObserver frame;
+};
+
 /// Renders frames into a staged folder that other processes may be filling, too. What it is given
 /// must outlive it.
 class ShareRenderer {
  public:
-  /// `content` is `sequence_content`, with which the folder was staged. `progress` is also called
-  /// while others are waited for.
+  /// `content` is `sequence_content`, with which the folder was staged.
   ShareRenderer(const SequenceSubject& subject, const vo::StagedContent& content,
-                const vo::StagedFolder& staged, const vo::Progress& progress)
-      : subject_(subject), content_(content), staged_(staged), progress_(progress) {}
+                const vo::StagedFolder& staged, RenderObservers observers)
+      : subject_(subject), content_(content), staged_(staged), observers_(std::move(observers)) {}
 
   /// Returns those of `frames` that are not there.
   std::vector<std::size_t> missing(const std::vector<std::size_t>& frames) const;
@@ -53,7 +59,7 @@ class ShareRenderer {
   SequenceSubject subject_;
   const vo::StagedContent& content_;
   const vo::StagedFolder& staged_;
-  const vo::Progress& progress_;
+  RenderObservers observers_;
   std::unique_ptr<const FrameGenerator> generator_;  ///< null until there is a frame to render
   std::size_t total_ = 0;
   std::size_t done_ = 0;  ///< number of frames that are there, of `total_`

@@ -22,7 +22,8 @@ inline tools::ScenarioReport plane_report(int frames, int covered_from,
     const vo::RgbdFrame frame =
         i < covered_from ? sway_frame(*report.camera, i) : blank_frame(*report.camera, 0, i);
     report.frames.push_back(odometry.track(frame));
-    observe(frame, odometry.current(), odometry.tracker(), report.frames.back());
+    observe(frame, odometry.current(), odometry.tracker(), report.frames.back(),
+            odometry.stage_times());
     report.truth.push_back({frame.timestamp, sway(i)});
   }
   report.estimate = odometry.trajectory();

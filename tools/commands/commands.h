@@ -29,6 +29,7 @@ void add_compare_command(CLI::App& program, Session& session);
 void add_budget_command(CLI::App& program, Session& session);
 void add_basin_command(CLI::App& program, Session& session);
 void add_sweep_command(CLI::App& program, Session& session);
+void add_view_command(CLI::App& program, Session& session);
 void add_completion_command(CLI::App& program, Session& session);
 void add_manual_command(CLI::App& program, Session& session);
 

@@ -14,6 +14,7 @@
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/scene_arguments.h"
 #include "tools/cli/standard_streams.h"
+#include "tools/cli/watched_run.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
 #include "vo/core/error.h"
@@ -52,6 +53,7 @@ constexpr const char* kRenderExamples =
 
 struct RenderArguments {
   CommonOptions common;
+  LiveArguments live;
   std::string scene;
   synth::GltfOptions file;
   CameraArguments camera;
@@ -187,10 +189,15 @@ void render(RenderArguments& arguments, const Session& session) {
     return;
   }
   bar.announce();
+  WatchedRun watched(arguments.live);
+  watched.begin(rendering_stage(arguments.job.recipe, arguments.scene));
   const synth::RenderOutcome outcome = synth::render_sequence(
-      arguments.job, arguments.out, arguments.common.output_policy(), bar.callback());
+      arguments.job, arguments.out, arguments.common.output_policy(),
+      watched.progress(bar.callback()),
+      rendered_frames_on(watched, arguments.job.recipe.camera.depth_units_per_m));
   bar.erase();
   print(arguments, outcome, session.err);
+  watched.finish(summary(arguments, outcome));
 }
 
 std::vector<vo::Field> render_fields(synth::RenderJob& job) {
@@ -242,6 +249,7 @@ void add_render_command(CLI::App& program, Session& session) {
   add_scene_options(command, arguments->file);
   add_field_options(command, render_fields(arguments->job), "Rendering");
   add_field_options(command, sensor_fields(arguments->job.recipe.sensor), "Sensor");
+  add_live_options(command, arguments->live);
   add_common_options(command, arguments->common);
   take_streams(command, {.inputs = {"SCENE", "--trajectory", "--camera"}, .others = {"--out"}});
   command.callback([arguments, &session] { render(*arguments, session); });

@@ -8,10 +8,12 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/standard_streams.h"
+#include "tools/cli/watched_run.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
 #include "tools/report/report.h"
 #include "tools/report/run_report.h"
+#include "tools/scenario/mono_scenario.h"
 
 namespace tools {
 namespace {
@@ -38,6 +40,7 @@ constexpr const char* kRunExamples =
 
 struct RunArguments {
   CommonOptions common;
+  LiveArguments live;
   std::string scenario;
   std::string out;
   RunReportOptions report;
@@ -60,16 +63,54 @@ void print(const RunArguments& arguments, const Scenario& scenario, const Outcom
             << (arguments.report.debug_images > 0 ? arguments.out + folder : "") << "\n";
 }
 
+/// Returns whether a scenario's estimate is in the world, and of the scale, of the truth.
+bool is_comparable(const Scenario& scenario) {
+  return map_scale(scenario.odometry) == MapScale::metric;
+}
+
+/// Returns what is told of a scenario's stages: the bar, and the page if there is one. It refers to
+/// all of them.
+RunProgress progress_on(WatchedRun& watched, const Scenario& scenario, ProgressBar& bar) {
+  RunProgress progress{watched.progress(bar.callback()), bar.callback("tracking"), {}, {}, {}};
+  if (scenario.odometry.mode == OdometryMode::mapping) {
+    progress.track = watched.progress(progress.track);
+  }
+  if (watched.page() != nullptr) {
+    progress.before_rendering = [&](const synth::SequenceRecipe& recipe) {
+      watched.begin(rendering_stage(recipe, scenario.name));
+    };
+    progress.rendered = rendered_frames_on(watched, scenario.camera.camera().depth_units_per_m);
+    progress.before_tracking = [&](const vo::SequenceReader& sequence) {
+      watched.begin(
+          tracking_stage(sequence, scenario.name,
+                         is_comparable(scenario) ? sequence.ground_truth() : vo::Trajectory()));
+    };
+  }
+  return progress;
+}
+
+ScenarioObservers observers_on(WatchedRun& watched) {
+  if (watched.page() == nullptr) {
+    return {};
+  }
+  return {
+      .frame = watched.observer({}),
+      .map = [&page = *watched.page()](std::size_t, const vo::DepthMap& map, const vo::DepthImage&,
+                                       const vo::SE3&) { page.show(map); }};
+}
+
 int run(const RunArguments& arguments, const Session& session) {
   const auto limit = arguments.common.limit_threads();
   const Scenario scenario = load_scenario(arguments.scenario);
   ProgressBar bar("rendering", arguments.common.verbosity());
   bar.announce("reading the scene of " + arguments.scenario);
-  const Outcome outcome =
-      run_and_report(scenario, arguments.out, arguments.common.output_policy(), arguments.report,
-                     {bar.callback(), bar.callback("tracking")});
+  WatchedRun watched(arguments.live);
+  const RunProgress progress = progress_on(watched, scenario, bar);
+  const Outcome outcome = run_and_report(scenario, arguments.out, arguments.common.output_policy(),
+                                         arguments.report, progress, observers_on(watched));
   bar.erase();
   print(arguments, scenario, outcome, session.out);
+  watched.finish(outcome.passed() ? "all bounds hold" : "a bound is violated");
   return outcome.passed() ? exit_code::kOk : exit_code::kBoundViolated;
 }
 
@@ -87,6 +128,7 @@ void add_run_command(CLI::App& program, Session& session) {
       ->check(CLI::NonNegativeNumber);
   command.add_flag("--report-times", arguments->report.times,
                    "times of each stage in report.html, which then differs from run to run");
+  add_live_options(command, arguments->live);
   add_common_options(command, arguments->common);
   take_streams(command, {.inputs = {"SCENARIO"}, .others = {"--out"}});
   command.callback([arguments, &session] { session.status = run(*arguments, session); });

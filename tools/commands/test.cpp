@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -12,6 +14,7 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/standard_streams.h"
+#include "tools/cli/watched_run.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
 #include "tools/laboratory/baseline.h"
@@ -73,6 +76,7 @@ constexpr const char* kFooter =
 
 struct TestArguments {
   std::vector<std::string> paths{"scenarios"};
+  LiveArguments live;
   bool slow = false;
   bool quiet = false;
   bool no_sync = false;
@@ -226,6 +230,43 @@ void write_results(const TestArguments& arguments, const TestResults& results,
   }
 }
 
+std::string name_of(const TrialJob& job) {
+  return job.scenario.name + (job.seed == 0 ? "" : vo::concat(", seed ", job.seed));
+}
+
+/// Returns a trial's verdict in a word: by its scenario's own bounds, where those judge.
+std::string word_of(const TrialJob& job, const TrialResult& trial, const RunSettings& settings) {
+  if (!trial.problem.empty()) {
+    return "error";
+  }
+  if (settings.bounds != BoundsSource::scenario) {
+    return "measured";
+  }
+  const std::vector<BoundCheck> checks = check_bounds(trial.metrics, job.scenario.expect);
+  const bool holds = std::all_of(checks.begin(), checks.end(), [&](const BoundCheck& check) {
+    return check.holds || (settings.trial.tracker && std::isnan(check.measured));
+  });
+  return holds ? "passed" : "failed";
+}
+
+/// Returns the figures of a trial that say most, or its problem.
+std::string text_of(const TrialResult& trial) {
+  constexpr double kPercent = 100;
+  constexpr double kMicrometers = 1e6;
+  if (!trial.problem.empty()) {
+    return trial.problem;
+  }
+  return vo::concat("ATE ", std::round(kMicrometers * trial.metrics.ate_rmse_m) / 1000, " mm, ",
+                    std::round(kPercent * trial.metrics.tracked_fraction), " % tracked");
+}
+
+std::string describe_verdicts(const TestResults& results) {
+  const auto passed =
+      std::count_if(results.scenarios.begin(), results.scenarios.end(),
+                    [](const ScenarioResult& s) { return s.verdict() == Verdict::passed; });
+  return vo::concat(passed, " of ", results.scenarios.size(), " scenarios passed");
+}
+
 int test(TestArguments& arguments, const Session& session) {
   complete(arguments);
   const auto limit = CommonOptions{.threads = arguments.threads}.limit_threads();
@@ -238,12 +279,19 @@ int test(TestArguments& arguments, const Session& session) {
   if (!arguments.report.empty()) {
     arguments.run.trial.pictures = pictures_of_each(files.size());
   }
-  const TestResults results = run_tests(files, arguments.run, bar.callback(), throw_if_interrupted);
+  WatchedTrials watched(arguments.live, vo::concat(files.size(), " scenarios"),
+                        files.size() * static_cast<std::size_t>(arguments.run.seeds));
+  const TestResults results =
+      run_tests(files, arguments.run, watched.progress(bar.callback()), throw_if_interrupted,
+                [&](const TrialJob& job, const TrialResult& trial) {
+                  watched.tell(name_of(job), word_of(job, trial, arguments.run), text_of(trial));
+                });
   bar.erase();
   const std::vector<Change> changes =
       baseline ? changes_from(*baseline, results, arguments.comparison, session)
                : std::vector<Change>();
   write_results(arguments, results, changes, session);
+  watched.finish(describe_verdicts(results));
   return worst_code(results, changes, arguments.run.trial.tracker.has_value());
 }
 
@@ -260,6 +308,7 @@ void add_run_options(CLI::App& command, TestArguments& arguments) {
                      "test this program: CMD with {sequence} {camera} {output}");
   command.add_option("--threads", arguments.threads, "threads at most; 0 = all cores")
       ->check(CLI::NonNegativeNumber);
+  add_live_options(command, arguments.live);
   add_quiet_flag(command, arguments.quiet);
   add_no_sync_flag(command, arguments.no_sync);
 }

@@ -18,6 +18,7 @@
 #include "tools/cli/scene_arguments.h"
 #include "tools/cli/standard_streams.h"
 #include "tools/cli/topic_arguments.h"
+#include "tools/cli/watched_run.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/track_arguments.h"
 #include "tools/depth/mono_run.h"
@@ -238,7 +239,7 @@ void write_pictures(const TrackArguments& arguments, const vo::SequenceReader& s
 }
 
 int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera,
-               ProgressBar& bar, const Session& session) {
+               ProgressBar& bar, WatchedRun& watched, const Session& session) {
   const vo::TrackerOptions chosen = chosen_options(arguments, session.err);
   cv::setNumThreads(chosen.align.threads);
   const vo::SequenceReader sequence(arguments.sequence, camera, arguments.max_time_difference,
@@ -249,7 +250,9 @@ int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCame
   KeyframeCloud cloud;
   const vo::FrameObserver observer =
       arguments.save_map.empty() ? panels.observer() : cloud.observer(panels.observer());
-  Tracked tracked{.result = vo::track_sequence(sequence, options, {}, observer, bar.callback()),
+  watched.begin(tracking_stage(sequence, arguments.sequence, {}));
+  Tracked tracked{.result = vo::track_sequence(sequence, options, {}, watched.observer(observer),
+                                               bar.callback()),
                   .options = vo::fields_of(options)};
   tracked.log = vo::format_frame_log(tracked.result.frames);
   tracked.note = vo::note_on(tracked.result);
@@ -261,7 +264,10 @@ int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCame
     write_pictures(arguments, sequence, tracked.result);
   }
   bar.erase();
-  return print(arguments, tracked, session);
+  const int status = print(arguments, tracked, session);
+  watched.finish(vo::concat(tracked.result.trajectory.size(), " of ", tracked.result.frames.size(),
+                            " frames tracked"));
+  return status;
 }
 
 /// Returns what a user must know of a monocular trajectory to use it.
@@ -285,7 +291,7 @@ std::string note_on(const vo::MonoSequenceResult& result, vo::MonoBootstrap boot
 }
 
 int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera,
-               ProgressBar& bar, const Session& session) {
+               ProgressBar& bar, WatchedRun& watched, const Session& session) {
   vo::require(arguments.debug_images == 0,
               "track: --debug-images is for --mode rgbd; "
               "`edvo depth --track` draws monocular maps");
@@ -293,8 +299,14 @@ int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCame
   const vo::MonoInput input{arguments.sequence, camera, arguments.max_time_difference,
                             arguments.depth_file, arguments.topics};
   KeyframeCloud cloud;
+  watched.begin(
+      tracking_stage(vo::SequenceReader(arguments.sequence, camera, arguments.max_time_difference,
+                                        vo::SequenceContent::colour),
+                     arguments.sequence, {}));
   const vo::MonoSequenceResult result = vo::track_mono_sequence(
-      input, options, arguments.save_map.empty() ? vo::MonoObserver() : cloud.mono_observer(),
+      input, options,
+      watched.mono_observer(arguments.save_map.empty() ? vo::MonoObserver()
+                                                       : cloud.mono_observer()),
       bar.callback());
   const Tracked tracked{.result = result.tracking(),
                         .options = vo::fields_of(options),
@@ -305,7 +317,10 @@ int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCame
   write_results(arguments, tracked);
   write_map(arguments, cloud);
   bar.erase();
-  return print(arguments, tracked, session);
+  const int status = print(arguments, tracked, session);
+  watched.finish(vo::concat(tracked.result.trajectory.size(), " of ", tracked.result.frames.size(),
+                            " frames tracked"));
+  return status;
 }
 
 int track(TrackArguments& arguments, const Session& session) {
@@ -324,11 +339,12 @@ int track(TrackArguments& arguments, const Session& session) {
                 "--debug-images: are written beside --out, expected a file there and not ",
                 arguments.out);
   }
+  WatchedRun watched(arguments.live);
   ProgressBar bar("tracking", arguments.common.verbosity());
   bar.announce("reading " + arguments.sequence);
   return vo::parse_enum<TrackMode>(arguments.mode) == TrackMode::mono
-             ? track_mono(arguments, camera, bar, session)
-             : track_rgbd(arguments, camera, bar, session);
+             ? track_mono(arguments, camera, bar, watched, session)
+             : track_rgbd(arguments, camera, bar, watched, session);
 }
 
 }  // namespace
@@ -366,6 +382,7 @@ void add_track_command(CLI::App& program, Session& session) {
   command.add_option("--max-time-difference", arguments->max_time_difference,
                      "between the stamps of colour and depth, s [0.02]");
   add_topic_options(command, arguments->topics);
+  add_live_options(command, arguments->live);
   add_common_options(command, arguments->common);
   take_streams(command, {.inputs = {"--camera", "--config", "--depth-file"},
                          .outputs = {"--out", "--frame-log"},

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "tools/cli/live_arguments.h"
 #include "tools/cli/options.h"
 #include "tools/colour/colour.h"
 #include "vo/recordings/sequence_topics.h"
@@ -23,6 +24,7 @@ constexpr auto enum_names(TrackMode) {
 /// The command line of `edvo track`, and the configuration file that it names.
 struct TrackArguments {
   CommonOptions common;
+  LiveArguments live;
   std::string sequence;
   std::string camera;
   std::string mode;    ///< name of a TrackMode; empty: as the configuration says, else rgbd

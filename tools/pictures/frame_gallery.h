@@ -1,38 +1,14 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
 #include <vector>
 
+#include "tools/pictures/frame_pictures.h"
 #include "tools/pictures/scene_view.h"
 #include "vo/core/image.h"
 #include "vo/sequence_odometry/track_sequence.h"
 
 namespace tools {
-
-/// A WebP file and the range of values that its colours span.
-struct ValuePicture {
-  std::string webp;
-  std::array<double, 2> range{};  ///< values shown darkest and brightest
-};
-
-/// Pictures of one frame as WebP files of equal size; empty where there is nothing to show.
-struct FramePictures {
-  double timestamp = 0;  ///< s
-  cv::Size size;         ///< px
-  std::string colour;
-  std::string edges;            ///< edge pixels on a transparent background
-  std::string residual_before;  ///< residuals of the first reference's points at the initial pose
-  std::string residual_after;
-  ValuePicture depth;                ///< depth; range in m, far to near
-  ValuePicture inverse_depth;        ///< estimated inverse depth; range in 1/m
-  ValuePicture inverse_depth_truth;  ///< true inverse depth in the range of inverse_depth
-
-  std::size_t bytes() const;
-};
 
 struct GalleryOptions {
   std::size_t max_bytes = 1'400'000;  ///< greatest total size of the pictures

@@ -20,13 +20,14 @@ vo::FrameObserver PanelWriter::observer() {
   if (every_ == 0) {
     return {};
   }
-  return [this](const vo::RgbdFrame& frame, const vo::FramePyramid& pyramid,
-                const vo::Tracker& tracker, const vo::TrackingResult& result) {
-    if (frame_ % every_ == 0) {
-      write(frame, pyramid, tracker, result);
-    }
-    ++frame_;
-  };
+  return
+      [this](const vo::RgbdFrame& frame, const vo::FramePyramid& pyramid,
+             const vo::Tracker& tracker, const vo::TrackingResult& result, const vo::StageTimes&) {
+        if (frame_ % every_ == 0) {
+          write(frame, pyramid, tracker, result);
+        }
+        ++frame_;
+      };
 }
 
 void PanelWriter::commit() {

@@ -30,14 +30,15 @@ EdgeCloud points_of(const vo::Keyframe& keyframe) {
 }
 
 vo::FrameObserver KeyframeCloud::observer(vo::FrameObserver other) {
-  return [this, other = std::move(other)](
-             const vo::RgbdFrame& frame, const vo::FramePyramid& pyramid,
-             const vo::Tracker& tracker, const vo::TrackingResult& result) {
-    observe(tracker.map());
-    if (other) {
-      other(frame, pyramid, tracker, result);
-    }
-  };
+  return
+      [this, other = std::move(other)](const vo::RgbdFrame& frame, const vo::FramePyramid& pyramid,
+                                       const vo::Tracker& tracker, const vo::TrackingResult& result,
+                                       const vo::StageTimes& times) {
+        observe(tracker.map());
+        if (other) {
+          other(frame, pyramid, tracker, result, times);
+        }
+      };
 }
 
 vo::MonoObserver KeyframeCloud::mono_observer() {

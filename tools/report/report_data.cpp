@@ -12,6 +12,7 @@
 
 #include "tools/pictures/base64.h"
 #include "tools/report/frame_errors.h"
+#include "tools/report/pictures_json.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/core/version.h"
@@ -25,12 +26,6 @@ constexpr std::size_t kMaxCloudPoints = 15000;
 
 Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-/// Returns the number rounded to 1e-6, which suffices for display.
-Json rounded(double value) {
-  constexpr double kUnit = 1e-6;
-  return number(std::round(value / kUnit) * kUnit + 0.0);
 }
 
 Json numbers(const std::vector<std::optional<double>>& values) {
@@ -83,11 +78,6 @@ Json options_json(const std::vector<ReportedOption>& options) {
                 {"preset", option.preset},
                 {"help", option.help}};
   });
-}
-
-Json camera_json(const vo::PinholeCamera& camera) {
-  return {{"width", camera.width},    {"height", camera.height},  {"fx", rounded(camera.fx)},
-          {"fy", rounded(camera.fy)}, {"cx", rounded(camera.cx)}, {"cy", rounded(camera.cy)}};
 }
 
 /// Returns the times of the tracker's frames; without any, those of the true or estimated poses.
@@ -155,37 +145,14 @@ Json frames_json(const ScenarioReport& report, const std::vector<double>& timest
   return json;
 }
 
-void add_picture(Json& json, const char* key, const std::string& webp) {
-  if (!webp.empty()) {
-    json[key] = base64(webp);
-  }
-}
-
-void add_values(Json& json, const char* key, const ValuePicture& picture) {
-  if (!picture.webp.empty()) {
-    json[key] = {{"webp", base64(picture.webp)},
-                 {"dark", rounded(picture.range[0])},
-                 {"bright", rounded(picture.range[1])}};
-  }
-}
-
-Json pictures_json(const std::vector<FramePictures>& gallery,
-                   const std::vector<double>& timestamps) {
+Json gallery_json(const std::vector<FramePictures>& gallery,
+                  const std::vector<double>& timestamps) {
   Json json = Json::array();
   for (const FramePictures& pictures : gallery) {
     const auto found = std::find(timestamps.begin(), timestamps.end(), pictures.timestamp);
     vo::require(found != timestamps.end(), "report: a picture at ", pictures.timestamp,
                 " s, expected the time of a frame");
-    Json& entry = json.emplace_back();
-    entry["frame"] = found - timestamps.begin();
-    entry["size"] = {pictures.size.width, pictures.size.height};
-    add_picture(entry, "colour", pictures.colour);
-    add_picture(entry, "edges", pictures.edges);
-    add_values(entry, "depth", pictures.depth);
-    add_picture(entry, "residual_before", pictures.residual_before);
-    add_picture(entry, "residual_after", pictures.residual_after);
-    add_values(entry, "inverse_depth", pictures.inverse_depth);
-    add_values(entry, "inverse_depth_truth", pictures.inverse_depth_truth);
+    json.push_back(pictures_json(pictures, static_cast<std::size_t>(found - timestamps.begin())));
   }
   return json;
 }
@@ -212,7 +179,7 @@ Json run_json(const ScenarioReport& report) {
   Json json = {{"options", options_json(report.options)},
                {"frames", frames_json(report, timestamps)},
                {"stride", report.gallery.stride()},
-               {"pictures", pictures_json(report.gallery.pictures(), timestamps)}};
+               {"pictures", gallery_json(report.gallery.pictures(), timestamps)}};
   if (report.camera) {
     json["camera"] = camera_json(*report.camera);
   }

@@ -77,13 +77,27 @@ void require_own_folder(const fs::path& folder) {
 /// Returns an observer that calls both observers in turn; an empty one is skipped.
 vo::FrameObserver in_turn(const vo::FrameObserver& first, const vo::FrameObserver& second) {
   return [first, second](const vo::RgbdFrame& frame, const vo::FramePyramid& pyramid,
-                         const vo::Tracker& tracker, const vo::TrackingResult& result) {
+                         const vo::Tracker& tracker, const vo::TrackingResult& result,
+                         const vo::StageTimes& times) {
     for (const vo::FrameObserver& observe : {first, second}) {
       if (observe) {
-        observe(frame, pyramid, tracker, result);
+        observe(frame, pyramid, tracker, result, times);
       }
     }
   };
+}
+
+/// Returns observers that call those of both in turn.
+ScenarioObservers together(const ScenarioObservers& first, const ScenarioObservers& second) {
+  return {.frame = in_turn(first.frame, second.frame),
+          .map = [first, second](std::size_t frame, const vo::DepthMap& map,
+                                 const vo::DepthImage& truth, const vo::SE3& T_world_host) {
+            for (const MapObserver& observe : {first.map, second.map}) {
+              if (observe) {
+                observe(frame, map, truth, T_world_host);
+              }
+            }
+          }};
 }
 
 /// Pictures drawn while a scenario runs: panels/ in mode rgbd, maps/ in modes mono and mapping, and
@@ -102,9 +116,8 @@ class RunPictures {
 
   ScenarioObservers observers() {
     const vo::FrameObserver remember = [this](const vo::RgbdFrame& frame, const vo::FramePyramid&,
-                                              const vo::Tracker&, const vo::TrackingResult&) {
-      time_ = frame.timestamp;
-    };
+                                              const vo::Tracker&, const vo::TrackingResult&,
+                                              const vo::StageTimes&) { time_ = frame.timestamp; };
     return {.frame = in_turn(panels_ ? panels_->observer() : remember, gallery_.observer()),
             .map = maps_ ? map_observer() : MapObserver()};
   }
@@ -142,13 +155,14 @@ class RunPictures {
 
 Outcome run_and_report(const Scenario& scenario, const fs::path& folder,
                        const vo::OutputPolicy& policy, const RunReportOptions& options,
-                       const RunProgress& progress) {
+                       const RunProgress& progress, const ScenarioObservers& watching) {
   require_own_folder(folder);
   scenario.require_scene();
   vo::make_folder(folder);
   RunPictures pictures(scenario, folder, options.debug_images, policy,
                        [&] { progress.track(0, 0); });
-  Outcome outcome = run_scenario(scenario, folder, policy, pictures.observers(), progress);
+  Outcome outcome =
+      run_scenario(scenario, folder, policy, together(pictures.observers(), watching), progress);
   std::vector<vo::NamedBytes> files = result_files(scenario, outcome);
   files.push_back({"report.html", browser_report(scenario, outcome, options, pictures.gallery())});
   vo::write_results(folder, files, policy);

@@ -14,9 +14,10 @@ struct RunReportOptions {
 };
 
 /// Renders a scenario's sequence into `folder`, tracks it and writes what `edvo run` leaves there:
-/// reports, trajectory, frames and pictures. Throws vo::Error where the folder holds other files.
+/// reports, trajectory, frames and pictures. `watching` is told of each frame, too. Throws
+/// vo::Error where the folder holds other files.
 Outcome run_and_report(const Scenario& scenario, const std::filesystem::path& folder,
                        const vo::OutputPolicy& policy, const RunReportOptions& options,
-                       const RunProgress& progress);
+                       const RunProgress& progress, const ScenarioObservers& watching = {});
 
 }  // namespace tools

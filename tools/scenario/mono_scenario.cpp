@@ -75,7 +75,8 @@ TrackingRun track_mono_scenario(const Scenario& scenario, const vo::SequenceRead
                                        const vo::MonoResult& result) {
     const std::size_t number = index++;
     if (observers.frame) {
-      observers.frame(frame, odometry.current(), odometry.tracker(), result.tracking);
+      observers.frame(frame, odometry.current(), odometry.tracker(), result.tracking,
+                      odometry.stage_times());
     }
     if (const std::optional<MappedFrame> mapped = judge.judge(odometry, result)) {
       run.maps.push_back(*mapped);

@@ -136,9 +136,16 @@ Outcome track_scenario(const Scenario& scenario, const vo::SequenceReader& seque
 Outcome run_scenario(const Scenario& scenario, const std::filesystem::path& folder,
                      const vo::OutputPolicy& policy, const ScenarioObservers& observers,
                      const RunProgress& progress) {
+  const synth::RenderJob job = render_job(scenario);
+  if (progress.before_rendering) {
+    progress.before_rendering(job.recipe);
+  }
   synth::RenderOutcome rendered =
-      synth::render_sequence(render_job(scenario), folder / "sequence", policy, progress.render);
+      synth::render_sequence(job, folder / "sequence", policy, progress.render, progress.rendered);
   const vo::SequenceReader sequence(folder / "sequence");
+  if (progress.before_tracking) {
+    progress.before_tracking(sequence);
+  }
   Outcome outcome = track_scenario(scenario, sequence, observers, progress.track);
   outcome.notes = std::move(rendered.notes);
   return outcome;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -54,10 +55,14 @@ struct ScenarioObservers {
 Outcome track_scenario(const Scenario& scenario, const vo::SequenceReader& sequence,
                        const ScenarioObservers& observers, const vo::Progress& progress);
 
-/// Progress callbacks of rendering a sequence and of tracking or reading it.
+/// What is told of rendering a sequence, and then of tracking or reading it; an empty callback is
+/// not called, but for those of progress.
 struct RunProgress {
   vo::Progress render;
   vo::Progress track;
+  std::function<void(const synth::SequenceRecipe&)> before_rendering;
+  synth::MadeFrameObserver rendered;
+  std::function<void(const vo::SequenceReader&)> before_tracking;
 };
 
 /// Renders the scenario's sequence into `folder`/sequence (unless it is there) and tracks it.

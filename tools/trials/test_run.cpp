@@ -105,7 +105,8 @@ std::vector<fs::path> find_scenarios(const std::vector<fs::path>& paths, SlowSce
 }
 
 std::vector<TrialResult> run_trials(const std::vector<TrialJob>& jobs, const RunSettings& settings,
-                                    const vo::Progress& progress, const vo::WaitObserver& waiting) {
+                                    const vo::Progress& progress, const vo::WaitObserver& waiting,
+                                    const TrialObserver& observe) {
   program_hash();  // once for the processes of all trials
   const ScratchFolder scratch;
   const int at_a_time = std::min(settings.jobs, static_cast<int>(jobs.size()));
@@ -118,6 +119,9 @@ std::vector<TrialResult> run_trials(const std::vector<TrialJob>& jobs, const Run
   const auto take = [&](std::size_t i, const JobEnd& end) {
     waiting();
     results[i] = trial_of_process(end, jobs[i].seed);
+    if (observe) {
+      observe(jobs[i], results[i]);
+    }
     progress(++done, jobs.size());
   };
   run_forked(jobs.size(), settings.jobs, {.work = work, .done = take}, waiting);
@@ -125,7 +129,8 @@ std::vector<TrialResult> run_trials(const std::vector<TrialJob>& jobs, const Run
 }
 
 TestResults run_tests(const std::vector<fs::path>& files, const RunSettings& settings,
-                      const vo::Progress& progress, const vo::WaitObserver& waiting) {
+                      const vo::Progress& progress, const vo::WaitObserver& waiting,
+                      const TrialObserver& observe) {
   std::vector<LoadedScenario> scenarios;
   std::vector<TrialJob> jobs;
   for (const fs::path& file : files) {
@@ -134,7 +139,7 @@ TestResults run_tests(const std::vector<fs::path>& files, const RunSettings& set
       jobs.push_back({*scenarios.back().scenario, seed});
     }
   }
-  std::vector<TrialResult> trials = run_trials(jobs, settings, progress, waiting);
+  std::vector<TrialResult> trials = run_trials(jobs, settings, progress, waiting, observe);
   TestResults results{
       .edvo = vo::version(),
       .tracker = settings.trial.tracker ? readable_text(settings.trial.tracker->command) : "edvo",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "tools/laboratory/results.h"
@@ -31,16 +32,21 @@ struct TrialJob {
   int seed = 0;
 };
 
+/// Called with each trial when it has ended, in this process.
+using TrialObserver = std::function<void(const TrialJob& job, const TrialResult& result)>;
+
 /// Returns the results in job order. Each trial runs in a process of its own, forked from this one,
 /// which may have no other thread: a crash costs one trial. `progress` counts trials; `waiting` is
 /// called repeatedly, in this process and in those of the trials.
 std::vector<TrialResult> run_trials(const std::vector<TrialJob>& jobs, const RunSettings& settings,
-                                    const vo::Progress& progress, const vo::WaitObserver& waiting);
+                                    const vo::Progress& progress, const vo::WaitObserver& waiting,
+                                    const TrialObserver& observe = {});
 
 /// Runs every scenario with every seed and checks the means against the bounds if the scenario's
 /// judge. A scenario whose file is unusable, or lacks the bounds that are to judge it, gets a trial
 /// with a problem.
 TestResults run_tests(const std::vector<std::filesystem::path>& files, const RunSettings& settings,
-                      const vo::Progress& progress, const vo::WaitObserver& waiting);
+                      const vo::Progress& progress, const vo::WaitObserver& waiting,
+                      const TrialObserver& observe = {});
 
 }  // namespace tools

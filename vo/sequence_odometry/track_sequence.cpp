@@ -150,7 +150,8 @@ SequenceResult track_sequence(const SequenceReader& sequence, const TrackerOptio
       result.depths_m.push_back(depth);
     }
     if (observe) {
-      observe(*frame, odometry.current(), odometry.tracker(), result.frames.back());
+      observe(*frame, odometry.current(), odometry.tracker(), result.frames.back(),
+              odometry.stage_times());
     }
     progress(result.frames.size(), sequence.size());
   }

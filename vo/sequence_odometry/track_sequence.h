@@ -31,8 +31,9 @@ struct SequenceResult {
 };
 
 /// Called after each frame, before the next one is read; for pictures.
-using FrameObserver = std::function<void(const RgbdFrame& frame, const FramePyramid& pyramid,
-                                         const Tracker& tracker, const TrackingResult& result)>;
+using FrameObserver =
+    std::function<void(const RgbdFrame& frame, const FramePyramid& pyramid, const Tracker& tracker,
+                       const TrackingResult& result, const StageTimes& times)>;
 
 SequenceResult track_sequence(const SequenceReader& sequence, const TrackerOptions& options,
                               const SE3& T_world_first, const FrameObserver& observe,

@@ -50,7 +50,7 @@ void generate(const Scene& scene, const SequenceRecipe& recipe, const fs::path& 
               const vo::Progress& progress = {}) {
   const vo::StagedContent content = sequence_content(recipe, {"marker", ""});
   vo::StagedFolder staged(folder, content, vo::ExistingOutput::keep, {});
-  ShareRenderer renderer({scene, recipe}, content, staged, progress);
+  ShareRenderer renderer({scene, recipe}, content, staged, {progress, {}});
   renderer.render(frames_of({}, recipe.truth.size()));
   ASSERT_THAT(staged.finish(), testing::IsEmpty());
 }

@@ -51,7 +51,7 @@ TEST(KeyframeCloud, HasThePointsOfEveryKeyframeWhereTheyAre) {
   for (int i = 0; i < 60; ++i) {
     const vo::RgbdFrame frame = support::plane_frame(small_camera(), sideways_walk(i), i);
     const vo::TrackingResult result = odometry.track(frame);
-    observe(frame, odometry.current(), odometry.tracker(), result);
+    observe(frame, odometry.current(), odometry.tracker(), result, odometry.stage_times());
     if (result.is_keyframe) {
       ++keyframes;
       points += odometry.tracker().map().last()->points->levels.front().size();

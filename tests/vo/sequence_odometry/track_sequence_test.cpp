@@ -18,7 +18,7 @@ TEST(TrackSequence, TracksEveryFrameAndTellsOfEach) {
   int observed = 0;
   const vo::SequenceResult result = vo::track_sequence(
       sequence, {}, truth.front().T_world_camera,
-      [&](const auto&, const auto&, const auto&, const auto&) { ++observed; },
+      [&](const auto&, const auto&, const auto&, const auto&, const auto&) { ++observed; },
       [&](std::size_t count, std::size_t total) {
         EXPECT_EQ(total, 5U);
         done.push_back(count);

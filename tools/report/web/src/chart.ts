@@ -86,31 +86,43 @@ export class Chart {
   private readonly host = h('div', { class: 'plot', role: 'img' });
   private readonly now = h('output', { class: 'now' });
   private plot: uPlot | undefined;
+  private readonly select: HTMLSelectElement;
   private quantity: Quantity;
   private readonly resize = new ResizeObserver(() => this.fit());
 
   constructor(
     private readonly scenario: Scenario,
     private readonly player: Player,
-    choices: Quantity[],
+    private readonly choices: Quantity[],
     first: number,
   ) {
     this.quantity = choices[first]!;
-    const select = h(
+    this.select = h(
       'select',
       {
         'aria-label': 'Quantity over time',
         change: () => {
-          this.quantity = choices[select.selectedIndex]!;
+          this.quantity = this.choices[this.select.selectedIndex]!;
           this.draw();
         },
       },
-      ...choices.map((q, i) => h('option', { selected: i === first }, axisTitle(q))),
+      ...this.options(),
     );
-    this.element = h('div', { class: 'chart' }, h('div', { class: 'bar' }, select, this.now), this.host);
+    this.element = h('div', { class: 'chart' }, h('div', { class: 'bar' }, this.select, this.now), this.host);
     this.resize.observe(this.host);
     this.draw();
     player.listen(() => this.update());
+  }
+
+  /** After frames were added, and quantities to those that can be chosen. */
+  grow(): void {
+    const { label } = this.quantity;
+    this.quantity = this.choices.find((quantity) => quantity.label === label) ?? this.choices[0]!;
+    if (this.select.options.length !== this.choices.length) this.select.replaceChildren(...this.options());
+    const stamps = this.player.timestamps;
+    this.plot?.setData([stamps.map((stamp) => stamp - stamps[0]!), this.quantity.values], !this.isZoomed());
+    this.host.setAttribute('aria-label', summary(this.quantity, stamps));
+    this.update();
   }
 
   draw(): void {
@@ -151,6 +163,17 @@ export class Chart {
   remove(): void {
     this.resize.disconnect();
     this.plot?.destroy();
+  }
+
+  private options(): HTMLOptionElement[] {
+    return this.choices.map((q) => h('option', { selected: q.label === this.quantity.label }, axisTitle(q)));
+  }
+
+  /** Whether a part of the time is shown alone. */
+  private isZoomed(): boolean {
+    const { min, max } = this.plot?.scales['x'] ?? {};
+    const stamps = this.plot?.data[0] ?? [];
+    return min !== undefined && max !== undefined && (min > stamps[0]! || max < stamps[stamps.length - 1]!);
   }
 
   private fit(): void {

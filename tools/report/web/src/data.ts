@@ -63,6 +63,8 @@ export interface Frames {
   rotation_deg: (number | null)[]; // of the aligned estimate
   step_translation_m: (number | null)[]; // of the motion since the frame before
   step_rotation_deg: (number | null)[];
+  sigma_m?: (number | null)[]; // standard deviation of the estimate's position; while it runs alone
+  covariance?: (number[] | null)[]; // upper triangle of that of the position, camera's frame, m^2
   status?: Status[];
   tracking?: Tracking; // absent for a tracker that is not ours
 }
@@ -116,4 +118,5 @@ export interface Times {
   pyramid_ms: number[];
   edges_ms: number[];
   alignment_ms: number[];
+  mapping_ms?: number[];
 }

@@ -2,6 +2,8 @@ import 'uplot/dist/uPlot.min.css';
 import './style.css';
 import { h } from './dom';
 import type { ReportData } from './data';
+import { scrubByKeys } from './keys';
+import { startLive } from './live';
 import { scenarioSection, type ScenarioSection } from './scenario';
 import { badge, verdictTable } from './tables';
 import { themeSwitch } from './theme';
@@ -15,22 +17,6 @@ function readLink(): { scenario: string | null; frame: number } {
 function writeLink(scenario: string, frame: number): void {
   const link = new URLSearchParams({ scenario, frame: String(frame) });
   history.replaceState(null, '', `#${link}`);
-}
-
-/** Arrow keys scrub wherever they have no other meaning. */
-function scrubByKeys(current: () => ScenarioSection | undefined): void {
-  document.addEventListener('keydown', (event) => {
-    const player = current()?.player;
-    const target = event.target as HTMLElement;
-    if (!player || event.altKey || event.ctrlKey || event.metaKey) return;
-    if (target.closest('input:not([type=checkbox]), select, [tabindex="0"]')) return;
-    const step = event.shiftKey ? 10 : 1;
-    if (event.key === 'ArrowLeft') player.scrub(player.frame - step);
-    else if (event.key === 'ArrowRight') player.scrub(player.frame + step);
-    else if (event.key === ' ' && !target.closest('button, summary, input')) player.toggle();
-    else return;
-    event.preventDefault();
-  });
 }
 
 function start(data: ReportData, root: HTMLElement): void {
@@ -84,10 +70,17 @@ function start(data: ReportData, root: HTMLElement): void {
   };
   follow();
   addEventListener('hashchange', follow);
-  scrubByKeys(() => section);
+  scrubByKeys({
+    frame: () => section?.player.frame,
+    scrub: (frame) => section?.player.scrub(frame),
+    toggle: () => section?.player.toggle(),
+  });
 }
 
-const element = document.getElementById('edvo-data')!;
-const root = document.getElementById('report')!;
-const data = JSON.parse(element.textContent!) as ReportData;
-start(data, root);
+const live = document.getElementById('live');
+if (live) {
+  startLive(live);
+} else {
+  const element = document.getElementById('edvo-data')!;
+  start(JSON.parse(element.textContent!) as ReportData, document.getElementById('report')!);
+}

@@ -115,28 +115,62 @@ function figure(kind: Kind, first: Pictures): { element: HTMLElement; update: (p
 }
 
 /** The pictures of the frame that is shown, or of the nearest that has some. */
-export function pictureSection(scenario: Scenario, player: Player): HTMLElement | null {
-  const all = scenario.pictures;
-  if (all.length === 0) return null;
-  const kinds = kKinds.filter((kind) => all.some((p) => kind.layers(p).every(Boolean)));
-  const figures = kinds.map((kind) => figure(kind, all[0]!));
-  const which = h('span', { class: 'which' });
-  let shown = -1;
-  player.listen(() => {
-    const index = nearestPictures(all, player.frame);
-    const pictures = all[index]!;
-    const own = pictures.frame === player.frame;
-    which.textContent = own
-      ? `frame ${pictures.frame}`
-      : `frame ${pictures.frame}, the nearest with pictures (one in ${scenario.stride} has some)`;
-    if (index === shown) return;
-    shown = index;
-    for (const { update } of figures) update(pictures);
-  });
-  return h(
-    'section',
-    { class: 'panel pictures', 'aria-label': 'Pictures' },
-    h('h3', {}, 'Pictures ', which),
-    h('div', { class: 'gallery' }, ...figures.map(({ element }) => element)),
-  );
+export class PictureSection {
+  readonly element: HTMLElement;
+  private readonly which = h('span', { class: 'which' });
+  private readonly gallery = h('div', { class: 'gallery' });
+  private readonly offered: Kind[];
+  private kinds: Kind[] = [];
+  private figures: ReturnType<typeof figure>[] = [];
+  private shown: Pictures | undefined;
+
+  /** Where titles are given, only those kinds are shown, in that order. */
+  constructor(
+    private readonly scenario: Scenario,
+    private readonly player: Player,
+    titles?: string[],
+  ) {
+    this.offered = titles ? titles.map((title) => kKinds.find((kind) => kind.title === title)!) : kKinds;
+    this.element = h(
+      'section',
+      { class: 'panel pictures', 'aria-label': 'Pictures' },
+      h('h3', {}, 'Pictures ', this.which),
+      this.gallery,
+    );
+    this.grow();
+    player.listen(() => this.update());
+  }
+
+  /** After pictures were added. */
+  grow(): void {
+    const all = this.scenario.pictures;
+    const kinds = this.offered.filter((kind) => this.kinds.includes(kind) || all.some((p) => kind.layers(p).every(Boolean)));
+    if (kinds.length > this.kinds.length) {
+      this.kinds = kinds;
+      this.figures = kinds.map((kind) => figure(kind, all[0]!));
+      this.gallery.replaceChildren(...this.figures.map(({ element }) => element));
+      this.shown = undefined;
+    }
+    this.update();
+  }
+
+  private update(): void {
+    const all = this.scenario.pictures;
+    const pictures = all[nearestPictures(all, this.player.frame)];
+    if (!pictures) {
+      this.which.textContent = 'none yet';
+      return;
+    }
+    this.which.textContent = this.describe(pictures);
+    if (pictures === this.shown) return;
+    this.shown = pictures;
+    for (const { update } of this.figures) update(pictures);
+  }
+
+  private describe(pictures: Pictures): string {
+    if (pictures.frame === this.player.frame) return `frame ${pictures.frame}`;
+    const { stride } = this.scenario;
+    const how = stride > 0 ? ` (one in ${stride} has some)` : '';
+    return `frame ${pictures.frame}, the nearest with pictures${how}`;
+  }
 }

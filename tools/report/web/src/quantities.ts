@@ -21,6 +21,7 @@ export function quantities(scenario: Scenario): Quantity[] {
     (values ?? []).map((value, i) => (aligned[i] ? value : null));
   const moving = tracking?.moving_fraction ?? [];
   const whereAnyMoves = moving.some((share) => share > 0) ? whereAligned(moving) : [];
+  const whereAny = (values: number[] = []) => (values.some((value) => value > 0) ? values : []);
   const all: Quantity[] = [
     { label: 'Position error', unit: 'mm', values: scaled(frames.position_m, 1000), digits: 2 },
     {
@@ -36,6 +37,12 @@ export function quantities(scenario: Scenario): Quantity[] {
       values: frames.step_rotation_deg,
       digits: 3,
     },
+    {
+      label: 'Position uncertainty, one sigma',
+      unit: 'mm',
+      values: scaled(frames.sigma_m ?? [], 1000),
+      digits: 2,
+    },
     { label: 'Correlation', unit: '', values: whereAligned(tracking?.correlation), digits: 4 },
     {
       label: 'Points in view',
@@ -50,6 +57,7 @@ export function quantities(scenario: Scenario): Quantity[] {
     { label: 'Pyramid (time)', unit: 'ms', values: times?.pyramid_ms ?? [], digits: 2 },
     { label: 'Edges (time)', unit: 'ms', values: times?.edges_ms ?? [], digits: 2 },
     { label: 'Alignment (time)', unit: 'ms', values: times?.alignment_ms ?? [], digits: 2 },
+    { label: 'Mapping (time)', unit: 'ms', values: whereAny(times?.mapping_ms), digits: 2 },
   ];
   return all.filter(({ values }) => values.some((value) => value !== null));
 }

@@ -1,7 +1,7 @@
 import { Chart } from './chart';
 import { h } from './dom';
 import type { Scenario } from './data';
-import { pictureSection } from './pictures';
+import { PictureSection } from './pictures';
 import { Player } from './player';
 import { markedKeyframes, quantities, type Quantity } from './quantities';
 import { SceneView, type ViewMode } from './scene';
@@ -48,7 +48,7 @@ function choice(name: string, labels: string[], choose: (index: number) => void)
   );
 }
 
-function makeScene(scenario: Scenario, player: Player): { scene: SceneView | undefined; element: HTMLElement } {
+export function makeScene(scenario: Scenario, player: Player): { scene: SceneView | undefined; element: HTMLElement } {
   try {
     const scene = new SceneView(scenario, player);
     return { scene, element: scene.element };
@@ -164,7 +164,7 @@ export function scenarioSection(scenario: Scenario): ScenarioSection {
     heading,
     h('div', { class: 'columns' }, h('div', {}, measured, facts), h('div', {}, paths.element)),
     charts,
-    pictureSection(scenario, player),
+    scenario.pictures.length > 0 && new PictureSection(scenario, player).element,
     optionTable(scenario),
     timeline(scenario, player, all.find((q) => q.label === 'Position error')),
   );

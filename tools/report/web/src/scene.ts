@@ -8,6 +8,7 @@ import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { decodeBase64, h, themeColour } from './dom';
 import type { Cloud, Pose, Scenario } from './data';
+import { Ellipsoids } from './ellipsoids';
 import { imageCorners, rotated, upAxis } from './geometry';
 import type { Player } from './player';
 
@@ -64,12 +65,12 @@ class Path {
 }
 
 /** The pyramid that a camera sees, its top edge marked. */
-function frustum(scenario: Scenario, size: number): LineSegments<BufferGeometry, LineBasicMaterial> {
-  const corners = imageCorners(scenario.camera).map(([x, y, z]) => new Vector3(x, y, z).multiplyScalar(size));
+function frustum(scenario: Scenario): LineSegments<BufferGeometry, LineBasicMaterial> {
+  const corners = imageCorners(scenario.camera).map(([x, y, z]) => new Vector3(x, y, z));
   const points: Vector3[] = [];
   corners.forEach((corner, i) => points.push(new Vector3(), corner, corner, corners[(i + 1) % 4]!));
   const top = corners[0]!.clone().add(corners[1]!).multiplyScalar(0.5);
-  const tip = top.clone().add(new Vector3(0, Math.sign(top.y) * size * 0.15, 0));
+  const tip = top.clone().add(new Vector3(0, Math.sign(top.y) * 0.15, 0));
   points.push(corners[0]!, tip, tip, corners[1]!);
   const lines = new LineSegments(
     new BufferGeometry().setFromPoints(points),
@@ -87,13 +88,15 @@ export class SceneView {
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(50, 1, 0.01, 1000);
   private readonly controls: OrbitControls;
-  private readonly truthPath: Path;
-  private readonly allOfTruth: Path;
+  private truthPath: Path;
+  private allOfTruth: Path;
   private estimatePath: Path;
   private readonly truthCamera;
   private readonly estimateCamera;
   private readonly cloud: Points<BufferGeometry, PointsMaterial> | undefined;
-  private readonly up: Vector3;
+  private readonly up = new Vector3(0, 1, 0);
+  private readonly ellipsoids: Ellipsoids | undefined;
+  private isTurned = false; // whether somebody has chosen a view
   private readonly middle = new Vector3();
   private extent = 1; // m, of the paths
   private distance = 1; // m, from which the scene is seen
@@ -117,13 +120,12 @@ export class SceneView {
     );
     this.element = h('div', { class: 'scene' }, canvas);
 
-    const { truth, estimate } = scenario.frames;
+    const { truth, estimate, covariance } = scenario.frames;
     this.estimate = estimate;
-    const { axis, sign } = upAxis(truth, scenario.camera);
-    this.up = new Vector3().setComponent(axis, sign);
-    this.camera.up.copy(this.up);
+    this.orient();
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener('change', () => this.redraw());
+    this.controls.addEventListener('start', () => (this.isTurned = true));
     // The page scrolls over the view until somebody has clicked into it.
     this.controls.enableZoom = false;
     canvas.addEventListener('focus', () => (this.controls.enableZoom = true));
@@ -134,8 +136,12 @@ export class SceneView {
     this.allOfTruth = new Path(truth, 1.5);
     this.truthPath = new Path(truth, 4);
     this.estimatePath = new Path(estimate, 2.5);
-    this.truthCamera = frustum(scenario, 0.09 * this.extent);
-    this.estimateCamera = frustum(scenario, 0.08 * this.extent);
+    this.truthCamera = frustum(scenario);
+    this.estimateCamera = frustum(scenario);
+    if (covariance) {
+      this.ellipsoids = new Ellipsoids();
+      this.scene.add(this.ellipsoids.mesh);
+    }
     if (scenario.cloud) this.cloud = this.addCloud(scenario.cloud);
     this.scene.add(this.allOfTruth.line, this.truthPath.line, this.estimatePath.line, this.truthCamera, this.estimateCamera);
     this.recolour();
@@ -153,6 +159,29 @@ export class SceneView {
     this.scene.add(this.estimatePath.line);
     this.recolour();
     this.update();
+  }
+
+  /** After poses were added. The view is fitted to them until somebody has chosen one. */
+  grow(): void {
+    const { truth, estimate } = this.scenario.frames;
+    const before = this.distance;
+    const middle = this.middle.clone();
+    this.orient();
+    this.measure([...truth, ...estimate]);
+    this.scene.remove(this.allOfTruth.line, this.truthPath.line);
+    this.allOfTruth.remove();
+    this.truthPath.remove();
+    this.allOfTruth = new Path(truth, 1.5);
+    this.truthPath = new Path(truth, 4);
+    this.scene.add(this.allOfTruth.line, this.truthPath.line);
+    this.show(estimate);
+    const isOther = this.distance > 1.05 * before || middle.distanceTo(this.middle) > 0.05 * this.extent;
+    if (isOther && !this.isTurned && this.mode === 'around') this.reset();
+  }
+
+  /** How many times larger than 3 sigma the ellipsoids are; undefined where there are none. */
+  get covarianceFactor(): number | undefined {
+    return this.ellipsoids?.factor;
   }
 
   setMode(mode: ViewMode): void {
@@ -176,6 +205,7 @@ export class SceneView {
     paint(this.estimatePath.line.material, 'estimate');
     paint(this.truthCamera.material, 'truth');
     paint(this.estimateCamera.material, 'estimate');
+    if (this.ellipsoids) paint(this.ellipsoids.mesh.material, 'keyframe');
     this.allOfTruth.line.material.opacity = 0.45;
     this.allOfTruth.line.renderOrder = 1;
     this.truthPath.line.renderOrder = 1;
@@ -184,6 +214,7 @@ export class SceneView {
   }
 
   reset(): void {
+    this.isTurned = false;
     const away = this.backwards().addScaledVector(this.up, 0.8).normalize();
     this.camera.fov = 50;
     this.camera.up.copy(this.up);
@@ -199,19 +230,32 @@ export class SceneView {
     this.resize.disconnect();
     this.controls.dispose();
     for (const path of [this.allOfTruth, this.truthPath, this.estimatePath]) path.remove();
+    this.ellipsoids?.remove();
     this.cloud?.geometry.dispose();
     this.cloud?.material.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
   }
 
+  /** The poses that tell where up is and where the cameras look: the true ones where there are any. */
+  private reference(): (Pose | null)[] {
+    const { truth, estimate } = this.scenario.frames;
+    return truth.some(Boolean) ? truth : estimate;
+  }
+
+  private orient(): void {
+    const { axis, sign } = upAxis(this.reference(), this.scenario.camera);
+    this.up.set(0, 0, 0).setComponent(axis, sign);
+    this.camera.up.copy(this.up);
+  }
+
   /** On the floor, away from what the cameras look at on the whole, a little to the side. */
   private backwards(): Vector3 {
     const heading = new Vector3();
-    for (const pose of this.scenario.frames.truth) {
+    for (const pose of this.reference()) {
       if (pose) heading.add(new Vector3(...rotated(pose, [0, 0, 1])));
     }
-    heading.divideScalar(-Math.max(1, this.scenario.frames.truth.length)).projectOnPlane(this.up);
+    heading.divideScalar(-Math.max(1, this.reference().length)).projectOnPlane(this.up);
     if (heading.length() < 0.2) heading.set(1, 1, 1).projectOnPlane(this.up);
     return heading.normalize().applyAxisAngle(this.up, Math.PI / 7);
   }
@@ -253,7 +297,8 @@ export class SceneView {
     this.update();
   }
 
-  private place(object: LineSegments, pose: Pose | null | undefined): void {
+  private place(object: LineSegments, pose: Pose | null | undefined, size: number): void {
+    object.scale.setScalar(size * this.extent);
     object.visible = Boolean(pose) && this.mode === 'around';
     if (!pose) return;
     object.position.set(pose[0], pose[1], pose[2]);
@@ -264,8 +309,9 @@ export class SceneView {
     const frame = this.player.frame;
     this.truthPath.upTo(frame);
     this.estimatePath.upTo(frame);
-    this.place(this.truthCamera, this.scenario.frames.truth[frame]);
-    this.place(this.estimateCamera, this.estimate[frame]);
+    this.place(this.truthCamera, this.scenario.frames.truth[frame], 0.09);
+    this.place(this.estimateCamera, this.estimate[frame], 0.08);
+    this.ellipsoids?.show(this.scenario.frames, frame, this.extent);
     if (this.mode === 'camera') this.lookThrough(this.estimate[frame] ?? this.scenario.frames.truth[frame]);
     this.redraw();
   }

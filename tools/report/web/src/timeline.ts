@@ -5,7 +5,7 @@ import type { Player } from './player';
 import { markedKeyframes, valueText, type Quantity } from './quantities';
 
 /** Keyframes as ticks, lost and uncertain frames as bars, one unit wide per frame. */
-function statusStrip(scenario: Scenario): SVGSVGElement | null {
+export function statusStrip(scenario: Scenario): SVGSVGElement | null {
   const statuses = scenario.frames.status;
   if (!statuses) return null;
   const frames = statuses.length;
@@ -24,7 +24,7 @@ function statusStrip(scenario: Scenario): SVGSVGElement | null {
   );
 }
 
-function statusText(scenario: Scenario, frame: number): string {
+export function statusText(scenario: Scenario, frame: number): string {
   const { status: statuses, tracking, estimate } = scenario.frames;
   if (!statuses) return estimate[frame] ? 'tracked' : 'no pose';
   const status = statuses[frame]!;
