@@ -33,9 +33,13 @@ export function stageTimes(scenario: Scenario, player: Player): HTMLElement {
         h('th', { scope: 'row' }, name),
         h(
           'td',
-          { class: 'time-bar' },
-          h('i', { style: `width:${((100 * now) / longest).toFixed(1)}%` }),
-          h('b', { style: `left:${((100 * usual) / longest).toFixed(1)}%` }),
+          { class: 'time-cell' },
+          h(
+            'div',
+            { class: 'time-bar' },
+            h('i', { style: `width:${((100 * now) / longest).toFixed(1)}%` }),
+            h('b', { style: `left:${Math.min(99, (100 * usual) / longest).toFixed(1)}%` }),
+          ),
         ),
         h('td', { class: 'number' }, now.toFixed(2)),
         h('td', { class: 'number' }, usual.toFixed(2)),
