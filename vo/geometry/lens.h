@@ -21,7 +21,8 @@ constexpr auto enum_names(DistortionModel) {
 /// Distortion: how a lens images the direction (x, y, 1) = (X / Z, Y / Z, 1), with r^2 = x^2 + y^2.
 /// The default is a perfect lens.
 ///
-/// Brown and Conrady, in OpenCV's order and meaning, with s = 1 + k1 r^2 + k2 r^4 + k3 r^6:
+/// Brown and Conrady, in OpenCV's meaning, with s = (1 + k1 r^2 + k2 r^4 + k3 r^6) / (1 + k4 r^2 +
+/// k5 r^4 + k6 r^6), of which k4 to k6 make OpenCV's rational model:
 ///     x_d = x s + 2 p1 x y + p2 (r^2 + 2 x^2), y_d = y s + p1 (r^2 + 2 y^2) + 2 p2 x y.
 ///
 /// Kannala and Brandt (PAMI 2006), OpenCV's fisheye, Kalibr's `equidistant`: with a = atan r
@@ -34,11 +35,18 @@ struct Distortion {
   double p2 = 0;
   double k3 = 0;
   double k4 = 0;
+  double k5 = 0;
+  double k6 = 0;
   DistortionModel model = DistortionModel::brown_conrady;
 
   bool is_zero() const {
     return model == DistortionModel::brown_conrady && k1 == 0 && k2 == 0 && p1 == 0 && p2 == 0 &&
-           k3 == 0;
+           k3 == 0 && !is_rational();
+  }
+
+  /// Returns whether a lens of Brown and Conrady's model has a denominator.
+  bool is_rational() const {
+    return model == DistortionModel::brown_conrady && (k4 != 0 || k5 != 0 || k6 != 0);
   }
 
   /// Returns the direction (X / Z, Y / Z) imaged at `distorted`, by Newton's method, exact to 1e-12
@@ -47,7 +55,8 @@ struct Distortion {
   Eigen::Vector2d remove(const Eigen::Vector2d& distorted) const;
 
   /// Throws Error where a coefficient does not belong to the model, or where a lens of Kannala and
-  /// Brandt folds over within `image_radius` of its axis, at a focal length of 1.
+  /// Brandt, or one with a denominator, folds over within `image_radius` of its axis, at a focal
+  /// length of 1.
   void validate(double image_radius) const;
 };
 
@@ -59,7 +68,9 @@ void visit_fields(Visitor& visit, Distortion& distortion) {
   visit("p1", distortion.p1, "tangential, brown_conrady alone");
   visit("p2", distortion.p2, "tangential, brown_conrady alone");
   visit("k3", distortion.k3, "radial, r^6 (k3 a^7)");
-  visit("k4", distortion.k4, "k4 a^9, kannala_brandt alone");
+  visit("k4", distortion.k4, "radial, r^2 of the denominator (k4 a^9)");
+  visit("k5", distortion.k5, "radial, r^4 of the denominator, brown_conrady alone");
+  visit("k6", distortion.k6, "radial, r^6 of the denominator, brown_conrady alone");
 }
 
 /// Image of a direction at a focal length of 1, and its Jacobian by (x, y), which is symmetric.
@@ -69,21 +80,57 @@ struct DistortedPoint {
   Scalar dx_dx, dx_dy, dy_dy;
 };
 
+/// Adds the tangential terms to a radial factor s, of which ds / dx = slope x.
+template <typename Scalar>
+EDVO_INLINE DistortedPoint<Scalar> add_tangential(const Distortion& lens, Scalar x, Scalar y,
+                                                  Scalar radial, Scalar slope) {
+  const auto p1 = static_cast<Scalar>(lens.p1);
+  const auto p2 = static_cast<Scalar>(lens.p2);
+  const Scalar r2 = x * x + y * y;
+  return {radial * x + 2 * p1 * x * y + p2 * (r2 + 2 * x * x),
+          radial * y + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y,
+          radial + slope * x * x + 2 * p1 * y + 6 * p2 * x, slope * x * y + 2 * p1 * x + 2 * p2 * y,
+          radial + slope * y * y + 6 * p1 * y + 2 * p2 * x};
+}
+
 template <typename Scalar>
 EDVO_INLINE DistortedPoint<Scalar> distort_brown_conrady(const Distortion& lens, Scalar x,
                                                          Scalar y) {
   const auto k1 = static_cast<Scalar>(lens.k1);
   const auto k2 = static_cast<Scalar>(lens.k2);
   const auto k3 = static_cast<Scalar>(lens.k3);
-  const auto p1 = static_cast<Scalar>(lens.p1);
-  const auto p2 = static_cast<Scalar>(lens.p2);
   const Scalar r2 = x * x + y * y;
   const Scalar radial = 1 + r2 * (k1 + r2 * (k2 + r2 * k3));
-  const Scalar slope = 2 * (k1 + r2 * (2 * k2 + r2 * 3 * k3));  // d radial / dx = slope x
-  return {radial * x + 2 * p1 * x * y + p2 * (r2 + 2 * x * x),
-          radial * y + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y,
-          radial + slope * x * x + 2 * p1 * y + 6 * p2 * x, slope * x * y + 2 * p1 * x + 2 * p2 * y,
-          radial + slope * y * y + 6 * p1 * y + 2 * p2 * x};
+  const Scalar slope = 2 * (k1 + r2 * (2 * k2 + r2 * 3 * k3));
+  return add_tangential(lens, x, y, radial, slope);
+}
+
+/// The radial factor of a lens with a denominator at r^2, its derivative by r^2, and the
+/// denominator.
+template <typename Scalar>
+struct RationalFactor {
+  Scalar factor, slope, denominator;
+};
+
+template <typename Scalar>
+EDVO_INLINE RationalFactor<Scalar> rational_factor(const Distortion& lens, Scalar r2) {
+  const auto k1 = static_cast<Scalar>(lens.k1);
+  const auto k2 = static_cast<Scalar>(lens.k2);
+  const auto k3 = static_cast<Scalar>(lens.k3);
+  const auto k4 = static_cast<Scalar>(lens.k4);
+  const auto k5 = static_cast<Scalar>(lens.k5);
+  const auto k6 = static_cast<Scalar>(lens.k6);
+  const Scalar denominator = 1 + r2 * (k4 + r2 * (k5 + r2 * k6));
+  const Scalar factor = (1 + r2 * (k1 + r2 * (k2 + r2 * k3))) / denominator;
+  const Scalar above = k1 + r2 * (2 * k2 + r2 * 3 * k3);
+  const Scalar below = k4 + r2 * (2 * k5 + r2 * 3 * k6);
+  return {factor, (above - factor * below) / denominator, denominator};
+}
+
+template <typename Scalar>
+EDVO_INLINE DistortedPoint<Scalar> distort_rational(const Distortion& lens, Scalar x, Scalar y) {
+  const RationalFactor<Scalar> radial = rational_factor(lens, x * x + y * y);
+  return add_tangential(lens, x, y, radial.factor, 2 * radial.slope);
 }
 
 /// Image radius at which a fisheye images an angle off its axis, rad, and its derivative by the
@@ -122,8 +169,10 @@ EDVO_INLINE DistortedPoint<Scalar> distort_kannala_brandt(const Distortion& lens
 
 template <typename Scalar>
 inline DistortedPoint<Scalar> distort(const Distortion& lens, Scalar x, Scalar y) {
-  return lens.model == DistortionModel::kannala_brandt ? distort_kannala_brandt(lens, x, y)
-                                                       : distort_brown_conrady(lens, x, y);
+  if (lens.model == DistortionModel::kannala_brandt) {
+    return distort_kannala_brandt(lens, x, y);
+  }
+  return lens.is_rational() ? distort_rational(lens, x, y) : distort_brown_conrady(lens, x, y);
 }
 
 }  // namespace vo

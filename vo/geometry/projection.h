@@ -57,6 +57,9 @@ EDVO_INLINE void dispatch_lens(const Distortion& lens, const Visit& visit) {
   } else if (lens.model == DistortionModel::kannala_brandt) {
     visit([]<typename Scalar>(const Distortion& fisheye, Scalar x, Scalar y)
               EDVO_INLINE_LAMBDA { return distort_kannala_brandt(fisheye, x, y); });
+  } else if (lens.is_rational()) {
+    visit([]<typename Scalar>(const Distortion& rational, Scalar x, Scalar y)
+              EDVO_INLINE_LAMBDA { return distort_rational(rational, x, y); });
   } else {
     visit([]<typename Scalar>(const Distortion& brown_conrady, Scalar x, Scalar y)
               EDVO_INLINE_LAMBDA { return distort_brown_conrady(brown_conrady, x, y); });

@@ -143,8 +143,18 @@ TEST(Fisheye, RejectsWhatItsModelDoesNotHave) {
   camera = fisheye();
   camera.distortion.k1 = -0.3;  // a (1 - 0.3 a^2) grows up to a = 1.05
   EXPECT_THROW(camera.validate(), vo::Error);
-  camera.distortion = {.k4 = 0.1};
-  EXPECT_THROW(camera.validate(), vo::Error) << "Brown and Conrady have no k4";
+  camera = fisheye();
+  camera.distortion.k5 = 0.1;
+  EXPECT_THROW(camera.validate(), vo::Error) << "Kannala and Brandt have no k5";
+}
+
+TEST(PinholeCamera, RejectsALensWhoseDenominatorEndsInsideTheImage) {
+  PinholeCamera camera{640, 480, 400, 410, 320, 240, {-0.2, 0.05, 0.001, -0.002, 0.01, 0.1, 0.02}};
+  camera.validate();
+  camera.distortion = {.k4 = 2};  // r / (1 + 2 r^2) grows up to r = 0.71
+  EXPECT_THROW(camera.validate(), vo::Error);
+  camera.distortion = {.k1 = -3.1, .k4 = -3};  // turns back before a pole at r = 0.58
+  EXPECT_THROW(camera.validate(), vo::Error);
 }
 
 }  // namespace
