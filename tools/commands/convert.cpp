@@ -58,6 +58,9 @@ constexpr const char* kConvertHelp =
     "  transforms-json  Nerfstudio's transforms.json, images/, depths/ (16 bit, mm)\n"
     "  mcap             a file of ROS 2: Image, CameraInfo, PoseStamped, tf (--points: "
     "PointCloud2)\n"
+    "Poses are turned into a world with z up for euroc and transforms-json (--world), if it is "
+    "known\n"
+    "which axis points up: y in a rendered sequence, what world.toml says, what a format has.\n"
     "Trajectories, of any format that is read:\n"
     "  tum       timestamp tx ty tz qx qy qz qw, s\n"
     "  euroc     timestamp,px,py,pz,qw,qx,qy,qz, ns, as its ground truth without velocity and "
@@ -86,12 +89,24 @@ struct ConvertArguments {
   vo::SequenceTopics topics;
   std::string compression = "zstd";
   bool points = false;
+  std::string world;
 };
+
+/// The worlds that are chosen by name.
+enum class World { y_up, z_up };
+
+constexpr auto enum_names(World) {
+  return std::array{std::pair{World::y_up, "y-up"}, std::pair{World::z_up, "z-up"}};
+}
 
 vo::ConvertJob chosen_job(const ConvertArguments& arguments) {
   vo::ConvertJob job{.in = arguments.in, .out = arguments.out};
   check_usage([&] {
     job.to = vo::parse_enum<vo::WrittenSequence>(arguments.format);
+    if (!arguments.world.empty()) {
+      job.up =
+          vo::parse_enum<World>(arguments.world) == World::y_up ? vo::WorldUp::y : vo::WorldUp::z;
+    }
     if (!arguments.from.empty()) {
       job.from = vo::parse_enum<vo::SequenceFormat>(arguments.from);
     }
@@ -119,6 +134,7 @@ void print(const ConvertArguments& arguments, const vo::ConvertOutcome& outcome,
                                            {"poses", outcome.poses},
                                            {"imu_samples", outcome.imu_samples},
                                            {"depth_beyond_16_bit", outcome.depth_beyond_16_bit},
+                                           {"world_up", vo::to_string(outcome.up)},
                                            {"dropped", outcome.dropped},
                                            {"notes", outcome.notes}};
     std::cout << json_text(json_document({"convert"}, result));
@@ -187,6 +203,10 @@ void print(const ConvertArguments& arguments, const vo::TrajectoryFile& file,
 
 void convert_trajectory(const ConvertArguments& arguments, const Session& session) {
   const WrittenTrajectory format = chosen_trajectory_format(arguments);
+  if (!arguments.world.empty()) {
+    vo::fail_as(vo::ErrorKind::usage, "--world: expected a sequence, got a trajectory, ",
+                arguments.in);
+  }
   vo::require_writable(arguments.out);
   const vo::TrajectoryFile file = vo::read_trajectory_file(
       arguments.in, chosen_reading({.format = arguments.from, .times = arguments.times}));
@@ -249,6 +269,9 @@ void add_convert_command(CLI::App& program, Session& session) {
       ->check(CLI::IsMember({"none", "lz4", "zstd"}));
   command.add_flag("--points", arguments->points,
                    "the points of each depth image in an MCAP file, too");
+  command.add_option("--world", arguments->world,
+                     "y-up | z-up: the axis of the world that is written (tum, euroc, colmap, "
+                     "transforms-json) [euroc and transforms-json: z-up, others: as it is]");
   add_common_options(command, arguments->common);
   take_streams(command, {.inputs = {"--camera", "--times"}, .others = {"IN", "OUT"}});
   command.callback([arguments, &session] {

@@ -76,8 +76,10 @@ RgbdCamera read_sensor(const fs::path& path, const std::string& text) {
   const std::vector<double> d = yaml_numbers(path, text, "distortion_coefficients", 4);
   const std::string model = yaml_value(text, "distortion_model");
   const bool is_fisheye = model.find("equidistant") != std::string::npos;
-  require(is_fisheye || model.find("radial-tangential") != std::string::npos, path.string(),
-          ": distortion_model: expected radial-tangential or equidistant, got", model);
+  require(is_fisheye || model.find("radial-tangential") != std::string::npos ||
+              model.find("radtan") != std::string::npos,
+          path.string(),
+          ": distortion_model: expected radial-tangential, radtan or equidistant, got", model);
   RgbdCamera camera{{size.width, size.height, k[0], k[1], k[2], k[3]}};
   camera.pinhole.distortion = is_fisheye
                                   ? Distortion{.k1 = d[0],
@@ -95,6 +97,20 @@ SE3 read_extrinsics(const fs::path& path, const std::string& text) {
   const std::vector<double> m = yaml_numbers(path, text.substr(block), "data", 16);
   return checked_pose(path.string() + ": T_BS",
                       Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(m.data()));
+}
+
+/// Returns the axis of the world that points up: the data set's own z, unless this project's
+/// addition names another.
+WorldUp read_up(const fs::path& path) {
+  std::string up = fs::exists(path)
+                       ? yaml_value(read_file(path, kMaxConfigurationBytes), "world_up")
+                       : std::string();
+  std::erase(up, ' ');
+  try {
+    return up.empty() ? WorldUp::z : parse_enum<WorldUp>(up);
+  } catch (const Error& error) {
+    fail(path.string(), ": world_up: ", error.what());
+  }
 }
 
 struct StampedFile {
@@ -250,6 +266,7 @@ SequenceSource open_euroc(const fs::path& folder, const std::optional<RgbdCamera
     }
     return frame;
   };
+  source.up = read_up(folder / kTruth / "sensor.yaml");
   if (fs::exists(folder / kTruth / "data.csv")) {
     source.truth = read_truth(folder / kTruth / "data.csv", TrajectoryFormat::euroc, source.notes);
     for (StampedPose& pose : source.truth) {
@@ -276,9 +293,9 @@ std::vector<NamedBytes> encode_euroc_frame(const RgbdCamera& camera, const RgbdF
 
 std::vector<NamedBytes> encode_euroc_lists(const SequenceSource& source, bool has_depth) {
   const Distortion& lens = source.camera.pinhole.distortion;
-  require(
-      lens.model == DistortionModel::kannala_brandt || lens.k3 == 0,
-      "EuRoC's sensor.yaml holds k1, k2, p1, p2, expected a lens without k3, got k3 = ", lens.k3);
+  require(lens.model == DistortionModel::kannala_brandt || (lens.k3 == 0 && !lens.is_rational()),
+          "EuRoC's sensor.yaml holds k1, k2, p1, p2, expected a lens without k3 to k6, got k3 = ",
+          lens.k3);
   const std::string camera = kCamera;
   const std::string list = format_list(source.timestamps);
   std::vector<NamedBytes> files = {{camera + "/data.csv", list},
@@ -293,7 +310,8 @@ std::vector<NamedBytes> encode_euroc_lists(const SequenceSource& source, bool ha
   if (!source.truth.empty()) {
     files.push_back({std::string(kTruth) + "/data.csv", format_truth(source)});
     files.push_back({std::string(kTruth) + "/sensor.yaml",
-                     "sensor_type: visual-inertial\ncomment: exact\n" + format_matrix({})});
+                     concat("sensor_type: visual-inertial\ncomment: exact\nworld_up: ",
+                            to_string(source.up), "\n", format_matrix({}))});
   }
   if (!source.imu.samples.empty()) {
     files.push_back({std::string(kImu) + "/data.csv", format_imu(source.imu.samples)});

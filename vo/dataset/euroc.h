@@ -15,7 +15,8 @@ namespace vo {
 ///     mav0/state_groundtruth_estimate0/{data.csv, sensor.yaml}
 /// The data set has no depth; this project adds mav0/depth0/, laid out as cam0: 16 bit, planar, the
 /// units per metre in its sensor.yaml. Stamps are nanoseconds, quaternions have w first. The ground
-/// truth is of the body; T_BS in sensor.yaml is T_body_sensor.
+/// truth is of the body; T_BS in sensor.yaml is T_body_sensor. Its world has z up, unless
+/// `world_up: y` in the ground truth's sensor.yaml, this project's addition, says otherwise.
 SequenceSource open_euroc(const std::filesystem::path& folder,
                           const std::optional<RgbdCamera>& camera);
 
@@ -23,7 +24,7 @@ SequenceSource open_euroc(const std::filesystem::path& folder,
 std::vector<NamedBytes> encode_euroc_frame(const RgbdCamera& camera, const RgbdFrame& frame);
 
 /// Encodes all files but the images; a lens of Kannala and Brandt is written as `equidistant`.
-/// Throws Error for one of Brown and Conrady with k3, which the format cannot hold.
+/// Throws Error for one of Brown and Conrady with k3 to k6, which the format cannot hold.
 std::vector<NamedBytes> encode_euroc_lists(const SequenceSource& source, bool has_depth);
 
 }  // namespace vo

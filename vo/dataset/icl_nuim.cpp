@@ -170,6 +170,8 @@ RgbdCamera mirrored(const RgbdCamera& camera) {
 SequenceSource open_icl_nuim(const fs::path& folder, const std::optional<RgbdCamera>& camera) {
   SequenceSource source;
   source.camera = icl_nuim_camera(folder, camera);
+  source.up = WorldUp::y;
+  source.has_float_depth = true;
   for (std::size_t i = 0; fs::exists(folder / scene_file(i, "png")); ++i) {
     source.timestamps.push_back(time_of(static_cast<double>(i)));
     const fs::path pose = folder / scene_file(i, "txt");
@@ -189,6 +191,7 @@ SequenceSource open_icl_nuim(const fs::path& folder, const std::optional<RgbdCam
 SequenceSource open_icl_tum(const fs::path& folder, const std::optional<RgbdCamera>& camera) {
   SequenceSource source;
   source.camera = icl_nuim_camera(folder, camera);
+  source.up = WorldUp::y;
   std::vector<std::pair<fs::path, fs::path>> files;  // image, depth
   TextFile(folder / "associations.txt").for_each_line([&](const TextLine& line) {
     require(line.fields.size() == 4, line.place(),

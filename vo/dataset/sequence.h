@@ -17,6 +17,10 @@
 
 namespace vo {
 
+/// File of a sequence in TUM's layout that names the axis of its world that points up, `up = "z"`,
+/// where that is known: this project's addition.
+inline constexpr const char* kWorldFile = "world.toml";
+
 /// An RGB-D sequence on disk, the one source of frames of everything that tracks. The layout is
 /// that of the TUM RGB-D benchmark:
 ///     rgb/*.png (8 bit; JPEG, PGM or PPM, too)  depth/*.png (16 bit)  rgb.txt  depth.txt

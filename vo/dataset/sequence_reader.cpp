@@ -87,7 +87,8 @@ void SequenceReader::read_lists(double max_time_difference, SequenceContent cont
       entries_.push_back({images.timestamps[i], std::move(images.names[i]), {}});
     }
   } else {
-    ImageList depths = read_image_list(folder_, "depth.txt");
+    ImageList depths = read_image_list(
+        folder_, content == SequenceContent::colour_and_depth ? "depth.txt" : "depth_float.txt");
     for (const auto& [i, j] :
          associate(images.timestamps, depths.timestamps, max_time_difference)) {
       entries_.push_back(
@@ -132,7 +133,9 @@ RgbdFrame SequenceReader::read(std::size_t index) const {
   const fs::path image = folder_ / entry.image;
   frame.image = read_frame_image(image, camera_.pinhole);
   if (!entry.depth.empty()) {
-    frame.depth = read_depth_png(folder_ / entry.depth, camera_);
+    const fs::path depth = folder_ / entry.depth;
+    frame.depth = depth.extension() == ".npy" ? read_depth_npy(depth, camera_.pinhole)
+                                              : read_depth_png(depth, camera_);
   }
   return frame;
 }

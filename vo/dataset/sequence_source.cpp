@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "vo/core/error.h"
+#include "vo/core/fields.h"
 #include "vo/dataset/euroc.h"
 #include "vo/dataset/icl_nuim.h"
 #include "vo/dataset/open3d.h"
@@ -11,15 +12,43 @@
 #include "vo/dataset/seven_scenes.h"
 #include "vo/dataset/tartanair.h"
 #include "vo/motion_files/imu_file.h"
+#include "vo/text_files/toml_file.h"
 
 namespace vo {
 namespace {
 
 namespace fs = std::filesystem;
 
+struct WorldFile {
+  WorldUp up = WorldUp::unknown;
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, WorldFile& world) {
+  visit("up", world.up, "axis of the world that points up");
+}
+
+/// Returns the axis that world.toml names; rendered sequences have the scene's world, glTF's.
+WorldUp up_of_tum(const fs::path& folder) {
+  WorldFile world;
+  if (fs::exists(folder / kWorldFile)) {
+    std::vector<Field> fields = fields_of(world);
+    assign_fields(read_toml(folder / kWorldFile), fields);
+  } else if (fs::exists(folder / "sequence.toml")) {
+    world.up = WorldUp::y;
+  }
+  return world.up;
+}
+
 SequenceSource open_tum(const fs::path& folder, const std::optional<RgbdCamera>& camera) {
-  const auto reader = std::make_shared<const SequenceReader>(folder, camera);
+  constexpr double kMaxTimeDifference = 0.02;  // s
   SequenceSource source;
+  source.has_float_depth = fs::exists(folder / "depth_float.txt");
+  const auto reader = std::make_shared<const SequenceReader>(
+      folder, camera, kMaxTimeDifference,
+      source.has_float_depth ? SequenceContent::colour_and_float_depth
+                             : SequenceContent::colour_and_depth);
+  source.up = up_of_tum(folder);
   source.camera = reader->camera();
   source.timestamps = reader->timestamps();
   source.read = [reader](std::size_t index) { return reader->read(index); };

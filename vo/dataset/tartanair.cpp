@@ -84,6 +84,8 @@ SequenceSource open_tartanair(const std::filesystem::path& folder,
   SequenceSource source;
   source.camera = camera_of_folder(folder, camera, tartanair_camera());
   source.timestamps = stamps_of(frames);
+  source.up = WorldUp::minus_y;
+  source.has_float_depth = true;
   source.read = [frames, camera = source.camera](std::size_t index) {
     return read_frame(frames.at(index), camera);
   };

@@ -25,8 +25,8 @@ std::string format_colmap_lens(const PinholeCamera& camera) {
   };
   if (lens.model == DistortionModel::kannala_brandt) {
     add("OPENCV_FISHEYE", {lens.k1, lens.k2, lens.k3, lens.k4});
-  } else if (lens.k3 != 0) {
-    add("FULL_OPENCV", {lens.k1, lens.k2, lens.p1, lens.p2, lens.k3, 0, 0, 0});
+  } else if (lens.k3 != 0 || lens.is_rational()) {
+    add("FULL_OPENCV", {lens.k1, lens.k2, lens.p1, lens.p2, lens.k3, lens.k4, lens.k5, lens.k6});
   } else if (!lens.is_zero()) {
     add("OPENCV", {lens.k1, lens.k2, lens.p1, lens.p2});
   }

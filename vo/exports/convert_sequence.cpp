@@ -5,6 +5,7 @@
 
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
+#include "vo/exports/pixel_truth_files.h"
 #include "vo/exports/source_views.h"
 #include "vo/frames/depth_units.h"
 #include "vo/output_folders/output_folder.h"
@@ -13,9 +14,8 @@
 namespace vo {
 namespace {
 
-/// Opens the sequence of a job and takes from it what its target needs.
-SequenceSource open_for_target(const ConvertJob& job, SequenceFormat from) {
-  SequenceSource source = open_sequence(job.in, from, job.camera, job.recorded);
+/// Returns the sequence of a job as its target can hold it.
+SequenceSource fit_to_target(const ConvertJob& job, SequenceSource source) {
   const TargetTraits traits = traits_of(job.to);
   const double fy = source.camera.pinhole.fy;
   require(fy > 0 || traits.holds_y_up, job.in.string(), ": its camera has y up, fy = ", fy,
@@ -24,10 +24,45 @@ SequenceSource open_for_target(const ConvertJob& job, SequenceFormat from) {
       (traits.poses == Need::all_or_none && !source.truth.empty())) {
     source = frames_with_poses(std::move(source), job.in.string(), to_string(job.to));
   }
+  if (job.up != WorldUp::unknown && !traits.may_choose_world) {
+    fail_as(ErrorKind::usage, "--world: ", to_string(job.to),
+            " has a world of its own, expected none");
+  }
+  const WorldUp up = job.up == WorldUp::unknown ? traits.up : job.up;
+  if (up != WorldUp::unknown) {
+    source = in_world(std::move(source), up);
+  }
   if (!holds_lens(job.to, source.camera.pinhole.distortion)) {
     source = undistorted(std::move(source), to_string(job.to));
   }
   return source;
+}
+
+/// The channels of ground truth of a job's sequence that its target takes as they are, and the
+/// names of those that it does not.
+struct CarriedTruth {
+  std::vector<TruthChannelFiles> carried;
+  std::vector<std::string> dropped;
+};
+
+/// TUM's layout alone holds channels. Those of directions in a world that is turned are dropped.
+CarriedTruth carried_truth(const ConvertJob& job, SequenceFormat from, const SequenceSource& source,
+                           WorldUp up_before) {
+  CarriedTruth truth;
+  if (from != SequenceFormat::tum) {
+    return truth;
+  }
+  for (TruthChannelFiles& channel : truth_channels_in(job.in)) {
+    const bool is_turned =
+        source.up != up_before && (channel.name == "normal" || channel.name == "velocity");
+    if (job.to == WrittenSequence::tum && !is_turned &&
+        is_of_frames(channel, source.timestamps.size())) {
+      truth.carried.push_back(std::move(channel));
+    } else {
+      truth.dropped.push_back("truth/" + channel.name);
+    }
+  }
+  return truth;
 }
 
 /// What was written of the images of a sequence.
@@ -37,6 +72,7 @@ struct WrittenImages {
 };
 
 WrittenImages write_folder(const ConvertJob& job, const SequenceSource& source,
+                           const std::vector<TruthChannelFiles>& carried,
                            const OutputPolicy& policy, const Progress& progress) {
   const SequenceTarget target = make_target(job.to, source);
   const double depth_units = written_depth_units(job.to, source);
@@ -53,6 +89,9 @@ WrittenImages write_folder(const ConvertJob& job, const SequenceSource& source,
       written.depth_beyond_16_bit += count_beyond_16_bit(frame.depth, depth_units);
     }
     output.write(target.encode_frame(i, frame));
+    for (const TruthChannelFiles& channel : carried) {
+      output.write(read_truth_of_frame(channel, i));
+    }
     progress(i + 1, source.timestamps.size());
   }
   output.write(target.encode_lists());
@@ -66,18 +105,23 @@ ConvertOutcome convert_sequence(const ConvertJob& job, const OutputPolicy& polic
                                 const Progress& progress) {
   ConvertOutcome outcome;
   outcome.from = job.from ? *job.from : detect_format(job.in);
-  const SequenceSource source = open_for_target(job, outcome.from);
+  SequenceSource opened = open_sequence(job.in, outcome.from, job.camera, job.recorded);
+  const WorldUp up_before = opened.up;
+  const SequenceSource source = fit_to_target(job, std::move(opened));
+  const CarriedTruth truth = carried_truth(job, outcome.from, source, up_before);
   WrittenImages written;
   if (job.to == WrittenSequence::mcap) {
     write_mcap_sequence(job.out, source, job.mcap, job.mcap_clouds, policy, progress);
   } else {
-    written = write_folder(job, source, policy, progress);
+    written = write_folder(job, source, truth.carried, policy, progress);
   }
   outcome.frames = source.timestamps.size();
   outcome.poses = source.truth.size();
+  outcome.up = source.up;
   outcome.imu_samples = traits_of(job.to).holds_imu ? source.imu.samples.size() : 0;
   outcome.depth_beyond_16_bit = written.depth_beyond_16_bit;
   outcome.dropped = list_dropped(job.to, source, written.depth);
+  outcome.dropped.insert(outcome.dropped.end(), truth.dropped.begin(), truth.dropped.end());
   outcome.notes = source.notes;
   return outcome;
 }

@@ -22,7 +22,8 @@ struct ConvertJob {
   RecordingRequest recorded{};         ///< what is taken of a recording
   std::filesystem::path out;
   WrittenSequence to = WrittenSequence::tum;
-  McapLayout mcap{};                            ///< of an MCAP file
+  WorldUp up = WorldUp::unknown;  ///< of the world that is written; unknown: the format's own
+  McapLayout mcap{};              ///< of an MCAP file
   PointClouds mcap_clouds = PointClouds::none;  ///< in an MCAP file
 };
 
@@ -30,6 +31,7 @@ struct ConvertOutcome {
   SequenceFormat from = SequenceFormat::tum;
   std::size_t frames = 0;
   std::size_t poses = 0;
+  WorldUp up = WorldUp::unknown;        ///< of the world that was written, if it is known
   std::size_t imu_samples = 0;          ///< that were written
   std::size_t depth_beyond_16_bit = 0;  ///< depth pixels too far for 16 bits, written as 0
   std::vector<std::string> dropped;     ///< what the format cannot hold, as words of a list

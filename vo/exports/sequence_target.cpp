@@ -28,7 +28,7 @@ SequenceTarget target_of(const SequenceSource& source) {
 
 SequenceTarget tum_target(const SequenceSource& source) {
   return {[&source](std::size_t index, const RgbdFrame& frame) {
-            return encode_frame({source.camera}, index, frame);
+            return encode_frame(tum_layout(source), index, frame);
           },
           [&source] { return encode_tum_lists(source); }};
 }
@@ -70,27 +70,47 @@ TargetTraits traits_of(WrittenSequence format) {
       return {.depth = Need::required,
               .lenses = LensModels::all,
               .holds_y_up = true,
+              .holds_float_depth = true,
               .holds_imu = true,
-              .holds_sensor = true};
+              .holds_sensor = true,
+              .may_choose_world = true};
     case WrittenSequence::euroc:
-      return {.lenses = LensModels::four, .holds_y_up = true, .holds_imu = true};
+      return {.lenses = LensModels::four,
+              .holds_y_up = true,
+              .holds_imu = true,
+              .up = WorldUp::z,
+              .may_choose_world = true};
     case WrittenSequence::icl_nuim:
       return {.depth = Need::required,
               .poses = Need::required,
+              .holds_float_depth = true,
               .holds_stamps = false,
-              .holds_sensor = true};
+              .holds_sensor = true,
+              .up = WorldUp::y};
     case WrittenSequence::icl_tum:
-      return {.depth = Need::required, .holds_stamps = false, .holds_sensor = true};
+      return {
+          .depth = Need::required, .holds_stamps = false, .holds_sensor = true, .up = WorldUp::y};
     case WrittenSequence::tartanair:
-      return {.poses = Need::all_or_none, .holds_stamps = false, .holds_sensor = true};
+      return {.poses = Need::all_or_none,
+              .holds_float_depth = true,
+              .holds_stamps = false,
+              .holds_sensor = true,
+              .up = WorldUp::minus_y};
     case WrittenSequence::kitti:
       return {.poses = Need::all_or_none, .holds_depth = false};
     case WrittenSequence::colmap:
-      return {.poses = Need::required, .lenses = LensModels::all, .holds_depth = false};
+      return {.poses = Need::required,
+              .lenses = LensModels::all,
+              .holds_depth = false,
+              .may_choose_world = true};
     case WrittenSequence::transforms_json:
-      return {.poses = Need::required, .lenses = LensModels::five};
+      return {.poses = Need::required,
+              .lenses = LensModels::five,
+              .holds_float_depth = true,
+              .up = WorldUp::z,
+              .may_choose_world = true};
     case WrittenSequence::mcap:
-      return {.lenses = LensModels::five, .holds_y_up = true};
+      return {.lenses = LensModels::all, .holds_y_up = true, .holds_float_depth = true};
   }
   return {};
 }
@@ -102,7 +122,7 @@ double written_depth_units(WrittenSequence format, const SequenceSource& source)
     case WrittenSequence::icl_tum:
       return source.camera.depth_units_per_m;
     case WrittenSequence::transforms_json:
-      return kTransformsDepthUnits;
+      return source.has_float_depth ? 0 : kTransformsDepthUnits;
     case WrittenSequence::icl_nuim:
     case WrittenSequence::tartanair:
     case WrittenSequence::kitti:
@@ -119,8 +139,9 @@ bool holds_lens(WrittenSequence format, const Distortion& lens) {
     case LensModels::none:
       return lens.is_zero();
     case LensModels::four:
-      return is_fisheye || lens.k3 == 0;
+      return is_fisheye || (lens.k3 == 0 && !lens.is_rational());
     case LensModels::five:
+      return !lens.is_rational();
     case LensModels::all:
       return true;
   }
@@ -134,6 +155,9 @@ std::vector<std::string> list_dropped(WrittenSequence format, const SequenceSour
   if (!traits.holds_depth && depth == DepthImages::present) {
     dropped.emplace_back(format == WrittenSequence::colmap ? "depth but that of points3D.txt"
                                                            : "depth");
+  }
+  if (traits.holds_depth && !traits.holds_float_depth && source.has_float_depth) {
+    dropped.emplace_back("what depth has beyond 16 bit");
   }
   if (!traits.holds_stamps) {
     dropped.emplace_back("the frames' stamps");

@@ -57,11 +57,14 @@ struct TargetTraits {
   Need depth = Need::optional;
   Need poses = Need::optional;  ///< frames without one are left out where it is not optional
   LensModels lenses = LensModels::none;
-  bool holds_y_up = false;   ///< a camera with y up, of which fy is negative
-  bool holds_depth = true;   ///< as images
+  bool holds_y_up = false;  ///< a camera with y up, of which fy is negative
+  bool holds_depth = true;  ///< as images
+  bool holds_float_depth = false;
   bool holds_stamps = true;  ///< of the frames
   bool holds_imu = false;
-  bool holds_sensor = false;  ///< the shutter's read-out and the depth camera's noise
+  bool holds_sensor = false;      ///< the shutter's read-out and the depth camera's noise
+  WorldUp up = WorldUp::unknown;  ///< of the format's worlds; unknown: any
+  bool may_choose_world = false;  ///< whether another than `up` will do
 };
 
 TargetTraits traits_of(WrittenSequence format);

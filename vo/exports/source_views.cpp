@@ -49,4 +49,24 @@ SequenceSource undistorted(SequenceSource source, std::string_view format) {
   return source;
 }
 
+SequenceSource in_world(SequenceSource source, WorldUp up) {
+  if (source.up == WorldUp::unknown && !source.truth.empty()) {
+    source.notes.emplace_back(
+        "which axis of its world points up is not known: poses are as they were");
+  }
+  if (source.up == WorldUp::unknown || source.up == up) {
+    return source;
+  }
+  const SE3 T_new_old = turn_of_world(source.up, up);
+  for (StampedPose& pose : source.truth) {
+    pose.T_world_camera = T_new_old * pose.T_world_camera;
+  }
+  for (BodyState& state : source.imu.states) {
+    state.T_world_body = T_new_old * state.T_world_body;
+    state.velocity = T_new_old * state.velocity;
+  }
+  source.up = up;
+  return source;
+}
+
 }  // namespace vo

@@ -16,4 +16,8 @@ SequenceSource frames_with_poses(SequenceSource source, const std::string& place
 /// intrinsics. `format` is the one that has no such lens.
 SequenceSource undistorted(SequenceSource source, std::string_view format);
 
+/// Returns a sequence in a world with another axis up: poses and the body's states are turned.
+/// Where its own is unknown it stays as it is, with a note if it has poses.
+SequenceSource in_world(SequenceSource source, WorldUp up);
+
 }  // namespace vo

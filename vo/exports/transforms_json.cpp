@@ -4,6 +4,7 @@
 #include "vo/core/fields.h"
 #include "vo/dataset/sequence.h"
 #include "vo/frames/depth_units.h"
+#include "vo/image_files/npy.h"
 #include "vo/image_files/png.h"
 
 namespace vo {
@@ -48,8 +49,10 @@ std::vector<NamedBytes> TransformsJson::encode_frame(std::size_t index, const Rg
   frames_ += concat(frames_.empty() ? "" : ",\n", "    {\n      \"file_path\": \"", image, "\",\n");
   if (!frame.depth.empty()) {
     has_depth_ = true;
-    const std::string depth = frame_file("depths", index, "png");
-    files.push_back({depth, encode_png(to_depth_units(frame.depth, kTransformsDepthUnits))});
+    const std::string depth = frame_file("depths", index, source_.has_float_depth ? "npy" : "png");
+    files.push_back({depth, source_.has_float_depth
+                                ? encode_npy(DepthImage(frame.depth * kTransformsDepthUnits))
+                                : encode_png(to_depth_units(frame.depth, kTransformsDepthUnits))});
     frames_ += concat("      \"depth_file_path\": \"", depth, "\",\n");
   }
   frames_ += concat("      \"timestamp\": ", format_real(frame.timestamp),

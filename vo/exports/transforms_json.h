@@ -14,7 +14,7 @@ namespace vo {
 inline constexpr double kTransformsDepthUnits = 1000;
 
 /// Writes a sequence as Nerfstudio reads it: transforms.json, images/000000.png and, where frames
-/// have depth, depths/000000.png (16 bit, mm, 0 is none).
+/// have depth, depths/000000.png (16 bit, mm, 0 is none), or .npy (float32, mm) of float depth.
 ///     transform_matrix  T_world_camera of a camera with x right, y up, z backwards (OpenGL's)
 ///     cx, cy            px from the image's corner: half a pixel more than the project's own
 ///     k1 ... p2         OpenCV's lens model; of OPENCV_FISHEYE k1 to k4

@@ -106,7 +106,7 @@ TEST(ConvertProgram, ASequenceComesBackFromEveryFormat) {
   const fs::path tum = folder.path() / "tum";
   ASSERT_EQ(render_truth(tum, "").exit_code, 0);
   const vo::SequenceReader expected(tum);
-  for (const std::string format : {"euroc", "icl-nuim", "icl-tum"}) {
+  for (const std::string format : {"euroc", "icl-nuim", "icl-tum", "tartanair"}) {
     const fs::path there = folder.path() / format;
     const fs::path back = folder.path() / (format + "_back");
     const ProgramResult result = run_program("convert '" + tum.string() + "' '" + there.string() +
@@ -114,10 +114,10 @@ TEST(ConvertProgram, ASequenceComesBackFromEveryFormat) {
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(json::parse(result.out)["frames"], 3);
     EXPECT_EQ(json::parse(result.out)["depth_beyond_16_bit"], 0);
-    ASSERT_EQ(
-        run_program("convert '" + there.string() + "' '" + back.string() + "' --quiet --format tum")
-            .exit_code,
-        0);
+    ASSERT_EQ(run_program("convert '" + there.string() + "' '" + back.string() +
+                          "' --quiet --format tum --world y-up")
+                  .exit_code,
+              0);
     const vo::SequenceReader copy(back);
     ASSERT_EQ(copy.size(), 3U);
     for (const std::size_t i : {0U, 1U, 2U}) {

@@ -45,6 +45,9 @@ def read_tartanair(folder, focal, centre):
 
 def check_tartanair(folder, source, focal, centre):
     views = read_tartanair(folder, focal, centre)
+    y_down = numpy.diag([1.0, -1, -1, 1])  # of the source's world, which has y up; theirs has z down
+    for view, (_, T_world_camera) in zip(views, files.read_tum_poses(source / "groundtruth.txt"), strict=True):
+        assert abs(view.T - y_down @ T_world_camera).max() < 1e-8
     assert len(views) == len(files.read_tum_list(source / "rgb.txt"))
     geometry.require_agreement(views[0], views[3], "tartanair")
     return views

@@ -23,6 +23,7 @@ PATH = ("--path orbit --orbit.centre=-0.95,0.5,0.3 --orbit.radius 1.2 --orbit.he
         "--samples 4")
 LENSES = {
     "brown_conrady": "k1 = -0.28\nk2 = 0.07\np1 = 0.001\np2 = -0.002",
+    "brown_conrady, rational": "k1 = -0.1\nk2 = 0.02\np1 = 0.001\np2 = -0.002\nk3 = 0.01\nk4 = 0.12\nk5 = 0.01\nk6 = 0.002",
     "kannala_brandt": "k1 = -0.013\nk2 = 0.021\nk3 = -0.012\nk4 = 0.0021",
 }
 
@@ -64,13 +65,14 @@ def main():
     work.mkdir(parents=True)
     folder = Folder(program, source, work)
     check_all(folder, folder.rendered("pinhole", "--size 160x120"))
-    for model, coefficients in LENSES.items():
-        print(f"{model}:")
+    for number, (name, coefficients) in enumerate(LENSES.items()):
+        print(f"{name}:")
+        model = name.split(",")[0]
         lens = "\n".join("distortion." + line for line in coefficients.splitlines())
-        (work / f"{model}.toml").write_text(
+        (work / f"lens{number}.toml").write_text(
             f'width = 160\nheight = 120\nfx = 110.0\nfy = 112.0\ncx = 78.0\ncy = 61.0\n'
             f'distortion.model = "{model}"\n{lens}\n', encoding="utf-8")
-        check_all(folder, folder.rendered(model, f"--camera {model}.toml"))
+        check_all(folder, folder.rendered(f"lens{number}", f"--camera lens{number}.toml"))
     return 0
 
 

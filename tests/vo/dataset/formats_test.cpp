@@ -103,6 +103,19 @@ TEST(Euroc, HoldsAFisheyeAsEquidistant) {
   EXPECT_EQ(vo::format_camera(copy.camera), vo::format_camera(source.camera));
 }
 
+TEST(Euroc, KalibrsNameOfTheLensIsKnown) {
+  const vo::SequenceSource source = example();
+  const TempFolder folder;
+  vo::write_files(folder.path(), vo::encode_euroc_lists(source, true));
+  std::string sensor = vo::read_file(folder.path() / "mav0/cam0/sensor.yaml");
+  const std::string name = "radial-tangential";
+  sensor.replace(sensor.find(name), name.size(), "radtan");
+  folder.write("mav0/cam0/sensor.yaml", sensor);
+  const auto copy = vo::open_sequence(folder.path(), vo::SequenceFormat::euroc);
+  EXPECT_EQ(copy.camera.pinhole.distortion.k1, 0.1);
+  EXPECT_EQ(copy.camera.pinhole.distortion.p2, 0.004);
+}
+
 TEST(Euroc, PosesAreTheBodysAndTheCameraHasItsPlaceOnIt) {
   vo::SequenceSource source = example();
   source.T_body_camera = support::example_pose(3);
@@ -131,7 +144,7 @@ TEST(Euroc, ErrorsNameTheFileAndWhatIsMissing) {
   vo::SequenceSource source = example();
   source.camera.pinhole.distortion.k3 = 1;
   EXPECT_THAT(error_text([&] { vo::encode_euroc_lists(source, true); }),
-              HasSubstr("expected a lens without k3"));
+              HasSubstr("expected a lens without k3 to k6"));
 }
 
 TEST(Euroc, SizesAndUnitsThatNoImageHasAreErrors) {

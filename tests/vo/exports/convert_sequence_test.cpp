@@ -6,11 +6,14 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/error_text.h"
+#include "tests/support/example_trajectory.h"
 #include "tests/support/sequence_layouts.h"
 #include "tests/support/temp_folder.h"
 #include "vo/core/fields.h"
 #include "vo/dataset/camera_file.h"
 #include "vo/dataset/sequence.h"
+#include "vo/files/input.h"
+#include "vo/motion_files/imu_file.h"
 #include "vo/motion_files/trajectory_file.h"
 
 namespace {
@@ -42,6 +45,8 @@ class ConvertSequence : public testing::Test {
   vo::ConvertOutcome convert(vo::WrittenSequence to) const {
     return vo::convert_sequence({.in = in, .out = out(to), .to = to}, {}, [](auto, auto) {});
   }
+
+  void name_world() const { folder.write("in/world.toml", "up = \"y\"\n"); }
 
   void set_camera(const vo::RgbdCamera& camera) const {
     folder.write("in/camera.toml", vo::format_camera(camera));
@@ -82,6 +87,7 @@ TEST_F(ConvertSequence, TartanAirIsReadBackWithItsPosesAndDepth) {
 }
 
 TEST_F(ConvertSequence, FramesWithoutAPoseAreLeftOutAndCounted) {
+  name_world();
   vo::Trajectory late(source.truth.begin() + 1, source.truth.end());
   folder.write("in/groundtruth.txt", vo::format_trajectory(late));
   for (const vo::WrittenSequence to : kOthers) {
@@ -112,6 +118,7 @@ TEST_F(ConvertSequence, ACameraWithYUpIsAnError) {
 }
 
 TEST_F(ConvertSequence, ALensIsTakenOutWhereTheFormatHasNone) {
+  name_world();
   vo::RgbdCamera camera = source.camera;
   camera.pinhole.distortion = {-0.1, 0.02, 0.001, 0.001, 0.01};
   camera.readout.seconds = 0.02;
@@ -129,6 +136,101 @@ TEST_F(ConvertSequence, ALensIsTakenOutWhereTheFormatHasNone) {
   const auto euroc =
       vo::open_sequence(out(vo::WrittenSequence::euroc), vo::SequenceFormat::euroc).camera.pinhole;
   EXPECT_TRUE(euroc.distortion.is_zero());
+}
+
+TEST_F(ConvertSequence, ALensWithADenominatorStaysWhereTheFormatHasIt) {
+  name_world();
+  vo::RgbdCamera camera = source.camera;
+  camera.pinhole.distortion = {-0.1, 0.02, 0.001, 0.001, 0.01, 0.05, 0.002, 0.001};
+  set_camera(camera);
+  EXPECT_THAT(convert(vo::WrittenSequence::colmap).notes, IsEmpty());
+  EXPECT_THAT(vo::read_file(out(vo::WrittenSequence::colmap) / "sparse/0/cameras.txt"),
+              HasSubstr(" -0.1 0.02 0.001 0.001 0.01 0.05 0.002 0.001\n"));
+  EXPECT_THAT(convert(vo::WrittenSequence::transforms_json).notes,
+              ElementsAre(HasSubstr("images are undistorted, ")));
+}
+
+/// A world with y up, an IMU at rest in it, and float depth.
+TEST_F(ConvertSequence, EurocsWorldHasZUpAndGravityStaysWhereItWas) {
+  name_world();
+  vo::SequenceSource with_imu = source;
+  const vo::SE3 T_world_body = support::example_pose(0.7);
+  const Eigen::Vector3d upwards = T_world_body.inverse() * Eigen::Vector3d(0, 9.81, 0) -
+                                  T_world_body.inverse() * Eigen::Vector3d::Zero();
+  folder.write("in/imu.csv", vo::format_imu({{0, {0, 0, 0}, upwards}}));
+  folder.write("in/truth/imu_states.csv",
+               vo::format_states({{0, T_world_body, {1, 2, 3}, {0, 0, 0}, {0, 0, 0}}}));
+  const vo::ConvertOutcome outcome = convert(vo::WrittenSequence::euroc);
+  EXPECT_EQ(outcome.up, vo::WorldUp::z);
+  const auto euroc = vo::open_sequence(out(vo::WrittenSequence::euroc), vo::SequenceFormat::euroc);
+  EXPECT_EQ(euroc.up, vo::WorldUp::z);
+  ASSERT_EQ(euroc.imu.states.size(), 1U);
+  const vo::BodyState& state = euroc.imu.states[0];
+  const Eigen::Vector3d force = state.T_world_body.rotation() * euroc.imu.samples[0].specific_force;
+  EXPECT_LT((force - Eigen::Vector3d(0, 0, 9.81)).norm(), 1e-8) << "m/s^2";
+  EXPECT_LT((state.velocity - Eigen::Vector3d(1, -3, 2)).norm(), 1e-8) << "m/s";
+  const Eigen::Vector3d& p = T_world_body.translation();
+  EXPECT_LT((state.T_world_body.translation() - Eigen::Vector3d(p.x(), -p.z(), p.y())).norm(),
+            1e-8);
+}
+
+TEST_F(ConvertSequence, AWorldOfWhichNothingIsKnownStaysAndANoteSaysSo) {
+  EXPECT_THAT(convert(vo::WrittenSequence::euroc).notes,
+              ElementsAre(HasSubstr("which axis of its world points up is not known")));
+}
+
+TEST_F(ConvertSequence, AWorldThatIsChosenIsWrittenDownAndComesBack) {
+  name_world();
+  const auto job = [&](const char* from, const char* to, vo::WrittenSequence format,
+                       vo::WorldUp up) {
+    return vo::convert_sequence(
+        {.in = folder.path() / from, .out = folder.path() / to, .to = format, .up = up}, {},
+        [](auto, auto) {});
+  };
+  job("in", "a", vo::WrittenSequence::euroc, vo::WorldUp::y);
+  EXPECT_EQ(vo::open_sequence(folder.path() / "a", vo::SequenceFormat::euroc).up, vo::WorldUp::y);
+  job("a", "b", vo::WrittenSequence::tum, vo::WorldUp::z);
+  EXPECT_EQ(vo::open_sequence(folder.path() / "b", vo::SequenceFormat::tum).up, vo::WorldUp::z);
+  job("b", "c", vo::WrittenSequence::tartanair, vo::WorldUp::unknown);
+  job("c", "d", vo::WrittenSequence::tum, vo::WorldUp::y);
+  const vo::Trajectory poses = vo::read_trajectory(folder.path() / "d/groundtruth.txt");
+  ASSERT_EQ(poses.size(), source.truth.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    EXPECT_LT((poses[i].T_world_camera.inverse() * source.truth[i].T_world_camera).log().norm(),
+              1e-8);
+  }
+  EXPECT_THAT(error_text([&] { job("in", "e", vo::WrittenSequence::kitti, vo::WorldUp::z); }),
+              HasSubstr("--world: kitti has a world of its own"));
+  folder.write("in/world.toml", "up = \"x\"\n");
+  EXPECT_THAT(error_text([&] { convert(vo::WrittenSequence::euroc); }), HasSubstr("world.toml"));
+}
+
+TEST_F(ConvertSequence, FloatDepthAndTruthAreCarriedWhereTheFormatHoldsThem) {
+  vo::SequenceLayout layout{.camera = source.camera, .float_depth = vo::FloatDepth::npy};
+  for (std::size_t i = 0; i < 4; ++i) {
+    vo::write_files(in, vo::encode_frame(layout, i, source.read(i)), vo::ExistingOutput::replace);
+    folder.write("in/truth/moving/" + vo::frame_number(i) + ".png", "moving " + std::to_string(i));
+    folder.write("in/truth/normal/" + vo::frame_number(i) + ".npy", "normal");
+  }
+  vo::write_files(in, vo::encode_lists(layout, source.truth), vo::ExistingOutput::replace);
+  name_world();
+  for (const auto to :
+       {vo::WrittenSequence::tum, vo::WrittenSequence::tartanair, vo::WrittenSequence::icl_nuim}) {
+    convert(to);
+    const auto copy = vo::open_sequence(out(to), vo::detect_format(out(to)));
+    EXPECT_TRUE(copy.has_float_depth);
+    EXPECT_LT(cv::norm(copy.read(2).depth, source.read(2).depth, cv::NORM_INF), 1e-6)
+        << vo::to_string(to);
+  }
+  EXPECT_EQ(vo::read_file(out(vo::WrittenSequence::tum) / "truth/moving/000003.png"), "moving 3");
+  EXPECT_TRUE(std::filesystem::exists(out(vo::WrittenSequence::tum) / "truth/normal/000000.npy"));
+  EXPECT_THAT(convert(vo::WrittenSequence::euroc).dropped,
+              ElementsAre("what depth has beyond 16 bit", "truth/moving", "truth/normal"));
+  std::filesystem::remove_all(out(vo::WrittenSequence::tum));
+  const vo::ConvertOutcome turned =
+      vo::convert_sequence({.in = in, .out = out(vo::WrittenSequence::tum), .up = vo::WorldUp::z},
+                           {}, [](auto, auto) {});
+  EXPECT_THAT(turned.dropped, ElementsAre("truth/normal"));
 }
 
 TEST_F(ConvertSequence, AColmapModelIsReadAsATrajectoryByTheNamesOfItsImages) {
