@@ -20,7 +20,7 @@ bool has_beyond(const RosCameraInfo& info, std::size_t first) {
 }
 
 Distortion distortion_of(const RosCameraInfo& info, const std::string& place) {
-  constexpr std::size_t kBrownConrady = 5;
+  constexpr std::size_t kRational = 8;
   constexpr std::size_t kKannalaBrandt = 4;
   const std::string& model = info.distortion_model;
   const auto d = [&](std::size_t index) { return coefficient(info, index); };
@@ -36,10 +36,17 @@ Distortion distortion_of(const RosCameraInfo& info, const std::string& place) {
   require(model == "plumb_bob" || model == "rational_polynomial", place, ": has a lens of model '",
           model,
           "', expected plumb_bob, rational_polynomial or equidistant; --camera names another");
-  require(!has_beyond(info, kBrownConrady), place,
-          ": has a rational lens with more than five coefficients, expected k1, k2, p1, p2, k3 "
+  require(!has_beyond(info, kRational), place,
+          ": has a lens with more than eight coefficients, expected k1, k2, p1, p2, k3, k4, k5, k6 "
           "alone; --camera names another");
-  return {.k1 = d(0), .k2 = d(1), .p1 = d(2), .p2 = d(3), .k3 = d(4)};
+  return {.k1 = d(0),
+          .k2 = d(1),
+          .p1 = d(2),
+          .p2 = d(3),
+          .k3 = d(4),
+          .k4 = d(5),
+          .k5 = d(6),
+          .k6 = d(7)};
 }
 
 }  // namespace
@@ -81,6 +88,9 @@ RosCameraInfo camera_info_of(const PinholeCamera& camera) {
   if (lens.model == DistortionModel::kannala_brandt) {
     info.distortion_model = "equidistant";
     info.D = {lens.k1, lens.k2, lens.k3, lens.k4};
+  } else if (lens.is_rational()) {
+    info.distortion_model = "rational_polynomial";
+    info.D = {lens.k1, lens.k2, lens.p1, lens.p2, lens.k3, lens.k4, lens.k5, lens.k6};
   } else {
     info.distortion_model = "plumb_bob";
     info.D = {lens.k1, lens.k2, lens.p1, lens.p2, lens.k3};

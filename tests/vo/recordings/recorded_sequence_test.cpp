@@ -280,12 +280,36 @@ TEST_F(RecordedSequence, CameraInfoMustFitTheImage) {
   EXPECT_THAT(error_text(open_with), HasSubstr("is of 8x6 px, expected the camera's 16x6"));
   info.width = 8;
   info.distortion_model = "rational_polynomial";
-  info.D = {0.1, 0, 0, 0, 0, 0.2, 0, 0};
-  EXPECT_THAT(error_text(open_with), HasSubstr("rational lens"));
+  info.D = {0.1, 0, 0, 0, 0, 0.2, 0, 0, 0.3};
+  EXPECT_THAT(error_text(open_with), HasSubstr("more than eight coefficients"));
   info.distortion_model = "ptam";
   EXPECT_THAT(error_text(open_with), HasSubstr("model 'ptam'"));
   info.K = {};
   EXPECT_THAT(error_text(open_with), HasSubstr("not calibrated"));
+}
+
+TEST_F(RecordedSequence, CameraInfoHoldsARationalLens) {
+  vo::PinholeCamera camera = vo::PinholeCamera::from_horizontal_fov(8, 6, 60);
+  camera.distortion = {.k1 = 0.1,
+                       .k2 = -0.02,
+                       .p1 = 0.001,
+                       .p2 = -0.002,
+                       .k3 = 0.003,
+                       .k4 = 0.2,
+                       .k5 = -0.01,
+                       .k6 = 0.004};
+  const vo::RosCameraInfo info = vo::camera_info_of(camera);
+  EXPECT_EQ(info.distortion_model, "rational_polynomial");
+  const auto path = folder.write(
+      "r.mcap", mcap_of({{"/c/camera_info", "sensor_msgs/msg/CameraInfo", 1, vo::encode_cdr(info)},
+                         image_message("/c/image_raw", 1, "mono8", grey(1))}));
+  const vo::Distortion lens = vo::open_recording(path, std::nullopt).camera.pinhole.distortion;
+  EXPECT_EQ(lens.k2, -0.02);
+  EXPECT_EQ(lens.p2, -0.002);
+  EXPECT_EQ(lens.k3, 0.003);
+  EXPECT_EQ(lens.k4, 0.2);
+  EXPECT_EQ(lens.k5, -0.01);
+  EXPECT_EQ(lens.k6, 0.004);
 }
 
 TEST_F(RecordedSequence, TheTruthIsWhereTfHasTheCameraBelowTheWorld) {
