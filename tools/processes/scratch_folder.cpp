@@ -32,6 +32,7 @@ int make_writable(const char* path, const struct stat* status, int type, FTW* /*
 
 void remove_with_contents(const fs::path& folder) noexcept {
   constexpr int kOpenFolders = 16;
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): without FTW_CHDIR nothing is shared
   ::nftw(folder.c_str(), make_writable, kOpenFolders, FTW_PHYS);
   vo::remove_tree(folder);
 }

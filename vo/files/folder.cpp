@@ -60,8 +60,8 @@ void add_below(const fs::path& root, const std::string& within, std::vector<Fold
 
 /// Removes what nftw visits; its result ends the walk unless it is 0.
 int remove_visited(const char* path, const struct stat* /*status*/, int type, FTW* /*place*/) {
-  const int result =
-      type == FTW_DP || type == FTW_D || type == FTW_DNR ? ::rmdir(path) : ::unlink(path);
+  const bool is_folder = type == FTW_DP || type == FTW_D || type == FTW_DNR;
+  const int result = uninterrupted([&] { return is_folder ? ::rmdir(path) : ::unlink(path); });
   return result == 0 || errno == ENOENT ? 0 : errno;
 }
 
@@ -97,6 +97,7 @@ std::vector<FolderEntry> entries_below(const fs::path& folder) {
 
 int remove_tree(const fs::path& path) noexcept {
   constexpr int kOpenFolders = 16;
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): without FTW_CHDIR nothing is shared
   const int result = ::nftw(path.c_str(), remove_visited, kOpenFolders, FTW_DEPTH | FTW_PHYS);
   const int error = result < 0 ? errno : result;
   return error == ENOENT ? 0 : error;
