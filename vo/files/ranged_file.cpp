@@ -52,9 +52,9 @@ std::string room_for(std::uintmax_t count, const fs::path& path) {
 }  // namespace
 
 RangedFile::RangedFile(fs::path path)
-    : path_(std::move(path)), descriptor_(uninterrupted([&] {
-        return ::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-      })) {
+    : path_(std::move(path)),
+      descriptor_(
+          uninterrupted([&] { return ::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK); })) {
   require(descriptor_ >= 0 || errno != ENOENT, path_.string(), ": there is no such file");
   if (descriptor_ < 0) {
     fail_with(path_, "cannot be read", errno);

@@ -22,8 +22,8 @@
 #include <Driver/OniDriverAPI.h>
 #include <opencv2/imgproc.hpp>
 
-#include "vo/frames/depth_units.h"
 #include "vo/dataset/sequence.h"
+#include "vo/frames/depth_units.h"
 
 namespace {
 

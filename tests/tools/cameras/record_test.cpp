@@ -7,8 +7,8 @@
 #include "tests/support/plane_sequence.h"
 #include "tests/support/program_test.h"
 #include "tools/cameras/live_camera.h"
-#include "vo/frames/depth_units.h"
 #include "vo/dataset/sequence.h"
+#include "vo/frames/depth_units.h"
 
 namespace {
 

@@ -189,6 +189,7 @@ struct LiveServer::Serving {
   /// Sets limits that a page on the same machine never meets.
   void set_limits() {
     constexpr time_t kPatience = 5;  // s, for one who neither speaks nor reads
+    // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): the server deletes it
     server.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
     server.set_payload_max_length(kMostPosted);
     server.set_read_timeout(kPatience);
