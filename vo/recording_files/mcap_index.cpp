@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::uint64_t kFooterSize = 20;
 constexpr std::uint64_t kMaxDescription = 16'000'000;  // bytes of a schema, channel or index
-constexpr std::uint64_t kMessageHead = 2 + 4 + 8 + 8;  // bytes before a message's data
 constexpr std::uint64_t kChunkHead = 8 + 8 + 8 + 4;    // bytes before a chunk's compression
 constexpr std::uint64_t kLongestCompression = 64;      // bytes of a compression's name
 constexpr std::uint64_t kSummaryStep = 16'000'000;     // bytes of the summary read at once
@@ -238,7 +237,7 @@ void describe_chunk(const RangedFile& file, RecordingPart& part, RecordingIndex&
   std::vector<std::uint32_t> channels;
   for_each_record(bytes, 0, bytes.size, [&](const McapRecord& record) {
     topics.take(bytes, record);
-    if (record.opcode == McapOpcode::message && record.size >= kMessageHead) {
+    if (record.opcode == McapOpcode::message && record.size >= kMcapMessageHead) {
       const std::string id = bytes.read(record.content, sizeof(std::uint16_t));
       const std::uint32_t channel = ByteCursor(id).number<std::uint16_t>();
       if (std::find(channels.begin(), channels.end(), channel) == channels.end()) {
@@ -343,17 +342,17 @@ void for_each_mcap_message(
     if (record.opcode != McapOpcode::message) {
       return true;
     }
-    require(record.size >= kMessageHead && record.size - kMessageHead <= kMaxPartBytes,
+    require(record.size >= kMcapMessageHead && record.size - kMcapMessageHead <= kMaxPartBytes,
             "the message at byte ", record.begin, " has ", record.size, " bytes, expected ",
-            kMessageHead, " to ", kMaxPartBytes);
-    const std::string head = bytes.read(record.content, kMessageHead);
+            kMcapMessageHead, " to ", kMaxPartBytes);
+    const std::string head = bytes.read(record.content, kMcapMessageHead);
     ByteCursor cursor(head);
     const std::uint32_t channel = cursor.number<std::uint16_t>();
     cursor.take(sizeof(std::uint32_t));  // its number in a sequence
     RecordedMessage message;
     message.time_ns = cursor.number<std::uint64_t>();
-    message.offset = record.content + kMessageHead;
-    message.size = static_cast<std::uint32_t>(record.size - kMessageHead);
+    message.offset = record.content + kMcapMessageHead;
+    message.size = static_cast<std::uint32_t>(record.size - kMcapMessageHead);
     return visit(channel, message);
   });
 }

@@ -30,6 +30,9 @@ inline constexpr std::string_view kMcapMagic("\x89MCAP0\r\n", 8);
 
 inline constexpr std::uint64_t kMcapRecordHead = 9;  ///< bytes of a record's opcode and length
 
+/// Bytes of a message before its data: channel, sequence number, two times.
+inline constexpr std::uint64_t kMcapMessageHead = 2 + 4 + 8 + 8;
+
 /// A record whose bytes are all there.
 struct McapRecord {
   McapOpcode opcode{};

@@ -65,9 +65,8 @@ void McapWriter::write(std::uint16_t topic, std::int64_t time_ns, std::string_vi
   chunk_begin_ns_ = is_first ? time_ns : std::min(chunk_begin_ns_, time_ns);
   chunk_end_ns_ = is_first ? time_ns : std::max(chunk_end_ns_, time_ns);
   chunk_index_[topic].emplace_back(time_ns, chunk_.size());
-  constexpr std::uint64_t kMessageHead = 2 + 4 + 8 + 8;
   append_number(chunk_, McapOpcode::message);
-  append_number(chunk_, kMessageHead + data.size());
+  append_number(chunk_, kMcapMessageHead + data.size());
   append_number(chunk_, topic);
   append_number(chunk_, static_cast<std::uint32_t>(counts_[topic]++));
   append_number(chunk_, time_ns);
