@@ -1,5 +1,6 @@
 #include "vo/recording_files/compression.h"
 
+#include <cstdint>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -14,7 +15,7 @@ using testing::HasSubstr;
 
 std::string some_bytes() {
   std::string bytes;
-  for (int i = 0; i < 3'000'000; ++i) {
+  for (std::uint32_t i = 0; i < 3'000'000; ++i) {
     bytes += static_cast<char>(i * i >> 9);
   }
   return bytes;
