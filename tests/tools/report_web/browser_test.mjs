@@ -1,39 +1,24 @@
 // node browser_test.mjs REPORT.html [PICTURES], in a folder with the packages of web/: opens the
 // report in Chromium and uses it with mouse and keyboard. Screenshots go to the folder PICTURES.
 import assert from 'node:assert/strict';
-import { existsSync, statSync } from 'node:fs';
-import { createRequire } from 'node:module';
+import { statSync } from 'node:fs';
 import path from 'node:path';
 import test, { after, beforeEach } from 'node:test';
-import { readReport, skip } from './report_file.mjs';
-
-const chromiumPath = ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
-if (!chromiumPath) skip('Chromium is not installed');
-if (!existsSync('node_modules/playwright-core')) skip("npm's packages are not installed");
-const { chromium } = createRequire(path.join(process.cwd(), 'package.json'))('playwright-core');
+import { launch, openPage } from './browser.mjs';
+import { readReport } from './report_file.mjs';
 
 const { file, data } = readReport();
 const pictures = process.argv[3];
 const names = data.scenarios.map(({ name }) => name);
-const browser = await chromium.launch({
-  executablePath: chromiumPath,
-  args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
-});
+const browser = await launch();
 after(() => browser.close());
 
 let page;
 let complaints; // what the page logged as an error or loaded from elsewhere
 
-async function open({ width = 1280, height = 900, colorScheme = 'light', hash = '' } = {}) {
-  const context = await browser.newContext({ viewport: { width, height }, colorScheme });
-  page = await context.newPage();
-  complaints = [];
-  page.on('pageerror', (error) => complaints.push(String(error)));
-  page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));
-  page.on('request', (request) => {
-    if (!/^(file|data|blob):/.test(request.url())) complaints.push(request.url());
-  });
-  await page.goto(`file://${path.resolve(file)}${hash}`);
+async function open({ hash = '', ...view } = {}) {
+  const isOwn = (url) => /^(file|data|blob):/.test(url);
+  ({ page, complaints } = await openPage(browser, `file://${path.resolve(file)}${hash}`, isOwn, view));
   await page.waitForSelector('h2');
 }
 

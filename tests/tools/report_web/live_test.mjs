@@ -3,16 +3,10 @@
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import path from 'node:path';
 import readline from 'node:readline';
 import test, { after, afterEach, before } from 'node:test';
-import { skip } from './report_file.mjs';
-
-const chromiumPath = ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
-if (!chromiumPath) skip('Chromium is not installed');
-if (!existsSync('node_modules/playwright-core')) skip("npm's packages are not installed");
-const { chromium } = createRequire(path.join(process.cwd(), 'package.json'))('playwright-core');
+import { launch, openPage } from './browser.mjs';
 
 const [edvo, assets, work, pictures] = process.argv.slice(2);
 const kFrames = 25;
@@ -53,10 +47,7 @@ before(async () => {
   symlinkSync(path.resolve(assets), path.join(work, 'assets'));
   mkdirSync(path.join(work, 'scenarios'));
   writeFileSync(scenario, kScenario);
-  browser = await chromium.launch({
-    executablePath: chromiumPath,
-    args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
-  });
+  browser = await launch();
 });
 after(() => browser?.close());
 afterEach(async () => {
@@ -83,18 +74,9 @@ async function start(...words) {
   return { child, url, ended };
 }
 
-async function open(url, { width = 1280, height = 900, colorScheme = 'light' } = {}) {
-  const context = await browser.newContext({ viewport: { width, height }, colorScheme });
-  page = await context.newPage();
-  complaints = [];
-  page.on('pageerror', (error) => complaints.push(String(error)));
-  page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));
-  page.on('request', (request) => {
-    if (!request.url().startsWith(new URL(url).origin) && !/^(data|blob):/.test(request.url())) {
-      complaints.push(request.url());
-    }
-  });
-  await page.goto(url);
+async function open(url, view) {
+  const isOwn = (other) => other.startsWith(new URL(url).origin) || /^(data|blob):/.test(other);
+  ({ page, complaints } = await openPage(browser, url, isOwn, view));
 }
 
 /** Lets some frames pass, as a viewer's script would. */
