@@ -7,12 +7,11 @@
 #include <cstdio>
 
 #include "vo/core/error.h"
+#include "vo/core/nanoseconds.h"
 #include "vo/text_files/text_lines.h"
 
 namespace vo {
 namespace {
-
-constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
 
 /// Returns the shortest text without an exponent that reads back as the same number.
 std::string exact_timestamp(double timestamp) {

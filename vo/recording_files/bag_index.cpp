@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "vo/core/error.h"
+#include "vo/core/nanoseconds.h"
 #include "vo/recording_files/byte_cursor.h"
 
 namespace vo {
@@ -240,7 +241,6 @@ RecordingIndex index_bag(const RangedFile& file) {
 void for_each_bag_message(
     const RecordBytes& bytes, std::uint64_t begin, std::uint64_t end,
     const std::function<bool(std::uint32_t channel, const RecordedMessage& message)>& visit) {
-  constexpr std::uint64_t kNanosecondsPerSecond = 1'000'000'000;
   for_each_bag_record(bytes, begin, end, [&](const BagRecord& record) {
     if (record.opcode() != BagOpcode::message) {
       return true;
@@ -249,7 +249,8 @@ void for_each_bag_message(
             record.size, " bytes, expected at most ", kMaxPartBytes);
     RecordedMessage message;
     const auto time = record.number<std::uint64_t>("time");  // s, and ns in the upper half
-    message.time_ns = (time & 0xFFFFFFFF) * kNanosecondsPerSecond + (time >> 32);
+    message.time_ns = static_cast<std::int64_t>(time & 0xFFFFFFFF) * kNanosecondsPerSecond +
+                      static_cast<std::int64_t>(time >> 32);
     message.offset = record.data;
     message.size = static_cast<std::uint32_t>(record.size);
     return visit(record.number<std::uint32_t>("conn"), message);

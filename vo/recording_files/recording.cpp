@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "vo/core/error.h"
+#include "vo/core/nanoseconds.h"
 #include "vo/recording_files/bag_index.h"
 #include "vo/recording_files/mcap_index.h"
 #include "vo/recording_files/mcap_records.h"
@@ -141,7 +142,6 @@ std::string Recording::read(const RecordedMessage& message) const {
 }
 
 std::string Recording::place_of(const RecordedMessage& message) const {
-  constexpr double kNanosecondsPerSecond = 1e9;
   std::ostringstream text;
   text.precision(6);
   text << path().string() << ": " << topics()[message.topic].name << ", message of " << std::fixed

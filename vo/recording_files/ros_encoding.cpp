@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "vo/core/error.h"
+#include "vo/core/nanoseconds.h"
 #include "vo/recording_files/byte_writer.h"
 #include "vo/recording_files/message_cursor.h"
 
@@ -43,7 +44,6 @@ class CdrWriter {
   }
 
   void header(const RosHeader& header) {
-    constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
     number(static_cast<std::int32_t>(header.stamp_ns / kNanosecondsPerSecond));
     number(static_cast<std::uint32_t>(header.stamp_ns % kNanosecondsPerSecond));
     string(header.frame_id);

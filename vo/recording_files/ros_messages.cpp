@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include "vo/core/error.h"
+#include "vo/core/nanoseconds.h"
 #include "vo/recording_files/message_cursor.h"
 
 namespace vo {
 namespace {
-
-constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
 
 std::int64_t parse_header_stamp(MessageCursor& cursor) {
   if (cursor.is_ros1()) {
