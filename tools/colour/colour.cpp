@@ -41,6 +41,14 @@ std::string Colours::paint(Tone tone, std::string_view text) const {
   return painted;
 }
 
+std::string note_lines(const std::vector<std::string>& notes, const Colours& colours) {
+  std::string text;
+  for (const std::string& note : notes) {
+    text += colours.paint(Tone::caution, "note") + "  " + note + "\n";
+  }
+  return text;
+}
+
 ColourEnvironment colour_environment() {
   return {variable("NO_COLOR"), variable("CLICOLOR_FORCE"), variable("TERM")};
 }

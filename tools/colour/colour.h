@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace tools {
 
@@ -29,6 +30,9 @@ class Colours {
  private:
   bool are_shown_ = false;
 };
+
+/// Returns a line `note  ...` for each note, a sentence that its reader must know of a result.
+std::string note_lines(const std::vector<std::string>& notes, const Colours& colours);
 
 /// A ColourChoice is what a user says of colours (`--color`).
 enum class ColourChoice { automatic, always, never };

@@ -118,12 +118,6 @@ vo::ConvertJob chosen_job(const ConvertArguments& arguments) {
   return job;
 }
 
-void print_notes(const std::vector<std::string>& notes, const Colours& colours) {
-  for (const std::string& note : notes) {
-    std::cout << colours.paint(Tone::caution, "note") << "  " << note << "\n";
-  }
-}
-
 void print(const ConvertArguments& arguments, const vo::ConvertOutcome& outcome,
            const Colours& colours) {
   if (arguments.common.json) {
@@ -148,7 +142,7 @@ void print(const ConvertArguments& arguments, const vo::ConvertOutcome& outcome,
   for (const std::string& dropped : outcome.dropped) {
     std::cout << colours.paint(Tone::caution, "dropped") << "  " << dropped << "\n";
   }
-  print_notes(outcome.notes, colours);
+  std::cout << note_lines(outcome.notes, colours);
 }
 
 /// The formats in which a trajectory is written.
@@ -198,7 +192,7 @@ void print(const ConvertArguments& arguments, const vo::TrajectoryFile& file,
     return;
   }
   std::cout << arguments.out << ": " << file.trajectory.size() << " poses\n";
-  print_notes(file.notes, colours);
+  std::cout << note_lines(file.notes, colours);
 }
 
 void convert_trajectory(const ConvertArguments& arguments, const Session& session) {

@@ -62,10 +62,8 @@ void print(const RecordArguments& arguments, const LiveCamera& camera, const Rec
     return;
   }
   std::cout << arguments.out << ": " << outcome.frames << " frames in " << outcome.duration_s
-            << " s of " << camera.device << ", " << outcome.missed << " missed\n";
-  for (const std::string& note : camera.notes) {
-    std::cout << colours.paint(Tone::caution, "note") << "  " << note << "\n";
-  }
+            << " s of " << camera.device << ", " << outcome.missed << " missed\n"
+            << note_lines(camera.notes, colours);
 }
 
 void record(const RecordArguments& arguments, const Session& session) {

@@ -220,9 +220,7 @@ int print(const TrackArguments& arguments, const Tracked& tracked, const Session
         << (result.trajectory.empty() || tracked.note.empty()
                 ? ""
                 : colours.paint(Tone::caution, tracked.note) + "\n");
-    for (const std::string& note : tracked.sequence_notes) {
-      out << colours.paint(Tone::caution, "note") << "  " << note << "\n";
-    }
+    out << note_lines(tracked.sequence_notes, colours);
   }
   if (result.trajectory.empty() && !tracked.note.empty()) {
     std::cerr << error_line(session.err, tracked.note);
