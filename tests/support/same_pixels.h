@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace fuzz {
+namespace support {
 
 /// Returns whether two images have equal sizes, types and bits; NaN equals itself.
 inline bool have_same_pixels(const cv::Mat& a, const cv::Mat& b) {
@@ -19,4 +19,4 @@ inline bool have_same_pixels(const cv::Mat& a, const cv::Mat& b) {
   return true;
 }
 
-}  // namespace fuzz
+}  // namespace support

@@ -6,21 +6,19 @@
 
 #include "tests/support/plane_sequence.h"
 #include "tests/support/program_test.h"
+#include "tests/support/same_pixels.h"
 #include "tools/cameras/live_camera.h"
 #include "vo/dataset/sequence.h"
 #include "vo/frames/depth_units.h"
 
 namespace {
 
+using support::have_same_pixels;
 using support::ProgramResult;
 using support::run_program;
 using testing::HasSubstr;
 
 constexpr int kFrames = 7;
-
-bool same_pixels(const cv::Mat& a, const cv::Mat& b) {
-  return a.type() == b.type() && a.size() == b.size() && cv::norm(a, b, cv::NORM_INF) == 0;
-}
 
 /// Records the driver's camera, which shows a sequence over and over.
 class Record : public support::ProgramTest {
@@ -74,9 +72,9 @@ class Record : public support::ProgramTest {
       const double index = (frame.timestamp - 1) / 0.033333;
       ASSERT_NEAR(index, std::round(index), 1e-6);
       const vo::RgbdFrame truth = given.read(std::lround(index) % kFrames);
-      EXPECT_TRUE(same_pixels(frame.image, truth.image)) << frame.timestamp;
-      EXPECT_TRUE(
-          same_pixels(vo::to_depth_units(frame.depth, 1000), vo::to_depth_units(truth.depth, 1000)))
+      EXPECT_TRUE(have_same_pixels(frame.image, truth.image)) << frame.timestamp;
+      EXPECT_TRUE(have_same_pixels(vo::to_depth_units(frame.depth, 1000),
+                                   vo::to_depth_units(truth.depth, 1000)))
           << frame.timestamp;
     }
   }
