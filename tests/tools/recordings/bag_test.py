@@ -7,7 +7,8 @@ import shutil
 import struct
 import subprocess
 import sys
-import zlib
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
 try:
     import genpy
@@ -15,6 +16,7 @@ try:
     from geometry_msgs.msg import PoseStamped, TransformStamped
     from nav_msgs.msg import Odometry
     from sensor_msgs.msg import CameraInfo, CompressedImage, Image
+    from png_file import read_png
     from tf2_msgs.msg import TFMessage
 except ImportError as error:
     print(f"skipped: {error} (python3-rosbag, python3-sensor-msgs, python3-nav-msgs, python3-tf2-msgs)")
@@ -22,40 +24,6 @@ except ImportError as error:
 
 UNITS_PER_M = 5000
 FRAME = "camera_optical"
-
-
-def decode_png(path):
-    """Returns width, height, bits and the bytes of the rows of a PNG that is not interlaced."""
-    data = path.read_bytes()
-    at, idat = 8, b""
-    while at < len(data):
-        (size,), kind = struct.unpack(">I", data[at : at + 4]), data[at + 4 : at + 8]
-        body = data[at + 8 : at + 8 + size]
-        if kind == b"IHDR":
-            width, height, bits, colour = struct.unpack(">IIBB", body[:10])
-        elif kind == b"IDAT":
-            idat += body
-        at += size + 12
-    pixel = bits // 8 * {0: 1, 2: 3}[colour]
-    raw, row_size, rows = zlib.decompress(idat), pixel * width, []
-    before = bytes(row_size)
-    for v in range(height):
-        kind = raw[v * (row_size + 1)]
-        row = bytearray(raw[v * (row_size + 1) + 1 : (v + 1) * (row_size + 1)])
-        for i in range(row_size):
-            left = row[i - pixel] if i >= pixel else 0
-            corner = before[i - pixel] if i >= pixel else 0
-            row[i] = (row[i] + predict(kind, left, before[i], corner)) & 255
-        before = bytes(row)
-        rows.append(before)
-    return width, height, bits, rows
-
-
-def predict(kind, left, above, corner):
-    if kind == 4:
-        estimate = left + above - corner
-        return min((left, above, corner), key=lambda value: abs(estimate - value))
-    return (0, left, above, (left + above) // 2)[kind]
 
 
 def stamp_of(text):
@@ -74,13 +42,12 @@ def header(message, stamp, frame=FRAME):
 
 
 def image_of(path, stamp, encoding):
-    width, height, bits, rows = decode_png(path)
-    message = header(Image(width=width, height=height, encoding=encoding), stamp)
+    pixels = read_png(path)
+    message = header(Image(width=pixels.shape[1], height=pixels.shape[0], encoding=encoding), stamp)
     if encoding == "32FC1":
-        values = [struct.unpack(f">{width}H", row) for row in rows]
-        rows = [struct.pack(f"<{width}f", *(value / UNITS_PER_M for value in row)) for row in values]
-    message.step = len(rows[0])
-    message.data = b"".join(rows)
+        pixels = (pixels / UNITS_PER_M).astype("<f4")
+    message.step = pixels[0].nbytes
+    message.data = pixels.tobytes()
     return message
 
 
