@@ -25,7 +25,7 @@ struct SequenceSubject {
   const SequenceRecipe& recipe;
 };
 
-/// What a ShareRenderer tells of its work; an empty callback is not called.
+/// A ShareRenderer tells this observer of its work; an empty callback is not called.
 struct RenderObservers {
   vo::Progress progress;  ///< also called while others are waited for
   MadeFrameObserver frame;

@@ -12,7 +12,7 @@
 
 namespace tools {
 
-/// What a user says of a camera that runs.
+/// Settings with which a user opens a camera that runs.
 struct LiveCameraSettings {
   std::optional<vo::RgbdCamera> camera;     ///< in the place of what the device says of its lens
   std::optional<std::pair<int, int>> size;  ///< px, width and height of the images

@@ -9,7 +9,7 @@
 
 namespace tools {
 
-/// What a camera that runs is to become.
+/// A RecordJob says where the frames of a running camera go, and how many.
 struct RecordJob {
   std::filesystem::path out;  ///< folder in the layout of vo/dataset/sequence.h, without truth
   std::size_t frames = 0;     ///< most frames; 0 = until it is stopped
@@ -21,7 +21,7 @@ struct RecordOutcome {
   double duration_s = 0;   ///< from the first stamp to the last
 };
 
-/// What is asked and told while frames arrive.
+/// A RecordObserver is asked whether to stop, and told of each frame.
 struct RecordObserver {
   std::function<bool()> is_stopped;
   std::function<void(std::size_t frames)> on_frame;

@@ -139,7 +139,7 @@ TEST_F(RunWatch, TellsEveryFrameAndDrawsWhatItHasTimeFor) {
       << "the first was wanted";
 }
 
-/// What a viewer does not read must fill its socket and nothing else: the run goes on to its end.
+/// A viewer who never reads fills his own socket and nothing else, so the run goes on to its end.
 TEST_F(RunWatch, DropsPicturesForAViewerWhoNeverReads) {
   const auto idle = viewer();
   const int frames = 200;

@@ -57,7 +57,7 @@ TEST(Compression, StatedSizesAreNotAskedForAtOnce) {
 }
 
 TEST(Compression, Bzip2IsReadAndNotWritten) {
-  // As the program bzip2 compresses "bzip2 is read\n".
+  // These are the bytes that the program bzip2 makes of "bzip2 is read\n".
   const std::string stored(
       "BZh91AY&"
       "SY\x3c\x52\x03\xfd\x00\x00\x02\xd9\x80\x00\x10\x40\x00\x10\x00\x36\x20\x58\x10\x20\x00\x22"

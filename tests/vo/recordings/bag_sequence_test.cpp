@@ -43,7 +43,7 @@ class BagSequence : public testing::Test {
         vo::RgbdCamera{vo::PinholeCamera::from_horizontal_fov(8, 6, 60), 1000});
   }
 
-  /// Where the index of a bag is, whose place its header states.
+  /// Returns the offset of a bag's index, which its header states.
   static std::size_t index_of(const std::string& bag) {
     std::uint64_t index = 0;
     bag.copy(reinterpret_cast<char*>(&index), 8, bag.find("index_pos=") + 10);
