@@ -1,11 +1,12 @@
 #include "synth/gltf_document/gltf_file.h"
 
 #include <cmath>
-#include <fstream>
+#include <string>
 #include <string_view>
 #include <system_error>
 
 #include "vo/core/error.h"
+#include "vo/files/ranged_file.h"
 #include "vo/text_files/json_limits.h"
 
 namespace synth {
@@ -142,11 +143,10 @@ Bytes read_file(const fs::path& path, std::size_t size, const std::string& place
   require(size <= kMostGltfBytes, named(path, place), " has ", size, " bytes, expected at most ",
           kMostGltfBytes);
   require(available >= size, named(path, place), " has ", available, " bytes, expected ", size);
-  Bytes bytes(size);
-  std::ifstream stream(path, std::ios::binary);
-  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-  require(stream.good(), named(path, place), " cannot be read, expected ", size, " bytes");
-  return bytes;
+  const std::string bytes = vo::RangedFile(path).read(0, size);
+  require(bytes.size() == size, named(path, place), " ended after ", bytes.size(),
+          " bytes, expected ", size);
+  return {bytes.begin(), bytes.end()};
 }
 
 std::size_t file_size(const fs::path& path, const std::string& place) {

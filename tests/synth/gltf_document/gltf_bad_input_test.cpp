@@ -1,12 +1,16 @@
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include "synth/gltf_document/gltf_file.h"
 #include "tests/support/gltf_errors.h"
 #include "tests/support/temp_folder.h"
+#include "vo/core/error.h"
 
 namespace synth {
 namespace {
@@ -27,6 +31,28 @@ TEST(BadGltf, MissingFile) {
 TEST(BadGltf, FolderInsteadOfFile) {
   const TempFolder folder;
   EXPECT_THAT(error_of(folder.path()), HasSubstr("expected a file"));
+}
+
+/// Returns the kind of the error that reading a file ends with while no file can be opened.
+std::optional<vo::ErrorKind> kind_without_open_files(const std::filesystem::path& path) {
+  rlimit allowed{};
+  EXPECT_EQ(getrlimit(RLIMIT_NOFILE, &allowed), 0);
+  const rlimit none{.rlim_cur = 0, .rlim_max = allowed.rlim_max};
+  EXPECT_EQ(setrlimit(RLIMIT_NOFILE, &none), 0);
+  std::optional<vo::ErrorKind> kind;
+  try {
+    read_gltf_file(path);
+  } catch (const vo::Error& error) {
+    kind = error.kind();
+  }
+  EXPECT_EQ(setrlimit(RLIMIT_NOFILE, &allowed), 0);
+  return kind;
+}
+
+TEST(BadGltf, FileThatCannotBeOpenedNowMayBeLater) {
+  const TempFolder folder;
+  const auto scene = folder.write("scene.gltf", triangle_document().json.dump());
+  EXPECT_EQ(kind_without_open_files(scene), vo::ErrorKind::temporary);
 }
 
 TEST(BadGltf, TruncatedJson) {
