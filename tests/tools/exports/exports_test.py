@@ -14,6 +14,8 @@ import tomllib
 try:
     import benchmarks
     import colmap
+    import euroc
+    import icl_nuim
     import transforms_json
 except ImportError:
     print("skipped: python3-numpy is not installed")
@@ -57,6 +59,9 @@ def check_all(folder, sequence):
     focal, centre = (camera["fx"], camera["fy"]), (camera["cx"], camera["cy"])
     views = benchmarks.check_tartanair(tartanair, sequence, focal, centre)
     benchmarks.check_kitti(folder.converted(sequence, "kitti"), sequence, [view.depth for view in views])
+    euroc.check(folder.converted(sequence, "euroc"), sequence)
+    icl_nuim.check(icl_nuim.read_rendered(folder.converted(sequence, "icl-nuim")), sequence, "icl-nuim")
+    icl_nuim.check(icl_nuim.read_tum_compatible(folder.converted(sequence, "icl-tum")), sequence, "icl-tum")
 
 
 def main():

@@ -2,6 +2,8 @@
 
 import numpy
 
+Z_UP = numpy.array([[1.0, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])  # of a world with y up
+
 
 def distort(lens, x, y):
     """Where the lens `lens`, a dict of a model and its coefficients, images the direction (x, y, 1)."""

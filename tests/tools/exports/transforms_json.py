@@ -8,7 +8,6 @@ import numpy
 import files
 import geometry
 
-Z_UP = numpy.array([[1.0, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])  # of a world with y up
 OPENGL = numpy.diag([1.0, -1.0, -1.0, 1.0])  # x right, y up, z backwards
 
 
@@ -33,7 +32,7 @@ def check(folder, source):
     truth = dict(files.read_tum_poses(source / "groundtruth.txt"))
     assert len(views) == len(files.read_tum_list(source / "rgb.txt"))
     for frame, view in zip(meta["frames"], views):
-        assert abs(Z_UP @ truth[frame["timestamp"]] - view.T).max() < 1e-8
+        assert abs(geometry.Z_UP @ truth[frame["timestamp"]] - view.T).max() < 1e-8
     if meta["fl_x"] == tomllib.loads((source / "camera.toml").read_text())["fx"]:  # not undistorted
         exact = numpy.load(source / "depth_float/000003.npy")
         assert abs(views[3].depth - exact).max() < 1e-5, "float depth is carried"
