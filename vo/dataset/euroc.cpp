@@ -248,7 +248,7 @@ SequenceSource open_euroc(const fs::path& folder, const std::optional<RgbdCamera
   source.T_body_camera = read_extrinsics(sensor, text);
   const auto images = std::make_shared<const std::vector<StampedFile>>(read_list(folder / kCamera));
   for (const StampedFile& image : *images) {
-    source.timestamps.push_back(1e-9 * static_cast<double>(image.nanoseconds));
+    source.timestamps.push_back(seconds_of(image.nanoseconds));
   }
   const bool has_depth = fs::exists(folder / kDepth / "data.csv");
   if (has_depth) {

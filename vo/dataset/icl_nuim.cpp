@@ -197,7 +197,7 @@ SequenceSource open_icl_tum(const fs::path& folder, const std::optional<RgbdCame
     require(line.fields.size() == 4, line.place(),
             ": expected `number depth/number.png number rgb/number.png`, got ", line.fields.size(),
             " values");
-    const double timestamp = time_of(parse_timestamp(line, 0, 1));
+    const double timestamp = time_of(parse_timestamp(line, 0));
     require(source.timestamps.empty() || timestamp > source.timestamps.back(), line.place(),
             ": expected a frame after the one before it, got ", line.fields[0]);
     source.timestamps.push_back(timestamp);

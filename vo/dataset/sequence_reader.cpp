@@ -32,7 +32,7 @@ ImageList read_image_list(const fs::path& folder, const char* name) {
   file.for_each_line([&](const TextLine& line) {
     require(line.fields.size() == 2, line.place(), ": expected `timestamp path`, got ",
             line.fields.size(), " values");
-    const double timestamp = parse_timestamp(line, 0, 1);
+    const double timestamp = parse_timestamp(line, 0);
     require(list.timestamps.empty() || timestamp > list.timestamps.back(), line.place(),
             ": expected a stamp after the one before it, got ", line.fields[0]);
     list.timestamps.push_back(timestamp);

@@ -7,12 +7,12 @@
 namespace vo {
 namespace {
 
-/// Returns the unit of a line's stamp in s.
-double unit_of(const TextLine& line) {
+/// Returns the stamp of a line, s, which EuRoC's lists have in ns.
+double stamp_of(const TextLine& line) {
   const bool is_euroc = line.fields.size() > 1 &&
                         line.fields[0].find('.') == std::string_view::npos &&
                         std::filesystem::path(line.fields[1]).stem() == line.fields[0];
-  return is_euroc ? kNanosecond : 1;
+  return is_euroc ? parse_nanoseconds(line, 0) : parse_timestamp(line, 0);
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ FrameTimes::FrameTimes(const std::filesystem::path& path) : path_(path) {
       require(frames_.emplace(name, timestamps_.size()).second, line.place(),
               ": expected files of different names, got ", name, " again");
     }
-    timestamps_.push_back(parse_timestamp(line, 0, unit_of(line)));
+    timestamps_.push_back(stamp_of(line));
     require(frames_.empty() || frames_.size() == timestamps_.size(), line.place(),
             ": expected a stamp and a file as in the lines before it, got ", line.fields.size(),
             " values");

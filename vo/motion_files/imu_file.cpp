@@ -24,7 +24,7 @@ void add_values(std::string& line, const Eigen::Vector3d& values) {
 }
 
 /// Returns the numbers of a line, its stamp converted from ns to s. Throws Error for a stamp beyond
-/// what `parse_timestamp` takes.
+/// what `parse_nanoseconds` takes.
 std::vector<double> parse_line(const TextLine& line, std::size_t count) {
   require(line.fields.size() == count, line.place(), ": expected ", count, " values, got ",
           line.fields.size());
@@ -32,7 +32,7 @@ std::vector<double> parse_line(const TextLine& line, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     values.push_back(parse_number(line, i));
   }
-  values[0] = parse_timestamp(line, 0, kNanosecond);
+  values[0] = parse_nanoseconds(line, 0);
   return values;
 }
 

@@ -31,8 +31,17 @@ double checked_timestamp(const TextLine& line, double timestamp) {
   return timestamp;
 }
 
-double parse_timestamp(const TextLine& line, std::size_t field, double unit_s) {
-  return checked_timestamp(line, parse_number(line, field) * unit_s);
+double parse_timestamp(const TextLine& line, std::size_t field) {
+  return checked_timestamp(line, parse_number(line, field));
+}
+
+double parse_nanoseconds(const TextLine& line, std::size_t field) {
+  const std::string_view text = line.fields[field];
+  std::int64_t nanoseconds = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), nanoseconds);
+  const bool is_whole = error == std::errc() && end == text.data() + text.size();
+  return is_whole ? checked_timestamp(line, seconds_of(nanoseconds))
+                  : checked_timestamp(line, kNanosecond * parse_number(line, field));
 }
 
 std::int64_t to_nanoseconds(double seconds) {

@@ -17,9 +17,13 @@ inline constexpr double kMaxTimestamp = 9e9;
 /// `kMaxTimestamp` of 0.
 double checked_timestamp(const TextLine& line, double timestamp);
 
-/// Returns a stamp of a line's field, in units of `unit_s` seconds, as seconds. Throws Error naming
-/// the line unless it is a number within `kMaxTimestamp` of 0.
-double parse_timestamp(const TextLine& line, std::size_t field, double unit_s);
+/// Returns the stamp of a line's field, s. Throws Error naming the line unless it is a number within
+/// `kMaxTimestamp` of 0.
+double parse_timestamp(const TextLine& line, std::size_t field);
+
+/// Returns a stamp of a line's field, in nanoseconds, as seconds: a whole number by `seconds_of`,
+/// which 64 bits hold and a double does not. Throws Error as `parse_timestamp` does.
+double parse_nanoseconds(const TextLine& line, std::size_t field);
 
 /// Returns the exact value of seconds rounded to whole nanoseconds, the unit of stamps in EuRoC's
 /// files and in recordings.

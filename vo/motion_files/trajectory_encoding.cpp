@@ -1,5 +1,5 @@
 #include <array>
-#include <cmath>
+#include <cinttypes>
 #include <cstdio>
 
 #include "vo/geometry/associate.h"
@@ -11,9 +11,8 @@ std::string format_euroc_pose(const StampedPose& pose) {
   const Eigen::Vector3d& t = pose.T_world_camera.translation();
   const Eigen::Quaterniond& q = pose.T_world_camera.rotation();
   std::array<char, 256> line{};
-  std::snprintf(line.data(), line.size(), "%lld,%.12g,%.12g,%.12g,%.12g,%.12g,%.12g,%.12g",
-                std::llround(pose.timestamp * 1e9), t.x(), t.y(), t.z(), q.w(), q.x(), q.y(),
-                q.z());
+  std::snprintf(line.data(), line.size(), "%" PRId64 ",%.12g,%.12g,%.12g,%.12g,%.12g,%.12g,%.12g",
+                to_nanoseconds(pose.timestamp), t.x(), t.y(), t.z(), q.w(), q.x(), q.y(), q.z());
   return line.data();
 }
 

@@ -41,9 +41,8 @@ StampedPose parse_tum_pose(const TextLine& line, double unit_s) {
 }
 
 StampedPose parse_euroc_pose(const TextLine& line) {
-  const auto [ns, x, y, z, qw, qx, qy, qz] = first_values<8>(line);
-  return {checked_timestamp(line, ns * kNanosecond),
-          checked_pose(line.place(), {qw, qx, qy, qz}, {x, y, z})};
+  const auto [_, x, y, z, qw, qx, qy, qz] = first_values<8>(line);
+  return {parse_nanoseconds(line, 0), checked_pose(line.place(), {qw, qx, qy, qz}, {x, y, z})};
 }
 
 SE3 parse_kitti_pose(const TextLine& line) {

@@ -13,6 +13,7 @@
 #include "vo/dataset/sequence.h"
 #include "vo/files/input.h"
 #include "vo/frames/depth_units.h"
+#include "vo/geometry/associate.h"
 #include "vo/motion_files/imu_file.h"
 
 namespace {
@@ -84,6 +85,19 @@ TEST(Euroc, ReadsBackWithDepthPosesAndImu) {
   EXPECT_EQ(copy.imu.noise.gyro_bias_walk, 1.9e-5);
   EXPECT_EQ(copy.imu.noise.accel_noise, 2e-3);
   EXPECT_EQ(copy.imu.noise.accel_bias_walk, 3e-3);
+}
+
+TEST(Euroc, StampsOfOurTimeReadBackToTheBit) {
+  vo::SequenceSource source = example();
+  for (std::size_t i = 0; i < kFrames; ++i) {
+    source.timestamps[i] += 1305031102.175304;
+    source.truth[i].timestamp = source.timestamps[i];
+  }
+  const TempFolder folder;
+  vo::write_files(folder.path(), vo::encode_euroc_lists(source, true));
+  const auto copy = vo::open_sequence(folder.path(), vo::SequenceFormat::euroc);
+  EXPECT_EQ(copy.timestamps, source.timestamps);
+  EXPECT_EQ(vo::timestamps_of(copy.truth), source.timestamps);
 }
 
 TEST(Euroc, HoldsAFisheyeAsEquidistant) {
