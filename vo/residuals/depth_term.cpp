@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 
-#include "vo/core/median.h"
 #include "vo/residuals/lane_sums.h"
+#include "vo/residuals/median_magnitude.h"
 #include "vo/residuals/warp.h"
 
 namespace vo {
@@ -176,7 +175,7 @@ double distance_spread(const DepthView& view) {
     }
   };
   for_each_block(view, pass_options(1), keep, 1 + view.surface.size() / kEnoughPoints);
-  return robust_sigma(std::span(magnitudes.data(), seen));
+  return robust_sigma_of({magnitudes.data(), seen});
 }
 
 double depth_agreement(const DepthView& view) {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <span>
 
-#include "vo/core/median.h"
 #include "vo/residuals/intensity_moments.h"
+#include "vo/residuals/median_magnitude.h"
 #include "vo/residuals/point_sampler.h"
 
 namespace vo {
@@ -74,7 +74,7 @@ double residual_spread(const PointView& view, const Brightness& brightness) {
       ++reference;
     }
   }
-  return robust_sigma(std::span(magnitudes.data(), count));
+  return robust_sigma_of({magnitudes.data(), count});
 }
 
 }  // namespace
