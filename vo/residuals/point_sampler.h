@@ -23,8 +23,12 @@ class PointSampler {
   /// the ratio `max_depth_ratio` are not seen; 0 is no such test.
   PointSampler(const PointView& view, InstructionSet set, float max_depth_ratio = 0);
 
-  std::size_t blocks() const { return (view_.points.size() + detail::kBlock - 1) / detail::kBlock; }
-  static std::size_t first_of(std::size_t block) { return block * detail::kBlock; }
+  static constexpr std::size_t kPointsPerBlock = detail::kBlock;
+
+  std::size_t blocks() const {
+    return (view_.points.size() + kPointsPerBlock - 1) / kPointsPerBlock;
+  }
+  static std::size_t first_of(std::size_t block) { return block * kPointsPerBlock; }
 
   /// Returns the image at the points of a block, valid until the next call.
   PointSamples sample(std::size_t block);

@@ -1,10 +1,14 @@
 #include "vo/segmentation/static_evidence.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
+#include "vo/core/instruction_set.h"
 #include "vo/residuals/point_sampler.h"
-#include "vo/residuals/warp.h"
+#include "vo/segmentation/free_space.h"
+#include "vo/segmentation/tiles_where.h"
 
 namespace vo {
 namespace {
@@ -35,12 +39,24 @@ float contrast_of(const EdgePointLevel& points) {
 /// contrast between places that have nothing to do with each other. It is bounded below.
 class IntensityEvidence {
  public:
-  IntensityEvidence(float noise, float contrast)
-      : by_noise_(1 / (kStudentFreedom * noise * noise)),
-        by_contrast_(1 / (kStudentFreedom * std::max(4 * noise * noise, contrast * contrast))),
-        at_zero_(0.5F * std::log(by_noise_ / by_contrast_)) {}
+  IntensityEvidence(const ResidualModel& model, float contrast)
+      : gain_(static_cast<float>(model.brightness.gain)),
+        offset_(static_cast<float>(model.brightness.offset)) {
+    const float noise = noise_of(model);
+    by_noise_ = 1 / (kStudentFreedom * noise * noise);
+    by_contrast_ = 1 / (kStudentFreedom * std::max(4 * noise * noise, contrast * contrast));
+    at_zero_ = 0.5F * std::log(by_noise_ / by_contrast_);
+  }
 
-  float of(float residual) const {
+  /// Computes the evidence of intensities that are seen where points of the given own intensities
+  /// are looked up.
+  void weigh(std::span<const float> seen, const float* own, float* evidence) const {
+    const bool is_baseline = available_instruction_set() == InstructionSet::baseline;
+    (is_baseline ? weigh_baseline : weigh_avx2)(*this, seen, own, evidence);
+  }
+
+ private:
+  EDVO_INLINE float of(float residual) const {
     constexpr float kMostAgainst = -2;
     constexpr float kPower = 0.5F * (kStudentFreedom + 1);
     const float square = residual * residual;
@@ -48,7 +64,25 @@ class IntensityEvidence {
     return std::max(kMostAgainst, at_zero_ - kPower * natural_log(ratio));
   }
 
- private:
+  EDVO_INLINE void weigh_all(std::span<const float> seen, const float* __restrict own,
+                             float* __restrict evidence) const {
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      evidence[i] = of(seen[i] - (gain_ * own[i] + offset_));
+    }
+  }
+
+  static void weigh_baseline(const IntensityEvidence& self, std::span<const float> seen,
+                             const float* own, float* evidence) {
+    self.weigh_all(seen, own, evidence);
+  }
+
+  EDVO_TARGET_AVX2 static void weigh_avx2(const IntensityEvidence& self,
+                                          std::span<const float> seen, const float* own,
+                                          float* evidence) {
+    self.weigh_all(seen, own, evidence);
+  }
+
+  float gain_, offset_;           // of the points' intensities, to those seen
   float by_noise_, by_contrast_;  // 1 / (degrees of freedom times the squared scale)
   float at_zero_;
 };
@@ -63,54 +97,28 @@ std::size_t depth_level(const FramePyramid& frame) {
   return level;
 }
 
-/// Returns the nearest depth of nine pixels, or 0 where one has none.
-float nearest_around(const DepthImage& depth, int u, int v) {
-  float nearest = depth(v, u);
-  for (int dv = -1; dv <= 1; ++dv) {
-    for (int du = -1; du <= 1; ++du) {
-      nearest = std::min(nearest, depth(v + dv, u + du));
-    }
-  }
-  return has_depth(nearest) ? nearest : 0;
-}
-
-/// Adds evidence to the tiles of a frame's depths that are nearer than where another frame saw
-/// through.
-void add_seen_through(const PyramidLevel& own, const PyramidLevel& other, const SE3& T_other_own,
-                      float weight, TileEvidence& sum) {
-  constexpr float kThrough = 0.92F;  // share of the depth measured there
-  const cv::Rect inside(1, 1, other.depth.cols - 2, other.depth.rows - 2);
-  const Warp<float> warp(other.camera, T_other_own);
-  const ViewTiles grid(own.camera);
-  for (int v = 0; v < own.depth.rows; ++v) {
-    for (int u = 0; u < own.depth.cols; ++u) {
-      const float z = own.depth(v, u);
-      if (!has_depth(z)) {
-        continue;
-      }
-      const cv::Vec2f& ray = own.rays(v, u);
-      const WarpedPoint<float> point = warp_point<float>(warp, {z * ray[0], z * ray[1], z});
-      if (!is_in_view(point, other.camera)) {
-        continue;
-      }
-      const cv::Point pixel(cvRound(point.u), cvRound(point.v));
-      if (inside.contains(pixel) &&
-          point.p_cur.z() < kThrough * nearest_around(other.depth, pixel.x, pixel.y)) {
-        sum[grid.of({u, v})] += weight * kSeenThrough;
-      }
-    }
-  }
-}
-
 /// Weighs each tile with its neighbours by 1/4, 1/2, 1/4 in both directions.
 TileEvidence smoothed(const TileEvidence& evidence) {
+  constexpr std::size_t kWidth = ViewTiles::kColumns;
+  constexpr std::size_t kHeight = ViewTiles::kRows;
+  constexpr std::array<float, 3> kWeights{0.25F, 0.5F, 0.25F};
+  std::array<std::array<float, kWidth + 2>, kHeight + 2> padded{};
+  for (std::size_t row = 0; row < kHeight; ++row) {
+    std::copy_n(evidence.begin() + static_cast<std::ptrdiff_t>(row * kWidth), kWidth,
+                padded[row + 1].begin() + 1);
+  }
   TileEvidence result{};
-  for (std::size_t tile = 0; tile < evidence.size(); ++tile) {
-    ViewTiles::for_each_around(tile, [&](std::size_t near) {
-      const bool same_column = near % ViewTiles::kColumns == tile % ViewTiles::kColumns;
-      const bool same_row = near / ViewTiles::kColumns == tile / ViewTiles::kColumns;
-      result[tile] += (same_column ? 0.5F : 0.25F) * (same_row ? 0.5F : 0.25F) * evidence[near];
-    });
+  for (std::size_t row = 0; row < kHeight; ++row) {
+    float* __restrict sum = result.data() + row * kWidth;
+    for (std::size_t dv = 0; dv < kWeights.size(); ++dv) {
+      for (std::size_t du = 0; du < kWeights.size(); ++du) {
+        const float weight = kWeights[dv] * kWeights[du];
+        const float* near = padded[row + dv].data() + du;
+        for (std::size_t column = 0; column < kWidth; ++column) {
+          sum[column] += weight * near[column];
+        }
+      }
+    }
   }
   return result;
 }
@@ -119,11 +127,7 @@ TileEvidence smoothed(const TileEvidence& evidence) {
 
 TileMask moving_tiles(const TileEvidence& log_odds) {
   constexpr float kClearlyMoving = -2;
-  TileMask moving;
-  for (std::size_t tile = 0; tile < log_odds.size(); ++tile) {
-    moving[tile] = log_odds[tile] < kClearlyMoving;
-  }
-  return moving;
+  return tiles_where([&](std::size_t tile) { return log_odds[tile] < kClearlyMoving; });
 }
 
 StaticEvidence::StaticEvidence(std::span<const AlignReference> references,
@@ -149,10 +153,8 @@ StaticEvidence::StaticEvidence(std::span<const AlignReference> references,
     if (is_compared(r)) {
       add_depths(current.frame, *references[r].frame, r,
                  aligned.T_cur_ref * references[r].T_first_ref);
+      references_[r] = smoothed(references_[r]);
     }
-  }
-  for (TileEvidence& evidence : references_) {
-    evidence = smoothed(evidence);
   }
   current_ = smoothed(current_);
 }
@@ -160,27 +162,25 @@ StaticEvidence::StaticEvidence(std::span<const AlignReference> references,
 void StaticEvidence::add_intensities(const PointView& view, std::size_t pair,
                                      const ResidualModel& model) {
   constexpr float kIndependence = 0.5F;  // neighbouring points err alike
-  const IntensityEvidence evidence(noise_of(model), contrast_of(view.points));
-  const auto gain = static_cast<float>(model.brightness.gain);
-  const auto offset = static_cast<float>(model.brightness.offset);
+  const IntensityEvidence evidence(model, contrast_of(view.points));
   const float weight = kIndependence * weight_;
   const bool is_forward = pair < references_.size();
   const ViewTiles grid(view.image.camera);
   PointSampler sampler(view, available_instruction_set(), static_cast<float>(kVisibleDepthRatio));
+  std::array<float, PointSampler::kPointsPerBlock> values;
   for (std::size_t block = 0; block < sampler.blocks(); ++block) {
     const PointSamples seen = sampler.sample(block);
     const std::size_t first = PointSampler::first_of(block);
+    evidence.weigh(seen.intensity, view.points.intensity.data() + first, values.data());
     for (std::size_t i = 0; i < seen.intensity.size(); ++i) {
       if (std::isnan(seen.intensity[i])) {
         continue;
       }
-      const float value =
-          evidence.of(seen.intensity[i] - (gain * view.points.intensity[first + i] + offset));
       const std::size_t own = grid.of(view.points.pixel[first + i]);
       if (is_forward) {
-        references_[pair][own] += value;
+        references_[pair][own] += values[i];
       }
-      current_[is_forward ? grid.of(seen.u[i], seen.v[i]) : own] += weight * value;
+      current_[is_forward ? grid.of(seen.u[i], seen.v[i]) : own] += weight * values[i];
     }
   }
 }
@@ -191,8 +191,8 @@ void StaticEvidence::add_depths(const FramePyramid& current, const FramePyramid&
   const PyramidLevel& now = current.levels[level];
   const PyramidLevel& then = reference.levels[level];
   if (!now.depth.empty() && !then.depth.empty()) {
-    add_seen_through(then, now, T_cur_ref, 1, references_[r]);
-    add_seen_through(now, then, T_cur_ref.inverse(), weight_, current_);
+    add_seen_through(then, now, T_cur_ref, kSeenThrough, references_[r]);
+    add_seen_through(now, then, T_cur_ref.inverse(), weight_ * kSeenThrough, current_);
   }
 }
 

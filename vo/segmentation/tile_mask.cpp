@@ -53,6 +53,9 @@ TileMask tiles_with_points(const FramePyramid& frame, const EdgePoints& points) 
 }
 
 double share_in(const TileMask& tiles, const FramePyramid& frame, const EdgePoints& points) {
+  if (tiles.none()) {
+    return 0;
+  }
   const ViewTiles grid(frame.levels.front().camera);
   const std::vector<cv::Point>& pixels = points.levels.front().pixel;
   const auto count = std::count_if(pixels.begin(), pixels.end(),

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "vo/segmentation/static_evidence.h"
+#include "vo/segmentation/tiles_where.h"
 
 namespace vo {
 namespace {
@@ -84,22 +85,17 @@ TileMask far_tiles(const ViewTiles::Values& depths) {
     }
   }
   const std::size_t split = otsu_threshold(histogram);
-  TileMask far;
-  for (std::size_t tile = 0; tile < depths.size(); ++tile) {
-    far[tile] = has_depth(depths[tile]) && inverse_depth_bin(depths[tile]) <= split;
-  }
-  return far;
+  return tiles_where([&](std::size_t tile) {
+    return has_depth(depths[tile]) && inverse_depth_bin(depths[tile]) <= split;
+  });
 }
 
 TileMask covered_tiles(const FramePyramid& frame, const ViewTiles::Values& depths) {
   constexpr float kBlack = 1.5F / 255;
   const PyramidLevel& level = frame.levels.back();
   const ViewTiles::Values intensity = means_where_measured(level.intensity, level);
-  TileMask covered;
-  for (std::size_t tile = 0; tile < depths.size(); ++tile) {
-    covered[tile] = has_depth(depths[tile]) && intensity[tile] < kBlack;
-  }
-  return covered;
+  return tiles_where(
+      [&](std::size_t tile) { return has_depth(depths[tile]) && intensity[tile] < kBlack; });
 }
 
 SurfaceAreas surface_areas(const ViewTiles::Values& log_odds, const ViewTiles::Values& depths,
