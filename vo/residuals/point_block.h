@@ -246,12 +246,22 @@ EDVO_INLINE void sample_block(const GrayImage& image, Block& block) {
 /// Seen points lie at 1 px or beyond, where adding one half and cutting off rounds to the nearest.
 EDVO_INLINE void test_depth(const DepthImage& depth, float max_ratio, std::size_t count,
                             Block& block) {
-  for (std::size_t i = 0; i < count; ++i) {
+  const auto* pixels = reinterpret_cast<const float*>(depth.data);
+  const auto stride = static_cast<int>(depth.step1());
+  std::array<int, kBlock> places;  // index of each point's pixel
+  BlockRow measured{};
+  for (std::size_t i = 0; i < kBlock; ++i) {
     const auto u = static_cast<int>(block.u[i] + 0.5F);  // NOLINT(bugprone-incorrect-roundings)
     const auto v = static_cast<int>(block.v[i] + 0.5F);  // NOLINT(bugprone-incorrect-roundings)
-    const float measured = depth(v, u);
-    const bool hidden = has_depth(measured) &&
-                        (block.z[i] > measured * max_ratio || block.z[i] * max_ratio < measured);
+    places[i] = v * stride + u;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    measured[i] = pixels[places[i]];
+  }
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float z = block.z[i];
+    const bool hidden =
+        (measured[i] > 0) & ((z > measured[i] * max_ratio) | (z * max_ratio < measured[i]));
     block.seen[i] = hidden ? 0 : block.seen[i];
   }
 }

@@ -74,7 +74,7 @@ EDVO_INLINE void move_block(const MotionWarp& warp, const Distort& distort, Bloc
 
 EDVO_INLINE void move_block(const MotionWarp& warp, Block& block) {
   dispatch_lens(warp.projection.lens,
-                [&](const auto& distort) { move_block(warp, distort, block); });
+                [&](const auto& distort) EDVO_INLINE_LAMBDA { move_block(warp, distort, block); });
 }
 
 void move_baseline(const MotionWarp& warp, Block& block) {
