@@ -1,8 +1,9 @@
 #include "vo/segmentation/tile_mask.h"
 
 #include <algorithm>
+#include <array>
 
-#include "vo/residuals/warp.h"
+#include "vo/residuals/view_places.h"
 
 namespace vo {
 namespace {
@@ -12,20 +13,37 @@ class SeenTest {
  public:
   SeenTest(const SeenTiles& seen, std::size_t level)
       : tiles_(seen.tiles),
-        camera_(seen.current.levels[level].camera),
-        grid_(camera_),
-        warp_(camera_, seen.T_cur_ref) {}
+        grid_(seen.current.levels[level].camera),
+        placer_(seen.current.levels[level].camera, seen.T_cur_ref) {}
 
-  bool holds(const Eigen::Vector3f& p_ref) const {
-    const WarpedPoint<float> point = warp_point<float>(warp_, p_ref);
-    return is_in_view(point, camera_) && tiles_[grid_.of(point.u, point.v)];
+  /// Looks for at most ViewPlaces::kMost points.
+  void look_for(const PointArrays& points) { placer_.place(points, places_); }
+
+  /// Returns whether the i-th of the points that were looked for is seen in the tiles.
+  bool holds(std::size_t i) const {
+    return places_.is_in_view(i) && tiles_[grid_.of(places_.u[i], places_.v[i])];
   }
 
  private:
   const TileMask& tiles_;
-  const PinholeCamera& camera_;
   ViewTiles grid_;
-  Warp<float> warp_;
+  ViewPlacer placer_;
+  ViewPlaces places_;
+};
+
+/// Coordinates of surface points, m.
+struct SurfaceArrays {
+  std::array<float, ViewPlaces::kMost> x, y, z;
+  std::size_t count = 0;
+
+  SurfaceArrays(const SurfacePoints& surface, std::size_t first)
+      : count(std::min(ViewPlaces::kMost, surface.size() - first)) {
+    for (std::size_t i = 0; i < count; ++i) {
+      x[i] = surface.position[first + i].x();
+      y[i] = surface.position[first + i].y();
+      z[i] = surface.position[first + i].z();
+    }
+  }
 };
 
 }  // namespace
@@ -77,22 +95,31 @@ void leave_out(const TileMask& tiles, const FramePyramid& frame, SurfacePoints& 
 
 void leave_out(const SeenTiles& seen, EdgePoints& points) {
   for (std::size_t l = 0; l < points.levels.size(); ++l) {
-    const SeenTest test(seen, l);
+    SeenTest test(seen, l);
     EdgePointLevel& level = points.levels[l];
     level.keep_if([&](std::size_t i) {
-      return !test.holds({level.x_ref[i], level.y_ref[i], level.z_ref[i]});
+      const std::size_t of_block = i % ViewPlaces::kMost;
+      if (of_block == 0) {
+        test.look_for({level.x_ref.data() + i, level.y_ref.data() + i, level.z_ref.data() + i,
+                       std::min(ViewPlaces::kMost, level.size() - i)});
+      }
+      return !test.holds(of_block);
     });
   }
 }
 
 void leave_out(const SeenTiles& seen, SurfacePoints& surface) {
-  const SeenTest test(seen, 0);
+  SeenTest test(seen, 0);
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < surface.size(); ++i) {
-    if (!test.holds(surface.position[i])) {
-      surface.position[kept] = surface.position[i];
-      surface.normal[kept] = surface.normal[i];
-      ++kept;
+  for (std::size_t first = 0; first < surface.size(); first += ViewPlaces::kMost) {
+    const SurfaceArrays some(surface, first);
+    test.look_for({some.x.data(), some.y.data(), some.z.data(), some.count});
+    for (std::size_t i = 0; i < some.count; ++i) {
+      if (!test.holds(i)) {
+        surface.position[kept] = surface.position[first + i];
+        surface.normal[kept] = surface.normal[first + i];
+        ++kept;
+      }
     }
   }
   surface.position.resize(kept);
