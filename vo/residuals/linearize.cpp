@@ -42,7 +42,7 @@ std::size_t stride_of(const PointView& view) {
 /// Returns the moments of the points' intensities and those of the image where they are seen, of
 /// every `stride`-th block of points.
 IntensityMoments moments_of(const PointView& view, std::size_t stride) {
-  PointSampler sampler(view, available_instruction_set());
+  PointSampler sampler(view, available_instruction_set(), 0, stride);
   IntensityMoments moments;
   for (std::size_t block = 0; block < sampler.blocks(); block += stride) {
     const float* reference = view.points.intensity.data() + PointSampler::first_of(block);
@@ -64,7 +64,7 @@ double residual_spread(const PointView& view, const Brightness& brightness) {
   const std::size_t stride = stride_of(view);
   std::array<float, kEnoughPoints + detail::kBlock> magnitudes;
   std::size_t count = 0;
-  PointSampler sampler(view, available_instruction_set());
+  PointSampler sampler(view, available_instruction_set(), 0, stride);
   for (std::size_t block = 0; block < sampler.blocks(); block += stride) {
     const float* reference = view.points.intensity.data() + PointSampler::first_of(block);
     for (const float seen : sampler.sample(block).intensity) {

@@ -26,6 +26,8 @@ struct alignas(64) Block {
   BlockRow x, y, z, inverse_z;                  // m and 1/m, in the current camera's frame
   BlockRow du_dx, du_dy, dv_dx, dv_dy;          // derivatives of (u, v) by (X/Z, Y/Z), px
   BlockRow u, v, seen;                          // px; 0 if unseen, else at most 1
+  std::array<int, kBlock> corner;               // index of the first of 4x4 pixels around (u, v)
+  std::array<int, kBlock> depth_pixel;          // index of the nearest pixel of the depth image
   BlockRow intensity, gradient_u, gradient_v;   // current image's intensity; gradient, 1/px
   BlockRow weight, residual, loss;
   std::array<BlockRow, kPassParameters> J;
@@ -176,19 +178,34 @@ struct alignas(64) BlockQuads {
   std::array<Quad, kBlock> slope;
 };
 
-EDVO_INLINE void load_quads(const GrayImage& image, const Block& block, BlockQuads& quads) {
+/// Finds the pixels around each point, and prefetches the rows of them from `first_row` on that
+/// will be read: they are too far apart for the processor to do so.
+EDVO_INLINE void find_corners(const GrayImage& image, std::ptrdiff_t first_row, std::ptrdiff_t rows,
+                              Block& block) {
   const auto* pixels = reinterpret_cast<const float*>(image.data);
   const auto stride = static_cast<std::ptrdiff_t>(image.step1());
-  std::array<int, kBlock> corners;  // index of each point's first pixel
-  BlockRow above_v;
   for (std::size_t i = 0; i < kBlock; ++i) {
     const int u0 = static_cast<int>(block.u[i]);
     const int v0 = static_cast<int>(block.v[i]);
-    corners[i] = (v0 - 1) * static_cast<int>(stride) + (u0 - 1);
-    above_v[i] = block.v[i] - static_cast<float>(v0);
+    block.corner[i] = (v0 - 1) * static_cast<int>(stride) + (u0 - 1);
   }
   for (std::size_t i = 0; i < kBlock; ++i) {
-    const float* corner = pixels + corners[i];
+    const float* corner = pixels + block.corner[i];
+    for (std::ptrdiff_t row = first_row; row < first_row + rows; ++row) {
+      __builtin_prefetch(corner + row * stride);
+    }
+  }
+}
+
+EDVO_INLINE void load_quads(const GrayImage& image, const Block& block, BlockQuads& quads) {
+  const auto* pixels = reinterpret_cast<const float*>(image.data);
+  const auto stride = static_cast<std::ptrdiff_t>(image.step1());
+  BlockRow above_v;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    above_v[i] = block.v[i] - static_cast<float>(static_cast<int>(block.v[i]));
+  }
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float* corner = pixels + block.corner[i];
     const float dv = above_v[i];
     const Quad row0 = load_quad(corner);
     const Quad row1 = load_quad(corner + stride);
@@ -206,8 +223,7 @@ EDVO_INLINE void sample_block_intensity(const GrayImage& image, Block& block) {
   const auto stride = static_cast<std::ptrdiff_t>(image.step1());
   alignas(64) std::array<std::array<float, 4>, kBlock> corners;  // two pixels of two rows each
   for (std::size_t i = 0; i < kBlock; ++i) {
-    const float* upper = pixels + static_cast<int>(block.v[i]) * stride +
-                         static_cast<std::ptrdiff_t>(static_cast<int>(block.u[i]));
+    const float* upper = pixels + block.corner[i] + stride + 1;
     std::memcpy(corners[i].data(), upper, 2 * sizeof(float));
     std::memcpy(corners[i].data() + 2, upper + stride, 2 * sizeof(float));
   }
@@ -242,26 +258,33 @@ EDVO_INLINE void sample_block(const GrayImage& image, Block& block) {
   }
 }
 
-/// Marks points as unseen whose depth differs from the one measured there by more than `max_ratio`.
-/// Seen points lie at 1 px or beyond, where adding one half and cutting off rounds to the nearest.
-EDVO_INLINE void test_depth(const DepthImage& depth, float max_ratio, std::size_t count,
-                            Block& block) {
+/// Finds the pixel of the depth image that is nearest to each point, and prefetches it. Seen points
+/// lie at 1 px or beyond, where adding one half and cutting off rounds to the nearest.
+EDVO_INLINE void find_depth_pixels(const DepthImage& depth, Block& block) {
   const auto* pixels = reinterpret_cast<const float*>(depth.data);
   const auto stride = static_cast<int>(depth.step1());
-  std::array<int, kBlock> places;  // index of each point's pixel
-  BlockRow measured{};
   for (std::size_t i = 0; i < kBlock; ++i) {
     const auto u = static_cast<int>(block.u[i] + 0.5F);  // NOLINT(bugprone-incorrect-roundings)
     const auto v = static_cast<int>(block.v[i] + 0.5F);  // NOLINT(bugprone-incorrect-roundings)
-    places[i] = v * stride + u;
+    block.depth_pixel[i] = v * stride + u;
   }
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    __builtin_prefetch(pixels + block.depth_pixel[i]);
+  }
+}
+
+/// Marks points as unseen whose depth differs from the one measured there by more than `max_ratio`.
+EDVO_INLINE void test_depth(const DepthImage& depth, float max_ratio, std::size_t count,
+                            Block& block) {
+  const auto* pixels = reinterpret_cast<const float*>(depth.data);
+  BlockRow measured{};
   for (std::size_t i = 0; i < count; ++i) {
-    measured[i] = pixels[places[i]];
+    measured[i] = pixels[block.depth_pixel[i]];
   }
   for (std::size_t i = 0; i < kBlock; ++i) {
     const float z = block.z[i];
-    const bool hidden =
-        (measured[i] > 0) & ((z > measured[i] * max_ratio) | (z * max_ratio < measured[i]));
+    const float there = measured[i];
+    const bool hidden = (there > 0) & ((z > there * max_ratio) | (z * max_ratio < there));
     block.seen[i] = hidden ? 0 : block.seen[i];
   }
 }
@@ -339,13 +362,24 @@ EDVO_INLINE void weigh_by_loss(const PassOptions& options, Block& block) {
   }
 }
 
-/// Computes residuals, weights and Jacobians of the `count` points from `first` on.
+/// Finds where the `count` points from `first` on are seen.
+EDVO_INLINE void locate_block(const PointView& view, const PassOptions& options,
+                              const PassWarp& warp, std::size_t first, std::size_t count,
+                              Block& block) {
+  load_points(view.points, first, count, block);
+  warp_block(warp, count, block);
+  find_corners(view.image.intensity, 0, 4, block);
+  if (options.max_depth_ratio > 0) {
+    find_depth_pixels(view.image.depth, block);
+  }
+}
+
+/// Computes residuals, weights and Jacobians of the `count` points from `first` on, which have been
+/// located.
 EDVO_INLINE void linearize_block(const PointView& view, const PassOptions& options,
                                  const PassWarp& warp, std::size_t first, std::size_t count,
                                  Block& block) {
   const EdgePointLevel& points = view.points;
-  load_points(points, first, count, block);
-  warp_block(warp, count, block);
   sample_block(view.image.intensity, block);
   if (options.max_depth_ratio > 0) {
     test_depth(view.image.depth, options.max_depth_ratio, count, block);
@@ -361,6 +395,29 @@ EDVO_INLINE void linearize_block(const PointView& view, const PassOptions& optio
     weigh_by_depth(warp, options, block);
   }
   weigh_by_loss(options, block);
+}
+
+/// Calls `use(first, count, block)` with one block of linearized points after the other. Each is
+/// located while the memory around the one before is on its way.
+template <typename Use>
+EDVO_INLINE void for_each_linearized(const PointView& view, const PassOptions& options,
+                                     const Use& use) {
+  std::array<Block, 2> blocks{};
+  const PassWarp warp(view);
+  const std::size_t size = view.points.size();
+  for (std::size_t next = 0; next < size + kBlock; next += kBlock) {
+    if (next < size) {
+      locate_block(view, options, warp, next, std::min(kBlock, size - next),
+                   blocks[next / kBlock % 2]);
+    }
+    if (next >= kBlock) {
+      const std::size_t first = next - kBlock;
+      const std::size_t count = std::min(kBlock, size - first);
+      Block& block = blocks[first / kBlock % 2];
+      linearize_block(view, options, warp, first, count, block);
+      use(first, count, block);
+    }
+  }
 }
 
 }  // namespace vo::detail

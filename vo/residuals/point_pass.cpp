@@ -9,47 +9,43 @@ namespace vo {
 namespace {
 
 using detail::Block;
+using detail::for_each_linearized;
 using detail::kBlock;
 using detail::kFlushPeriod;
 using detail::LaneSums;
-using detail::PassWarp;
 using detail::store_row;
 
 EDVO_INLINE void sum_blocks(const PointView& view, const PassOptions& options,
                             PointEquations& sums) {
-  Block block{};
   LaneSums lanes;
   const std::size_t parameters = options.brightness ? kPassParameters : kPoseParameters;
-  const PassWarp warp(view);
-  for (std::size_t first = 0; first < view.points.size(); first += kBlock) {
-    const std::size_t count = std::min(kBlock, view.points.size() - first);
-    linearize_block(view, options, warp, first, count, block);
-    for (std::size_t i = 0; i < count; ++i) {
-      sums.points += block.seen[i] > 0 ? 1 : 0;
-    }
-    lanes.add(parameters, block);
-    if ((first / kBlock) % kFlushPeriod == kFlushPeriod - 1) {
-      lanes.flush_into(sums);
-    }
-  }
+  const auto add = [&](std::size_t first, std::size_t count, const Block& block)
+                       EDVO_INLINE_LAMBDA {
+                         for (std::size_t i = 0; i < count; ++i) {
+                           sums.points += block.seen[i] > 0 ? 1 : 0;
+                         }
+                         lanes.add(parameters, block);
+                         if ((first / kBlock) % kFlushPeriod == kFlushPeriod - 1) {
+                           lanes.flush_into(sums);
+                         }
+                       };
+  for_each_linearized(view, options, add);
   lanes.flush_into(sums);
 }
 
 EDVO_INLINE void score_blocks(const PointView& view, const PassOptions& options,
                               PointTerms& scores) {
-  Block block{};
-  const PassWarp warp(view);
-  for (std::size_t first = 0; first < view.points.size(); first += kBlock) {
-    const std::size_t count = std::min(kBlock, view.points.size() - first);
-    linearize_block(view, options, warp, first, count, block);
-    for (std::size_t p = 0; p < kPassParameters; ++p) {
-      store_row(block.J[p], first, count, scores.J[p]);
-    }
-    store_row(block.u, first, count, scores.u);
-    store_row(block.v, first, count, scores.v);
-    store_row(block.weight, first, count, scores.weight);
-    store_row(block.residual, first, count, scores.residual);
-  }
+  const auto store = [&](std::size_t first, std::size_t count, const Block& block)
+                         EDVO_INLINE_LAMBDA {
+                           for (std::size_t p = 0; p < kPassParameters; ++p) {
+                             store_row(block.J[p], first, count, scores.J[p]);
+                           }
+                           store_row(block.u, first, count, scores.u);
+                           store_row(block.v, first, count, scores.v);
+                           store_row(block.weight, first, count, scores.weight);
+                           store_row(block.residual, first, count, scores.residual);
+                         };
+  for_each_linearized(view, options, store);
 }
 
 void sum_baseline(const PointView& view, const PassOptions& options, PointEquations& sums) {
