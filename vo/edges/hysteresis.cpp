@@ -5,6 +5,10 @@
 #include <cstring>
 #include <utility>
 
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
 #include "vo/core/instruction_set.h"
 
 namespace vo {
@@ -22,6 +26,34 @@ constexpr std::array<Word, 256> mask_pixels() {
   }
   return pixels;
 }
+
+void write_row_baseline(const Word* strong, std::size_t cols, uchar* mask) {
+  static constexpr std::array<Word, 256> kPixels = mask_pixels();
+  constexpr std::size_t kBytes = 8;
+  std::array<Word, sizeof(Word)> pixels;
+  for (std::size_t u = 0; u < cols; u += sizeof(pixels)) {
+    const Word word = *strong++;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      pixels[i] = kPixels[(word >> (kBytes * i)) & 0xffU];
+    }
+    std::memcpy(mask + u, pixels.data(), std::min(sizeof(pixels), cols - u));
+  }
+}
+
+#if defined(__x86_64__)
+EDVO_TARGET_AVX512 void write_row_avx512(const Word* strong, std::size_t cols, uchar* mask) {
+  constexpr std::size_t kPixels = 64;
+  for (std::size_t u = 0; u < cols; u += kPixels) {
+    const std::size_t count = std::min(kPixels, cols - u);
+    const __mmask64 inside = ~Word{0} >> (kPixels - count);
+    _mm512_mask_storeu_epi8(mask + u, inside, _mm512_movm_epi8(*strong++));
+  }
+}
+#else
+void write_row_avx512(const Word* strong, std::size_t cols, uchar* mask) {
+  write_row_baseline(strong, cols, mask);
+}
+#endif
 
 /// Makes the edges of a row strong that touch strong ones of the row beside it, `source`; returns
 /// whether any did. A word lies before and after each row.
@@ -135,18 +167,10 @@ void Hysteresis::grow_left(Word* strong, const Word* edges) const {
 }
 
 void Hysteresis::write_strong(EdgeMask& mask) const {
-  static constexpr std::array<Word, 256> kPixels = mask_pixels();
-  constexpr std::size_t kBytes = 8;
-  std::array<Word, kBits / kBytes> pixels;
-  const auto cols = static_cast<std::size_t>(size_.width);
+  const auto write_row =
+      available_instruction_set() == InstructionSet::avx512 ? write_row_avx512 : write_row_baseline;
   for (int v = 0; v < size_.height; ++v) {
-    const Word* strong = strong_.data() + offset(v);
-    for (std::size_t w = 0; w < words_; ++w) {
-      for (std::size_t i = 0; i < pixels.size(); ++i) {
-        pixels[i] = kPixels[(strong[w] >> (kBytes * i)) & 0xffU];
-      }
-      std::memcpy(mask[v] + w * kBits, pixels.data(), std::min(kBits, cols - w * kBits));
-    }
+    write_row(strong_.data() + offset(v), static_cast<std::size_t>(size_.width), mask[v]);
   }
 }
 
