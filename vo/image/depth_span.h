@@ -5,6 +5,10 @@
 #include <cstring>
 #include <limits>
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 #include "vo/core/image.h"
 
 namespace vo {
@@ -21,6 +25,20 @@ DepthSpan depth_span(const DepthImage& depth, cv::Point pixel, int radius);
 /// Returns the span of the depths at most 1 px away, for a pixel with one column to its left, two
 /// to its right, and a row above and below. The pixel itself must have depth.
 inline DepthSpan span_of_neighbours(const float* centre, std::ptrdiff_t stride) {
+#if defined(__SSE2__)
+  const __m128 none = _mm_setzero_ps();
+  const __m128 far = _mm_set1_ps(std::numeric_limits<float>::infinity());
+  __m128 nearest = far;
+  __m128 farthest = none;
+  for (const float* row : {centre - stride - 1, centre - 1, centre + stride - 1}) {
+    const __m128 depth = _mm_loadu_ps(row);
+    const __m128 is_measured = _mm_cmpgt_ps(depth, none);
+    const __m128 measured =
+        _mm_or_ps(_mm_and_ps(is_measured, depth), _mm_andnot_ps(is_measured, far));
+    nearest = _mm_min_ps(measured, nearest);
+    farthest = _mm_max_ps(depth, farthest);
+  }
+#else
   using Quad = float __attribute__((vector_size(16)));
   const Quad none = {};
   const Quad far = none + std::numeric_limits<float>::infinity();
@@ -33,6 +51,7 @@ inline DepthSpan span_of_neighbours(const float* centre, std::ptrdiff_t stride) 
     nearest = measured < nearest ? measured : nearest;
     farthest = depth > farthest ? depth : farthest;
   }
+#endif
   return {std::min({nearest[0], nearest[1], nearest[2]}),
           std::max({farthest[0], farthest[1], farthest[2]})};
 }

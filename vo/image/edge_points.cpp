@@ -1,6 +1,7 @@
 #include "vo/image/edge_points.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -70,14 +71,40 @@ Thinning::Thinning(const EdgePointOptions& options, std::size_t count, int width
 
 namespace {
 
+/// Moves the pixels that are kept to the front, and returns how many they are. The ranks of 64
+/// pixels are computed at once.
+EDVO_INLINE std::size_t move_kept(const Thinning& thinning, std::vector<cv::Point>& pixels) {
+  constexpr std::size_t kAtOnce = 64;
+  std::array<uchar, kAtOnce> is_kept;
+  std::size_t kept = 0;
+  for (std::size_t first = 0; first < pixels.size(); first += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, pixels.size() - first);
+    const cv::Point* some = pixels.data() + first;
+    for (std::size_t i = 0; i < count; ++i) {
+      is_kept[i] = thinning.keeps(some[i]) ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      pixels[kept] = some[i];
+      kept += is_kept[i];
+    }
+  }
+  return kept;
+}
+
+std::size_t move_kept_baseline(const Thinning& thinning, std::vector<cv::Point>& pixels) {
+  return move_kept(thinning, pixels);
+}
+
+EDVO_TARGET_AVX512 std::size_t move_kept_avx512(const Thinning& thinning,
+                                                std::vector<cv::Point>& pixels) {
+  return move_kept(thinning, pixels);
+}
+
 void thin_out(const EdgePointOptions& options, int width, std::vector<cv::Point>& pixels) {
   const Thinning thinning(options, pixels.size(), width);
-  std::size_t kept = 0;
-  for (const cv::Point pixel : pixels) {
-    pixels[kept] = pixel;
-    kept += thinning.keeps(pixel) ? 1 : 0;
-  }
-  pixels.resize(kept);
+  const auto move =
+      available_instruction_set() == InstructionSet::avx512 ? move_kept_avx512 : move_kept_baseline;
+  pixels.resize(move(thinning, pixels));
 }
 
 }  // namespace
