@@ -9,6 +9,7 @@
 
 #include "vo/core/error.h"
 #include "vo/core/instruction_set.h"
+#include "vo/image/gray_without_vignette.h"
 
 namespace vo {
 namespace {
@@ -84,6 +85,31 @@ void merge_depth_baseline(const DepthImage& depth, DepthImage& half) {
   merge_depth(depth, half);
 }
 
+/// Computes a row of means of four pixels from two rows.
+EDVO_INLINE void average_row(const float* upper, const float* lower, int cols,
+                             float* __restrict means) {
+  for (int u = 0; u < cols; ++u) {
+    means[u] = 0.25F * ((upper[2 * u] + upper[2 * u + 1]) + (lower[2 * u] + lower[2 * u + 1]));
+  }
+}
+
+EDVO_TARGET_AVX2 void average_avx2(const float* upper, const float* lower, int cols, float* means) {
+  average_row(upper, lower, cols, means);
+}
+
+void average_baseline(const float* upper, const float* lower, int cols, float* means) {
+  average_row(upper, lower, cols, means);
+}
+
+/// Returns the luma (ITU-R BT.601) of a ColorImage, in `memory`, or a ByteImage itself.
+ByteImage luma_of(const cv::Mat& image, ByteImage& memory) {
+  if (image.channels() != 3) {
+    return image;
+  }
+  cv::cvtColor(image, memory, cv::COLOR_BGR2GRAY);
+  return memory;
+}
+
 PinholeCamera halved_camera(const PinholeCamera& camera, HalvedPrincipalPoint principal_point) {
   PinholeCamera half = camera.halved();
   if (principal_point == HalvedPrincipalPoint::plain) {
@@ -112,13 +138,10 @@ void PyramidOptions::validate() const {
 
 void halve(const GrayImage& image, GrayImage& half) {
   make_writable(half, {image.cols / 2, image.rows / 2});
+  const auto average =
+      available_instruction_set() == InstructionSet::baseline ? average_baseline : average_avx2;
   for (int v = 0; v < half.rows; ++v) {
-    const float* upper = image[2 * v];
-    const float* lower = image[2 * v + 1];
-    float* __restrict target = half[v];
-    for (int u = 0; u < half.cols; ++u) {
-      target[u] = 0.25F * ((upper[2 * u] + upper[2 * u + 1]) + (lower[2 * u] + lower[2 * u + 1]));
-    }
+    average(image[2 * v], image[2 * v + 1], half.cols, half[v]);
   }
 }
 
@@ -164,8 +187,7 @@ void PyramidBuilder::build(const RgbdFrame& frame, const Vignette& vignette,
     level.camera = levels_[l].camera;
     level.rays = levels_[l].rays;
     if (l == 0) {
-      to_gray(frame.image, luma_, level.intensity);
-      take_out(vignette, level.camera, {}, level.intensity);
+      to_gray_without(vignette, level.camera, luma_of(frame.image, luma_), level.intensity);
       level.depth = frame.depth;
     } else {
       halve(pyramid.levels[l - 1].intensity, level.intensity);
