@@ -2,7 +2,7 @@
 #include <cstdio>
 
 #include "vo/core/error.h"
-#include "vo/dataset/camera_file.h"
+#include "vo/dataset/colour_sequence.h"
 #include "vo/dataset/sequence.h"
 #include "vo/frames/depth_units.h"
 #include "vo/geometry/associate.h"
@@ -14,17 +14,11 @@
 namespace vo {
 namespace {
 
-std::string format_list(const char* title, const char* folder, const char* extension,
-                        std::vector<double> timestamps, double delay) {
+std::vector<double> delayed(std::vector<double> timestamps, double delay) {
   for (double& timestamp : timestamps) {
     timestamp += delay;
   }
-  const std::vector<std::string> stamps = format_timestamps(timestamps);
-  std::string text = concat("# ", title, "\n# timestamp filename\n");
-  for (std::size_t i = 0; i < stamps.size(); ++i) {
-    text += stamps[i] + " " + frame_file(folder, i, extension) + "\n";
-  }
-  return text;
+  return timestamps;
 }
 
 }  // namespace
@@ -62,16 +56,16 @@ std::vector<NamedBytes> encode_frame(const SequenceLayout& layout, std::size_t i
 
 std::vector<NamedBytes> encode_image_lists(const SequenceLayout& layout,
                                            const std::vector<double>& timestamps) {
-  std::vector<NamedBytes> files = {
-      {"rgb.txt", format_list("colour images, sRGB", "rgb", "png", timestamps, 0)},
-      {"depth.txt", format_list("planar depth at pixel centres, 16 bit", "depth", "png", timestamps,
-                                layout.depth_delay)}};
+  const std::vector<double> depth_stamps = delayed(timestamps, layout.depth_delay);
+  std::vector<NamedBytes> files = encode_colour_lists(layout.camera, timestamps);
+  files.insert(files.begin() + 1,
+               {"depth.txt", format_image_list("planar depth at pixel centres, 16 bit", "depth",
+                                               "png", depth_stamps)});
   if (layout.float_depth == FloatDepth::npy) {
-    files.push_back(
-        {"depth_float.txt", format_list("planar depth at pixel centres, m", "depth_float", "npy",
-                                        timestamps, layout.depth_delay)});
+    files.insert(files.begin() + 2,
+                 {"depth_float.txt", format_image_list("planar depth at pixel centres, m",
+                                                       "depth_float", "npy", depth_stamps)});
   }
-  files.push_back({"camera.toml", format_camera(layout.camera)});
   return files;
 }
 

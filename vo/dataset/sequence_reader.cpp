@@ -87,8 +87,11 @@ void SequenceReader::read_lists(double max_time_difference, SequenceContent cont
       entries_.push_back({images.timestamps[i], std::move(images.names[i]), {}});
     }
   } else {
-    ImageList depths = read_image_list(
-        folder_, content == SequenceContent::colour_and_depth ? "depth.txt" : "depth_float.txt");
+    const char* list =
+        content == SequenceContent::colour_and_depth ? "depth.txt" : "depth_float.txt";
+    require(fs::exists(folder_ / list), folder_.string(), ": has no ", list,
+            ", expected one or --mode mono");
+    ImageList depths = read_image_list(folder_, list);
     for (const auto& [i, j] :
          associate(images.timestamps, depths.timestamps, max_time_difference)) {
       entries_.push_back(

@@ -40,14 +40,20 @@ WorldUp up_of_tum(const fs::path& folder) {
   return world.up;
 }
 
+SequenceContent content_of_tum(const fs::path& folder) {
+  if (fs::exists(folder / "depth_float.txt")) {
+    return SequenceContent::colour_and_float_depth;
+  }
+  return fs::exists(folder / "depth.txt") ? SequenceContent::colour_and_depth
+                                          : SequenceContent::colour;
+}
+
 SequenceSource open_tum(const fs::path& folder, const std::optional<RgbdCamera>& camera) {
   constexpr double kMaxTimeDifference = 0.02;  // s
   SequenceSource source;
   source.has_float_depth = fs::exists(folder / "depth_float.txt");
-  const auto reader = std::make_shared<const SequenceReader>(
-      folder, camera, kMaxTimeDifference,
-      source.has_float_depth ? SequenceContent::colour_and_float_depth
-                             : SequenceContent::colour_and_depth);
+  const auto reader = std::make_shared<const SequenceReader>(folder, camera, kMaxTimeDifference,
+                                                             content_of_tum(folder));
   source.up = up_of_tum(folder);
   source.camera = reader->camera();
   source.timestamps = reader->timestamps();

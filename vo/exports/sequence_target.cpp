@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "vo/core/error.h"
+#include "vo/dataset/colour_sequence.h"
 #include "vo/dataset/euroc.h"
 #include "vo/dataset/icl_nuim.h"
 #include "vo/dataset/sequence.h"
@@ -27,10 +28,15 @@ SequenceTarget target_of(const SequenceSource& source) {
 }
 
 SequenceTarget tum_target(const SequenceSource& source) {
-  return {[&source](std::size_t index, const RgbdFrame& frame) {
+  const auto depth = std::make_shared<DepthImages>(DepthImages::absent);
+  return {[&source, depth](std::size_t index, const RgbdFrame& frame) {
+            if (frame.depth.empty()) {
+              return encode_colour_frame(index, frame);
+            }
+            *depth = DepthImages::present;
             return encode_frame(tum_layout(source), index, frame);
           },
-          [&source] { return encode_tum_lists(source); }};
+          [&source, depth] { return encode_tum_lists(source, *depth); }};
 }
 
 SequenceTarget euroc_target(const SequenceSource& source) {
@@ -67,8 +73,7 @@ SequenceTarget tartanair_target(const SequenceSource& source) {
 TargetTraits traits_of(WrittenSequence format) {
   switch (format) {
     case WrittenSequence::tum:
-      return {.depth = Need::required,
-              .lenses = LensModels::all,
+      return {.lenses = LensModels::all,
               .holds_y_up = true,
               .holds_float_depth = true,
               .holds_imu = true,

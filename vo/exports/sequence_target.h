@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "vo/dataset/sequence_source.h"
+#include "vo/exports/tum_lists.h"
 #include "vo/files/output.h"
 
 namespace vo {
@@ -74,9 +75,6 @@ double written_depth_units(WrittenSequence format, const SequenceSource& source)
 
 /// Returns whether a format has parameters for a lens.
 bool holds_lens(WrittenSequence format, const Distortion& lens);
-
-/// Whether the frames of a sequence have depth.
-enum class DepthImages { absent, present };
 
 /// Returns what of a sequence a format cannot hold, each as the words of a list.
 std::vector<std::string> list_dropped(WrittenSequence format, const SequenceSource& source,

@@ -2,6 +2,7 @@
 
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
+#include "vo/dataset/colour_sequence.h"
 #include "vo/motion_files/imu_file.h"
 #include "vo/motion_files/trajectory_file.h"
 
@@ -12,8 +13,10 @@ SequenceLayout tum_layout(const SequenceSource& source) {
           .float_depth = source.has_float_depth ? FloatDepth::npy : FloatDepth::none};
 }
 
-std::vector<NamedBytes> encode_tum_lists(const SequenceSource& source) {
-  std::vector<NamedBytes> files = encode_image_lists(tum_layout(source), source.timestamps);
+std::vector<NamedBytes> encode_tum_lists(const SequenceSource& source, DepthImages depth) {
+  std::vector<NamedBytes> files = depth == DepthImages::present
+                                      ? encode_image_lists(tum_layout(source), source.timestamps)
+                                      : encode_colour_lists(source.camera, source.timestamps);
   if (!source.truth.empty()) {
     files.push_back({"groundtruth.txt", format_trajectory(source.truth)});
   }

@@ -86,6 +86,24 @@ TEST_F(ConvertSequence, TartanAirIsReadBackWithItsPosesAndDepth) {
   }
 }
 
+TEST_F(ConvertSequence, ImagesWithoutDepthAreWrittenAndReadBackAsAFolderWithoutDepth) {
+  std::filesystem::remove(in / "depth.txt");
+  std::filesystem::remove_all(in / "depth");
+  EXPECT_THAT(convert(vo::WrittenSequence::tum).dropped, IsEmpty());
+  const std::filesystem::path copied = out(vo::WrittenSequence::tum);
+  EXPECT_FALSE(std::filesystem::exists(copied / "depth.txt"));
+  EXPECT_FALSE(std::filesystem::exists(copied / "depth"));
+  EXPECT_EQ(vo::read_file(copied / "rgb.txt"), vo::read_file(in / "rgb.txt"));
+  const vo::SequenceSource copy = vo::open_sequence(copied, vo::SequenceFormat::tum);
+  ASSERT_EQ(copy.timestamps.size(), source.timestamps.size());
+  for (std::size_t i = 0; i < copy.timestamps.size(); ++i) {
+    EXPECT_EQ(cv::norm(copy.read(i).image, source.read(i).image, cv::NORM_INF), 0);
+    EXPECT_TRUE(copy.read(i).depth.empty());
+  }
+  EXPECT_THAT(error_text([&] { const vo::SequenceReader reader(copied); }),
+              testing::EndsWith("has no depth.txt, expected one or --mode mono"));
+}
+
 TEST_F(ConvertSequence, FramesWithoutAPoseAreLeftOutAndCounted) {
   name_world();
   vo::Trajectory late(source.truth.begin() + 1, source.truth.end());
