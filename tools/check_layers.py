@@ -35,6 +35,7 @@ ONLY_IN = {  # header of a library: the files that may name it
     "webp/": ["tools/pictures/webp.cpp"],
     "httplib.h": ["tools/live/http/"],
     "CLI/": ["tools/cli/", "tools/commands/", "tools/edvo.cpp"],
+    "opencv2/videoio": ["vo/videos/opencv/"],
     "opencv2/rgbd": ["tools/bench/peers/opencv_peer.cpp"],
     "boost/": ["tools/statistics/significance.cpp"],
     "ceres/": [],

@@ -25,12 +25,14 @@
 #include "vo/motion_files/recorded_trajectory.h"
 #include "vo/motion_files/timestamp.h"
 #include "vo/motion_files/trajectory_file.h"
+#include "vo/videos/video_container.h"
 
 namespace tools {
 namespace {
 
 constexpr const char* kConvertHelp =
-    "Writes a sequence, IN a folder or recording, in another format, its poses, camera and IMU "
+    "Writes a sequence, IN a folder, recording or video, in another format, its poses, camera and "
+    "IMU "
     "included, or a\n"
     "trajectory, IN a file. Sequences:\n"
     "  tum       rgb/, depth/ (16 bit), rgb.txt, depth.txt, groundtruth.txt, camera.toml,\n"
@@ -44,6 +46,9 @@ constexpr const char* kConvertHelp =
     "            *.gt.freiburg\n"
     "  mcap      one file for Foxglove, Rerun and ROS 2: images, depth, CameraInfo, poses as\n"
     "            PoseStamped and /tf\n"
+    "  video     the images at their mean rate: OUT.avi keeps every pixel (FFV1), OUT.mp4 is "
+    "small\n"
+    "            (MPEG-4)\n"
     "Both forms of ICL-NUIM have a camera with y up (fy < 0) in a left-handed world and no stamps\n"
     "(30 Hz): converting turns them round. Depth beyond 16 bit becomes 0 and is counted. What a\n"
     "format cannot hold is named; where it has no lens distortion, images are undistorted. "
@@ -73,6 +78,7 @@ constexpr const char* kConvertExamples =
     "  edvo convert sequence sequence_euroc --format euroc\n"
     "  edvo convert sequence sequence.mcap --format mcap\n"
     "  edvo convert sequence nerf --format transforms-json\n"
+    "  edvo convert sequence sequence.avi --format video\n"
     "  edvo convert fr1_xyz model --format colmap --camera tum-fr1\n"
     "  edvo convert living_room_traj0 sequence --format tum\n"
     "  edvo convert estimate.txt poses.txt --format kitti\n"
@@ -226,14 +232,14 @@ void convert_sequence(const ConvertArguments& arguments, const Session& session)
   print(arguments, outcome, session.out);
 }
 
-/// Returns whether IN is a trajectory: a file, but of recordings those of which a topic is named,
-/// or which have no images.
+/// Returns whether IN is a trajectory: a file that is no video, but of recordings those of which a
+/// topic is named, or which have no images.
 bool is_trajectory(const ConvertArguments& arguments) {
   const vo::RecordingName name = vo::recording_name(arguments.in);
   vo::require(std::filesystem::exists(name.file), arguments.in,
               ": there is no such folder or file, expected a sequence or a trajectory");
   if (!std::filesystem::is_regular_file(name.file) || !vo::recording_format(name.file)) {
-    return std::filesystem::is_regular_file(name.file);
+    return std::filesystem::is_regular_file(name.file) && !vo::video_container(name.file);
   }
   return !name.topic.empty() || !vo::records_images(name.file);
 }
@@ -244,13 +250,14 @@ void add_convert_command(CLI::App& program, Session& session) {
   CLI::App& command = *program.add_subcommand("convert", kConvertHelp);
   const auto arguments = std::make_shared<ConvertArguments>();
   command.footer(kConvertExamples);
-  command.add_option("IN", arguments->in, "folder of a sequence, or trajectory")->required();
-  command.add_option("OUT", arguments->out, "folder or trajectory to make")->required();
+  command.add_option("IN", arguments->in, "folder of a sequence, recording, video or trajectory")
+      ->required();
+  command.add_option("OUT", arguments->out, "folder or file to make")->required();
   command
       .add_option(
           "--format", arguments->format,
           "tum | euroc | icl-nuim | icl-tum | tartanair | kitti | colmap | transforms-json | "
-          "mcap, of a trajectory tum | euroc | kitti")
+          "mcap | video, of a trajectory tum | euroc | kitti")
       ->required();
   command.add_option("--from", arguments->from, "the format of IN, where it is not found out");
   command.add_option("--camera", arguments->camera, "preset or FILE.toml, instead of IN's own");

@@ -23,6 +23,7 @@
 #include "vo/dataset/sequence_source.h"
 #include "vo/files/output.h"
 #include "vo/motion_files/trajectory_file.h"
+#include "vo/videos/video_sequence.h"
 
 namespace tools {
 namespace {
@@ -188,6 +189,9 @@ vo::Trajectory read(const EvaluateArguments& arguments, std::size_t index, Repor
 /// Returns the stamps, s, of the frames of a sequence, whose camera need not be known.
 std::vector<double> frame_stamps(const std::string& folder) {
   const std::optional<vo::SequenceFormat> format = vo::known_format(folder);
+  if (format == vo::SequenceFormat::video) {
+    return vo::video_stamps(folder);
+  }
   return format.value_or(vo::SequenceFormat::tum) == vo::SequenceFormat::tum
              ? vo::SequenceReader(folder, vo::RgbdCamera{}).timestamps()
              : vo::open_sequence(folder, *format).timestamps;

@@ -43,7 +43,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kTrackHelp =
     "Tracks the camera of an RGB-D sequence, a folder as TUM RGB-D, EuRoC, ICL-NUIM, 7-Scenes,\n"
-    "ScanNet, Open3D, Redwood or TartanAir have it, or a recording (MCAP, ROS 1 bag), and writes\n"
+    "ScanNet, Open3D, Redwood or TartanAir have it, or a recording (MCAP, ROS 1 bag), or with\n"
+    "--mode mono a video (AVI, MP4, MOV, MKV, WebM) and its --camera, and writes\n"
     "T_world_camera of every tracked frame in TUM format; the world is the first camera's frame.\n"
     "With --mode mono only the images are read, and the depth of the first for --bootstrap rgbd;\n"
     "--preset and --debug-images are for --mode rgbd.\n"
@@ -60,6 +61,7 @@ std::string track_examples() {
       "  edvo track sequence --set keyframes.every=5 --set edges.percentile=90 --out e.txt --json\n"
       "  edvo track sequence --debug-images 30 --out e.txt   # pictures in e_panels/\n"
       "  edvo track sequence --mode mono --bootstrap auto --out e.txt --frame-log e.csv\n"
+      "  edvo track walk.mp4 --mode mono --camera my_camera.toml --out e.txt\n"
       "  edvo track robot.mcap --rgb-topic /front/color/image_raw --out e.txt\n\n"
       "Camera presets:\n";
   for (const vo::CameraPreset& preset : vo::camera_presets()) {
@@ -297,10 +299,11 @@ int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCame
   const vo::MonoInput input{arguments.sequence, camera, arguments.max_time_difference,
                             arguments.depth_file, arguments.topics};
   KeyframeCloud cloud;
-  watched.begin(
-      tracking_stage(vo::SequenceReader(arguments.sequence, camera, arguments.max_time_difference,
-                                        vo::SequenceContent::colour),
-                     arguments.sequence, {}));
+  if (watched.page() != nullptr) {
+    const vo::SequenceReader images(arguments.sequence, camera, arguments.max_time_difference,
+                                    vo::SequenceContent::colour, arguments.topics);
+    watched.begin(tracking_stage(images, arguments.sequence, {}));
+  }
   const vo::MonoSequenceResult result = vo::track_mono_sequence(
       input, options,
       watched.mono_observer(arguments.save_map.empty() ? vo::MonoObserver()
@@ -351,7 +354,7 @@ void add_track_command(CLI::App& program, Session& session) {
   CLI::App& command = *program.add_subcommand("track", kTrackHelp);
   const auto arguments = std::make_shared<TrackArguments>();
   command.footer(track_examples());
-  command.add_option("SEQUENCE", arguments->sequence, "folder of a sequence, or recording")
+  command.add_option("SEQUENCE", arguments->sequence, "folder of a sequence, recording or video")
       ->required();
   command.add_option("--out", arguments->out, "trajectory to write")->required();
   add_camera_option(command, arguments->camera);

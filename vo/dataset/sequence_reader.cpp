@@ -62,7 +62,7 @@ SequenceReader::SequenceReader(const fs::path& folder, std::optional<RgbdCamera>
   const std::optional<SequenceFormat> known = known_format(folder);
   require(known || fs::is_directory(folder), folder.string(),
           fs::exists(folder)
-              ? ": is no recording, expected an MCAP file, a ROS 1 bag or the folder of a sequence"
+              ? kNoSequenceFile
               : ": there is no such folder, expected a sequence (rgb.txt, depth.txt and their "
                 "images)");
   const SequenceFormat format = known.value_or(SequenceFormat::tum);

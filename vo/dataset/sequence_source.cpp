@@ -13,6 +13,8 @@
 #include "vo/dataset/tartanair.h"
 #include "vo/motion_files/imu_file.h"
 #include "vo/text_files/toml_file.h"
+#include "vo/videos/video_container.h"
+#include "vo/videos/video_sequence.h"
 
 namespace vo {
 namespace {
@@ -77,6 +79,13 @@ SequenceFormat format_of_recording(const fs::path& file) {
                                                         : SequenceFormat::mcap;
 }
 
+std::optional<SequenceFormat> format_of_file(const fs::path& file) {
+  if (recording_format(file)) {
+    return format_of_recording(file);
+  }
+  return video_container(file) ? std::optional(SequenceFormat::video) : std::nullopt;
+}
+
 SequenceSource open_recording_of(const fs::path& path, SequenceFormat format,
                                  const std::optional<RgbdCamera>& camera,
                                  const RecordingRequest& request) {
@@ -90,7 +99,7 @@ SequenceSource open_recording_of(const fs::path& path, SequenceFormat format,
 
 std::optional<SequenceFormat> known_format(const fs::path& folder) {
   if (!fs::is_directory(folder)) {
-    return recording_format(folder) ? std::optional(format_of_recording(folder)) : std::nullopt;
+    return format_of_file(folder);
   }
   if (fs::exists(folder / "mav0/cam0/data.csv")) {
     return SequenceFormat::euroc;
@@ -125,8 +134,7 @@ std::optional<SequenceFormat> known_format(const fs::path& folder) {
 SequenceFormat detect_format(const fs::path& path) {
   require(fs::exists(path), path.string(), ": there is no such folder, expected a sequence");
   const std::optional<SequenceFormat> format = known_format(path);
-  require(format.has_value() || fs::is_directory(path), path.string(),
-          ": is no recording, expected an MCAP file, a ROS 1 bag or the folder of a sequence");
+  require(format.has_value() || fs::is_directory(path), path.string(), kNoSequenceFile);
   require(
       format.has_value(), path.string(),
       ": holds no sequence that is known, expected rgb.txt (TUM), mav0/cam0/data.csv (EuRoC), "
@@ -162,6 +170,8 @@ SequenceSource open_sequence(const fs::path& folder, SequenceFormat format,
     case SequenceFormat::mcap:
     case SequenceFormat::bag:
       return open_recording_of(folder, format, camera, request);
+    case SequenceFormat::video:
+      return open_video(folder, camera);
   }
   return {};
 }

@@ -22,6 +22,7 @@ enum class SequenceFormat {
   tartanair,     ///< TartanAir, vo/dataset/tartanair.h
   mcap,          ///< an MCAP file, or a folder of ROS 2's that holds one, vo/recordings
   bag,           ///< a ROS 1 bag, vo/recordings
+  video,         ///< a video file: AVI, Matroska, WebM, MP4, QuickTime, vo/videos
 };
 
 constexpr auto enum_names(SequenceFormat) {
@@ -34,12 +35,18 @@ constexpr auto enum_names(SequenceFormat) {
                     std::pair{SequenceFormat::open3d, "open3d"},
                     std::pair{SequenceFormat::tartanair, "tartanair"},
                     std::pair{SequenceFormat::mcap, "mcap"},
-                    std::pair{SequenceFormat::bag, "bag"}};
+                    std::pair{SequenceFormat::bag, "bag"},
+                    std::pair{SequenceFormat::video, "video"}};
 }
 
 /// Returns the format whose files a folder holds, or that a file is of; none where that is not
 /// known.
 std::optional<SequenceFormat> known_format(const std::filesystem::path& path);
+
+/// What is said of a file that is of no format.
+inline constexpr const char* kNoSequenceFile =
+    ": is no recording or video, expected an MCAP file, a ROS 1 bag, a video (AVI, MP4, MOV, MKV, "
+    "WebM) or the folder of a sequence";
 
 /// Returns the format of the sequence in a folder or file; throws Error unless it is a known one.
 SequenceFormat detect_format(const std::filesystem::path& path);

@@ -10,6 +10,7 @@
 #include "vo/frames/depth_units.h"
 #include "vo/output_folders/output_folder.h"
 #include "vo/recordings/mcap_sequence.h"
+#include "vo/videos/write_video.h"
 
 namespace vo {
 namespace {
@@ -99,11 +100,30 @@ WrittenImages write_folder(const ConvertJob& job, const SequenceSource& source,
   return written;
 }
 
+/// Writes the images as a video, and finds whether they have depth.
+WrittenImages write_images(const ConvertJob& job, const SequenceSource& source,
+                           const OutputPolicy& policy, const Progress& progress) {
+  WrittenImages written;
+  SequenceSource images = source;
+  images.read = [&](std::size_t index) {
+    RgbdFrame frame = source.read(index);
+    if (!frame.depth.empty()) {
+      written.depth = DepthImages::present;
+    }
+    return frame;
+  };
+  write_video(job.out, images, policy, progress);
+  return written;
+}
+
 }  // namespace
 
 ConvertOutcome convert_sequence(const ConvertJob& job, const OutputPolicy& policy,
                                 const Progress& progress) {
   ConvertOutcome outcome;
+  if (job.to == WrittenSequence::video) {
+    require_video_name(job.out);
+  }
   outcome.from = job.from ? *job.from : detect_format(job.in);
   SequenceSource opened = open_sequence(job.in, outcome.from, job.camera, job.recorded);
   const WorldUp up_before = opened.up;
@@ -112,11 +132,13 @@ ConvertOutcome convert_sequence(const ConvertJob& job, const OutputPolicy& polic
   WrittenImages written;
   if (job.to == WrittenSequence::mcap) {
     write_mcap_sequence(job.out, source, job.mcap, job.mcap_clouds, policy, progress);
+  } else if (job.to == WrittenSequence::video) {
+    written = write_images(job, source, policy, progress);
   } else {
     written = write_folder(job, source, truth.carried, policy, progress);
   }
   outcome.frames = source.timestamps.size();
-  outcome.poses = source.truth.size();
+  outcome.poses = traits_of(job.to).holds_poses ? source.truth.size() : 0;
   outcome.up = source.up;
   outcome.imu_samples = traits_of(job.to).holds_imu ? source.imu.samples.size() : 0;
   outcome.depth_beyond_16_bit = written.depth_beyond_16_bit;

@@ -13,6 +13,7 @@
 #include "vo/exports/transforms_json.h"
 #include "vo/exports/tum_lists.h"
 #include "vo/motion_files/timestamp.h"
+#include "vo/videos/write_video.h"
 
 namespace vo {
 namespace {
@@ -116,6 +117,11 @@ TargetTraits traits_of(WrittenSequence format) {
               .may_choose_world = true};
     case WrittenSequence::mcap:
       return {.lenses = LensModels::all, .holds_y_up = true, .holds_float_depth = true};
+    case WrittenSequence::video:
+      return {.lenses = LensModels::all,
+              .holds_y_up = true,
+              .holds_depth = false,
+              .holds_poses = false};
   }
   return {};
 }
@@ -133,6 +139,7 @@ double written_depth_units(WrittenSequence format, const SequenceSource& source)
     case WrittenSequence::kitti:
     case WrittenSequence::colmap:
     case WrittenSequence::mcap:
+    case WrittenSequence::video:
       return 0;
   }
   return 0;
@@ -164,8 +171,15 @@ std::vector<std::string> list_dropped(WrittenSequence format, const SequenceSour
   if (traits.holds_depth && !traits.holds_float_depth && source.has_float_depth) {
     dropped.emplace_back("what depth has beyond 16 bit");
   }
-  if (!traits.holds_stamps) {
+  if (!traits.holds_stamps ||
+      (format == WrittenSequence::video && !video_holds(source.timestamps))) {
     dropped.emplace_back("the frames' stamps");
+  }
+  if (!traits.holds_poses) {
+    dropped.emplace_back("the camera");
+    if (!source.truth.empty()) {
+      dropped.push_back(concat("the ", source.truth.size(), " poses"));
+    }
   }
   if (!traits.holds_imu && !source.imu.samples.empty()) {
     dropped.push_back(concat("the IMU's ", source.imu.samples.size(), " samples"));
@@ -198,6 +212,7 @@ SequenceTarget make_target(WrittenSequence format, const SequenceSource& source)
     case WrittenSequence::transforms_json:
       return target_of<TransformsJson>(source);
     case WrittenSequence::mcap:
+    case WrittenSequence::video:
       break;
   }
   return {};

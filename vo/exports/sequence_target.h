@@ -13,7 +13,7 @@
 
 namespace vo {
 
-/// The formats that a sequence is written in: folders, but for MCAP, which is a file.
+/// The formats that a sequence is written in: folders, but for MCAP and videos, which are files.
 enum class WrittenSequence {
   tum,
   euroc,
@@ -24,6 +24,7 @@ enum class WrittenSequence {
   colmap,
   transforms_json,
   mcap,
+  video,
 };
 
 constexpr auto enum_names(WrittenSequence) {
@@ -35,7 +36,8 @@ constexpr auto enum_names(WrittenSequence) {
                     std::pair{WrittenSequence::kitti, "kitti"},
                     std::pair{WrittenSequence::colmap, "colmap"},
                     std::pair{WrittenSequence::transforms_json, "transforms-json"},
-                    std::pair{WrittenSequence::mcap, "mcap"}};
+                    std::pair{WrittenSequence::mcap, "mcap"},
+                    std::pair{WrittenSequence::video, "video"}};
 }
 
 /// Whether a format can do without something of the frames.
@@ -62,6 +64,7 @@ struct TargetTraits {
   bool holds_depth = true;  ///< as images
   bool holds_float_depth = false;
   bool holds_stamps = true;  ///< of the frames
+  bool holds_poses = true;   ///< and the camera
   bool holds_imu = false;
   bool holds_sensor = false;      ///< the shutter's read-out and the depth camera's noise
   WorldUp up = WorldUp::unknown;  ///< of the format's worlds; unknown: any

@@ -30,6 +30,11 @@ fs::path checked_place(const fs::path& path) {
 StreamedOutput::StreamedOutput(const fs::path& path, const OutputPolicy& policy)
     : given_(path), path_(checked_place(path)), policy_(policy), file_(path_) {}
 
+fs::path StreamedOutput::open_by_name() {
+  append({});
+  return partial_name(path_);
+}
+
 void StreamedOutput::commit() {
   if (fs::is_regular_file(path_)) {
     if (have_same_bytes(path_, partial_name(path_))) {

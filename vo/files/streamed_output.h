@@ -17,6 +17,10 @@ class StreamedOutput {
 
   void append(std::string_view bytes) { file_.append(bytes); }
 
+  /// Empties the file and returns its path until it is committed, for one who opens files by name:
+  /// what that writes is what is committed.
+  std::filesystem::path open_by_name();
+
   /// Gives the file its name. An existing file with the same bytes is left alone; throws Error of
   /// kind output_exists for another one unless it is to be replaced.
   void commit();

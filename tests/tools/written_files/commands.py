@@ -44,6 +44,7 @@ class Run:
     json: str = ""
     exit_codes: tuple = (0,)
     camera: bool = False  # reads a camera of OpenNI2, in whose place a driver shows `sequence`
+    video: bool = False  # writes a video, which needs OpenCV's videoio
 
 
 ROOM = "assets/room/room.gltf"
@@ -63,6 +64,7 @@ RUNS = [
     Run("convert sequence icl_tum --format icl-tum --json", "convert"),
     Run("convert sequence sequence.mcap --format mcap --points --compression none --json", "convert"),
     Run("convert sequence.mcap from_mcap --format tum --json", "convert"),
+    Run("convert sequence sequence.avi --format video --json", "convert", video=True),
     Run("convert euroc tum --format tum --json", "convert"),
     Run("convert sequence tartanair --format tartanair --json", "convert"),
     Run("convert sequence kitti --format kitti --json", "convert"),

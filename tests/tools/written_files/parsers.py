@@ -290,9 +290,41 @@ def mcap_records(data, at, end):
         at += 9 + size
 
 
+def parse_avi(path):
+    """An AVI file of one RIFF chunk: chunks to the last byte, and as many images as its headers say."""
+    data = path.read_bytes()
+    require(data[:4] + data[8:12] == b"RIFFAVI ", "does not begin as AVI does")
+    require(struct.unpack_from("<I", data, 4)[0] == len(data) - 8, "RIFF's size is not the file's")
+    stated, images, indexed = set(), 0, 0
+    for name, content in riff_chunks(data, 12, len(data)):
+        if name == b"avih":
+            stated.add(struct.unpack_from("<I", content, 16)[0])
+        elif name == b"strh":
+            require(content[:4] == b"vids", f"a stream is of {content[:4]}")
+            stated.add(struct.unpack_from("<I", content, 32)[0])
+        elif name == b"00dc":
+            images += 1
+        elif name == b"idx1":
+            indexed = len(content) // 16
+    require(stated == {images} and indexed == images, f"{images} images, {indexed} in the index, stated are {stated}")
+
+
+def riff_chunks(data, at, end):
+    """The chunks of RIFF, those within lists, too."""
+    while at < end:
+        name, size = struct.unpack_from("<4sI", data, at)
+        require(at + 8 + size <= end, f"the chunk at {at} has {size} bytes, which are not there")
+        if name == b"LIST":
+            yield from riff_chunks(data, at + 12, at + 8 + size)
+        else:
+            yield name, data[at + 8 : at + 8 + size]
+        at += 8 + size + size % 2
+
+
 PARSERS = {".json": parse_json, ".toml": parse_toml, ".csv": parse_csv, ".svg": parse_svg,
            ".xml": parse_junit, ".html": parse_html, ".md": parse_markdown,
-           ".ply": parse_ply, ".pcd": parse_pcd, ".zip": parse_zip, ".mcap": parse_mcap}
+           ".ply": parse_ply, ".pcd": parse_pcd, ".zip": parse_zip, ".mcap": parse_mcap,
+           ".avi": parse_avi}
 OTHERS = {".png", ".npy", ".flo", ".txt", ".gz", ".yaml", ".depth", ".freiburg", ".files", ""}
 
 

@@ -48,6 +48,9 @@ class Check:
             print(f"   left out, without OpenNI2:  edvo {run.words}")
             self.left_out.add(run.json)
             return
+        if run.video and not (self.program.parent / "libedvo_video.so").exists():
+            print(f"   left out, without videoio:  edvo {run.words}")
+            return
         begin = time.monotonic()
         words = shlex.split(run.words.replace("{edvo}", str(self.program)))
         done = subprocess.run([self.program, *words], cwd=self.work, env=self.environment(run), capture_output=True,

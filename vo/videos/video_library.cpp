@@ -1,0 +1,85 @@
+#include "vo/videos/video_library.h"
+
+#include <cstdlib>
+#include <system_error>
+#include <vector>
+
+#include <dlfcn.h>
+
+#include "vo/core/error.h"
+#include "vo/core/version.h"
+
+namespace vo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kLibraryName = "libedvo_video.so";
+
+/// Returns where the library may be: beside a program that was built and not installed; where it
+/// is installed, seen from the program and from the library that holds this function.
+std::vector<fs::path> library_places() {
+  std::vector<fs::path> places;
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  if (!program.empty()) {
+    places.push_back(program / kLibraryName);
+    places.push_back(program / EDVO_LIBRARIES_FROM_PROGRAMS / "edvo" / kLibraryName);
+  }
+  Dl_info own{};
+  if (::dladdr(kLibraryName, &own) != 0 && own.dli_fname != nullptr) {
+    places.push_back(fs::path(own.dli_fname).parent_path() / "edvo" / kLibraryName);
+  }
+  return places;
+}
+
+/// The library, or why there is none.
+struct LoadedLibrary {
+  const VideoLibrary* library = nullptr;
+  std::string failure;
+};
+
+/// Tells OpenCV, which reads it when it is loaded, that FFmpeg is not to write on stderr, and that
+/// a camera without images is given up after a second, so that it can be left.
+void silence_library() {
+  // NOLINTBEGIN(concurrency-mt-unsafe): once, when the library is not there yet
+  ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
+  ::setenv("OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT", "1", 0);
+  // NOLINTEND(concurrency-mt-unsafe)
+}
+
+LoadedLibrary load(const fs::path& file) {
+  silence_library();
+  // It stays loaded: FFmpeg's threads and what they leave behind outlive every video.
+  void* handle = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) {
+    const char* reason = ::dlerror();  // NOLINT(concurrency-mt-unsafe): the thread's own in glibc
+    return {nullptr, concat("OpenCV's videoio cannot be loaded: ", reason)};
+  }
+  const auto entry = reinterpret_cast<VideoLibraryEntry>(::dlsym(handle, kVideoLibraryEntry));
+  const VideoLibrary* library = entry == nullptr ? nullptr : entry(version());
+  return {library, library == nullptr
+                       ? concat(file.string(), " is not of this version, expected ", version())
+                       : ""};
+}
+
+LoadedLibrary load_first() {
+  for (const fs::path& place : library_places()) {
+    std::error_code ignored;
+    if (fs::exists(place, ignored)) {
+      return load(place);
+    }
+  }
+  return {nullptr, concat("this program was built without OpenCV's videoio, expected ",
+                          kLibraryName, " of a build with libopencv-videoio-dev")};
+}
+
+}  // namespace
+
+const VideoLibrary& video_library(const std::string& place) {
+  static const LoadedLibrary loaded = load_first();
+  require(loaded.library != nullptr, place, ": ", loaded.failure);
+  return *loaded.library;
+}
+
+}  // namespace vo
