@@ -23,6 +23,7 @@ struct LiveCameraSettings {
 struct LiveCamera {
   std::string device;  ///< as the device calls itself
   vo::RgbdCamera camera;
+  bool has_depth = true;  ///< else frames are images alone
 
   /// Waits for the next frame and returns it; nothing once the callback, asked at least every tenth
   /// of a second, says that it is to stop, or where the device has no more. Throws Error of kind
@@ -34,11 +35,11 @@ struct LiveCamera {
 };
 
 /// Returns whether a name is that of a camera that runs: `openni2`, its first device, or
-/// `openni2:URI`.
+/// `openni2:URI`; `v4l2`, which is /dev/video0, or `v4l2:DEVICE`.
 bool is_live_camera(const std::string& name);
 
-/// Opens and starts a camera. Throws Error naming it where there is none, where it has not colour
-/// and depth of one size, or where this program was built without its library.
+/// Opens and starts a camera. Throws Error naming it where there is none, where one of OpenNI2's
+/// has not colour and depth of one size, or where this program was built without its library.
 LiveCamera open_live_camera(const std::string& name, const LiveCameraSettings& settings);
 
 }  // namespace tools

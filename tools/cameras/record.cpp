@@ -9,6 +9,7 @@
 #include <tbb/concurrent_queue.h>
 
 #include "vo/core/error.h"
+#include "vo/dataset/colour_sequence.h"
 #include "vo/dataset/sequence.h"
 #include "vo/output_folders/output_folder.h"
 
@@ -20,8 +21,8 @@ constexpr std::size_t kMostWaiting = 300;  // frames of 640x480 px: 0.6 GB
 /// Encodes and writes frames in a thread of its own.
 class FrameWriter {
  public:
-  FrameWriter(const vo::SequenceLayout& layout, const vo::OutputFolder& folder)
-      : layout_(layout), folder_(folder) {
+  FrameWriter(const LiveCamera& camera, const vo::OutputFolder& folder)
+      : camera_(camera), folder_(folder) {
     waiting_.set_capacity(kMostWaiting);
     written_ = std::async(std::launch::async, [this] { write_all(); });
   }
@@ -60,7 +61,8 @@ class FrameWriter {
         continue;
       }
       try {
-        folder_.write(vo::encode_frame(layout_, index, *frame));
+        folder_.write(camera_.has_depth ? vo::encode_frame({camera_.camera}, index, *frame)
+                                        : vo::encode_colour_frame(index, *frame));
       } catch (...) {
         failure = std::current_exception();
         has_failed_ = true;
@@ -71,7 +73,7 @@ class FrameWriter {
     }
   }
 
-  vo::SequenceLayout layout_;
+  const LiveCamera& camera_;
   const vo::OutputFolder& folder_;
   tbb::concurrent_bounded_queue<std::optional<vo::RgbdFrame>> waiting_;
   std::atomic<bool> has_failed_ = false;
@@ -83,9 +85,8 @@ class FrameWriter {
 RecordOutcome record(const LiveCamera& camera, const RecordJob& job, const vo::OutputPolicy& policy,
                      const RecordObserver& observer) {
   vo::OutputFolder folder(job.out, policy, {});
-  const vo::SequenceLayout layout{camera.camera};
   std::vector<double> timestamps;
-  FrameWriter writer(layout, folder);
+  FrameWriter writer(camera, folder);
   while (job.frames == 0 || timestamps.size() < job.frames) {
     const std::optional<vo::RgbdFrame> frame = camera.next(observer.is_stopped);
     if (!frame) {
@@ -97,7 +98,8 @@ RecordOutcome record(const LiveCamera& camera, const RecordJob& job, const vo::O
   }
   writer.finish();
   vo::require(!timestamps.empty(), camera.device, ": has given no frame before it was stopped");
-  folder.write(vo::encode_image_lists(layout, timestamps));
+  folder.write(camera.has_depth ? vo::encode_image_lists({camera.camera}, timestamps)
+                                : vo::encode_colour_lists(camera.camera, timestamps));
   folder.commit();
   return {timestamps.size(), camera.missed(), timestamps.back() - timestamps.front()};
 }

@@ -20,10 +20,13 @@ namespace tools {
 namespace {
 
 constexpr const char* kRecordHelp =
-    "Writes what an RGB-D camera sees as a sequence that every command reads: rgb/, depth/ (16\n"
-    "bit), rgb.txt, depth.txt and camera.toml, as TUM RGB-D has them. CAMERA is\n"
+    "Writes what a camera sees as a sequence that every command reads: rgb/, depth/ (16 bit),\n"
+    "rgb.txt, depth.txt and camera.toml, as TUM RGB-D has them. CAMERA is\n"
     "  openni2       the first camera of OpenNI2 (Kinect, Xtion, Structure, Orbbec)\n"
     "  openni2:URI   another one\n"
+    "  v4l2          /dev/video0, a camera of Linux without depth, for --mode mono; it needs\n"
+    "                --camera\n"
+    "  v4l2:DEVICE   another one\n"
     "Depth is registered to colour and both are taken together where the device can. Ctrl-C ends\n"
     "the recording and keeps it.";
 
@@ -31,7 +34,9 @@ constexpr const char* kRecordExamples =
     "Examples:\n"
     "  edvo record openni2 desk                      # until Ctrl-C\n"
     "  edvo record openni2 desk --frames 300 --size 640x480 --camera my_camera.toml\n"
-    "  edvo track desk --out desk.txt";
+    "  edvo track desk --out desk.txt\n"
+    "  edvo record v4l2:/dev/video1 walk --camera my_camera.toml\n"
+    "  edvo track walk --mode mono --out walk.txt";
 
 struct RecordArguments {
   CommonOptions common;
@@ -86,12 +91,14 @@ void add_record_command(CLI::App& program, Session& session) {
   CLI::App& command = *program.add_subcommand("record", kRecordHelp);
   const auto arguments = std::make_shared<RecordArguments>();
   command.footer(kRecordExamples);
-  command.add_option("CAMERA", arguments->device, "openni2 or openni2:URI")->required();
+  command.add_option("CAMERA", arguments->device, "openni2, openni2:URI, v4l2 or v4l2:DEVICE")
+      ->required();
   command.add_option("OUT", arguments->out, "folder to make")->required();
   command.add_option("--frames", arguments->frames, "at most so many; 0 is until Ctrl-C [0]");
   command.add_option("--camera", arguments->camera,
                      "preset or FILE.toml, in the place of what the device says of its lens");
-  command.add_option("--size", arguments->size, "WxH, px [the largest of at least 25 Hz]");
+  command.add_option("--size", arguments->size,
+                     "WxH, px [openni2: the largest of at least 25 Hz; v4l2: that of --camera]");
   command.add_option("--max-time-difference", arguments->max_time_difference,
                      "between the stamps of colour and depth, s [0.02]");
   add_common_options(command, arguments->common);
