@@ -45,7 +45,7 @@ vo::PinholeCamera resized(const vo::PinholeCamera& camera, cv::Size size) {
 
 vo::RgbdFrame resized(const vo::RgbdFrame& frame, cv::Size size) {
   const bool shrinks = size.area() < frame.image.size().area();
-  vo::RgbdFrame result{frame.timestamp, {}, {}};
+  vo::RgbdFrame result{frame.timestamp, {}, {}, frame.depth_delay};
   cv::resize(frame.image, result.image, size, 0, 0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
   // INTER_NEAREST takes the top-left pixel of those that a pixel covers, not the central one.
   cv::resize(frame.depth, result.depth, size, 0, 0, cv::INTER_NEAREST_EXACT);

@@ -59,6 +59,7 @@ void reverse(Clip& clip) {
   const double sum = clip.frames.front().timestamp + clip.frames.back().timestamp;
   for (vo::RgbdFrame& frame : clip.frames) {
     frame.timestamp = sum - frame.timestamp;
+    frame.depth_delay = -frame.depth_delay;
   }
   for (vo::StampedPose& pose : clip.truth) {
     pose.timestamp = sum - pose.timestamp;

@@ -18,9 +18,10 @@ inline bool has_depth(float depth) {
 
 /// One RGB-D measurement. Images share storage like any cv::Mat and are never written again.
 struct RgbdFrame {
-  double timestamp = 0;  ///< s, stamp of the colour image
-  cv::Mat image;         ///< ColorImage or ByteImage
-  DepthImage depth;      ///< registered to the image
+  double timestamp = 0;    ///< s, stamp of the colour image
+  cv::Mat image;           ///< ColorImage or ByteImage
+  DepthImage depth;        ///< registered to the image
+  double depth_delay = 0;  ///< s, from the stamp of the image to that of the depth
 };
 
 /// Gives an image this size and pixels that may be written: its own if no other image shares them.

@@ -59,8 +59,9 @@ class SequenceReader {
 
   struct Entry {
     double timestamp;
-    std::string image;  ///< file in the folder, as the list names it
-    std::string depth;  ///< file in the folder, empty where only colour is read
+    std::string image;       ///< file in the folder, as the list names it
+    std::string depth;       ///< file in the folder, empty where only colour is read
+    double depth_delay = 0;  ///< s, as in RgbdFrame
   };
 
   std::filesystem::path folder_;

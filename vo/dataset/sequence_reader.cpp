@@ -94,8 +94,8 @@ void SequenceReader::read_lists(double max_time_difference, SequenceContent cont
     ImageList depths = read_image_list(folder_, list);
     for (const auto& [i, j] :
          associate(images.timestamps, depths.timestamps, max_time_difference)) {
-      entries_.push_back(
-          {images.timestamps[i], std::move(images.names[i]), std::move(depths.names[j])});
+      entries_.push_back({images.timestamps[i], std::move(images.names[i]),
+                          std::move(depths.names[j]), depths.timestamps[j] - images.timestamps[i]});
     }
     require(!entries_.empty(), folder_.string(), ": no colour and depth image lie within ",
             max_time_difference, " s of each other");
@@ -137,6 +137,7 @@ RgbdFrame SequenceReader::read(std::size_t index) const {
   frame.image = read_frame_image(image, camera_.pinhole);
   if (!entry.depth.empty()) {
     const fs::path depth = folder_ / entry.depth;
+    frame.depth_delay = entry.depth_delay;
     frame.depth = depth.extension() == ".npy" ? read_depth_npy(depth, camera_.pinhole)
                                               : read_depth_png(depth, camera_);
   }

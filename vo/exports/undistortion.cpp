@@ -80,7 +80,7 @@ Undistortion::Undistortion(const PinholeCamera& lens)
 }
 
 RgbdFrame Undistortion::apply(const RgbdFrame& frame) const {
-  RgbdFrame straight{frame.timestamp, {}, {}};
+  RgbdFrame straight{frame.timestamp, {}, {}, frame.depth_delay};
   cv::remap(frame.image, straight.image, origins_, cv::noArray(), cv::INTER_LINEAR,
             cv::BORDER_REPLICATE);
   straight.image.setTo(0, is_hole_);

@@ -24,6 +24,7 @@ struct RecordedFrame {
   double timestamp = 0;  ///< s
   RecordedMessage image;
   std::optional<RecordedMessage> depth;
+  double depth_delay = 0;  ///< s, as in RgbdFrame
 };
 
 RgbdCamera recorded_camera(const Recording& recording, const ChosenTopics& chosen) {
@@ -81,7 +82,8 @@ std::vector<RecordedFrame> frames_of(const Recording& recording, const ChosenTop
   }
   for (const auto& [i, j] :
        associate(images.timestamps, found[1].timestamps, request.max_time_difference)) {
-    frames.push_back({images.timestamps[i], images.messages[i], found[1].messages[j]});
+    frames.push_back({images.timestamps[i], images.messages[i], found[1].messages[j],
+                      found[1].timestamps[j] - images.timestamps[i]});
   }
   require(!frames.empty(), recording.path().string(), ": no images of ",
           recording.topics()[topics[0]].name, " and ", recording.topics()[topics[1]].name,
@@ -108,6 +110,7 @@ RgbdFrame read_recorded(const Recording& recording, const RecordedFrame& frame,
     result.depth = decode_depth(recording.read(*frame.depth), topic_of(*frame.depth),
                                 camera.depth_units_per_m, depth_place);
     require_size_at(depth_place, result.depth);
+    result.depth_delay = frame.depth_delay;
   }
   return result;
 }

@@ -56,6 +56,13 @@ TEST(Alterations, TurnedOrReversedImagesAreThoseOfTheAlteredCameraAndTruth) {
   }
 }
 
+TEST(Alterations, DepthBeforeTheImageIsAfterItInAReversedClip) {
+  Clip clip = swinging_clip(3);
+  clip.frames[1].depth_delay = -0.008;
+  EXPECT_EQ(altered(clip, "reversed").frames[1].depth_delay, 0.008);
+  EXPECT_EQ(altered(clip, "turned_90").frames[1].depth_delay, -0.008);
+}
+
 /// The altered clip keeps the nearest of each four depths, which is off the middle by half a pixel
 /// of the plane's slope.
 TEST(Alterations, HalfSizeIsThatOfTheHalvedCamera) {

@@ -76,6 +76,7 @@ TEST(Sequence, ReadInvertsWrite) {
     ASSERT_TRUE(frame.has_value());
     const vo::RgbdFrame expected = tiny_frame(i, truth[static_cast<std::size_t>(i)].timestamp);
     EXPECT_NEAR(frame->timestamp, expected.timestamp, 1e-6);
+    EXPECT_EQ(frame->depth_delay, 0);
     EXPECT_EQ(cv::norm(frame->image, expected.image, cv::NORM_INF), 0);
     EXPECT_LE(cv::norm(frame->depth, expected.depth, cv::NORM_INF), 0.5 / 5000 + 1e-7);
   }
@@ -109,6 +110,8 @@ TEST(Sequence, PairsColourAndDepthByNearestStampOnce) {
   ASSERT_EQ(reader.size(), 2U);
   EXPECT_EQ(reader.timestamp(1), 0.03);
   EXPECT_LE(cv::norm(reader.read(0).depth, tiny_frame(3, 0).depth, cv::NORM_INF), 2e-4);
+  EXPECT_NEAR(reader.read(0).depth_delay, 0.012, 1e-9);
+  EXPECT_NEAR(reader.read(1).depth_delay, -0.005, 1e-9);
 }
 
 TEST(Sequence, ErrorsNameFileAndLine) {

@@ -237,6 +237,14 @@ TEST_F(RecordedSequence, DepthIsThatOfTheImageAndItsFrame) {
               HasSubstr("/small/image_raw is of 4x3 px, expected the camera's 8x6"));
 }
 
+TEST_F(RecordedSequence, DepthBesideTheImageIsDelayed) {
+  const std::int64_t at = 10 * kFrameNs;
+  const std::string bytes =
+      mcap_of({image_message("/color/image_raw", at, "bgr8", colour(), "color"),
+               image_message("/aligned/image_raw", at - 8'000'000, "16UC1", depth(), "color")});
+  EXPECT_NEAR(open(bytes).read(0).depth_delay, -0.008, 1e-9);
+}
+
 TEST_F(RecordedSequence, StampsOutOfOrderAreSortedOrErrors) {
   std::vector<TestMessage> messages;
   for (const int frame : {0, 2, 1, 2, 3}) {
