@@ -5,6 +5,7 @@
 #include "vo/core/error.h"
 #include "vo/core/stopwatch.h"
 #include "vo/image/fingerprint.h"
+#include "vo/image/moved_depth.h"
 #include "vo/tracking/tracker.h"
 
 namespace vo {
@@ -60,6 +61,7 @@ TrackerOptions best_options() {
   options.motion_model = MotionModel::best;
   options.shutter = ShutterModel::estimated;
   options.vignette = VignetteModel::estimated;
+  options.depth_time = DepthTime::own;
   options.doubt = true;
   return options;
 }
@@ -98,13 +100,29 @@ RgbdOdometry::RgbdOdometry(RgbdOdometry&& other) noexcept = default;
 RgbdOdometry& RgbdOdometry::operator=(RgbdOdometry&& other) noexcept = default;
 RgbdOdometry::~RgbdOdometry() = default;
 
+/// Returns a frame's depth as it was when the image was taken: the camera keeps its velocity. The
+/// given depth is that where the stamps are the same or the velocity is not known.
+DepthImage RgbdOdometry::depth_at_image_time(const RgbdFrame& frame) {
+  const std::optional<Vector6d> velocity = tracker_->expected_velocity();
+  if (options_.depth_time == DepthTime::image || frame.depth_delay == 0 || !velocity) {
+    return frame.depth;
+  }
+  PyramidLevel& finest = current_.levels.front();
+  finest.depth.release();  // so that its memory can be used again
+  move_depth(frame.depth, finest.camera, finest.rays, SE3::exp(frame.depth_delay * *velocity),
+             moved_depth_);
+  return moved_depth_;
+}
+
 TrackingResult RgbdOdometry::track(const RgbdFrame& frame) {
   const cv::Size expected(camera_.width, camera_.height);
   require(frame.image.size() == expected && frame.depth.size() == expected,
           "odometry: expected image and depth of the camera's ", camera_.width, "x", camera_.height,
           " px");
   Stopwatch watch;
-  pyramid_builder_.build(frame, tracker_->vignette(), current_);
+  RgbdFrame at_image_time = frame;
+  at_image_time.depth = depth_at_image_time(frame);
+  pyramid_builder_.build(at_image_time, tracker_->vignette(), current_);
   if (options_.doubt) {
     current_.image_fingerprint = fingerprint(frame.image);
     current_.depth_fingerprint = fingerprint(frame.depth);

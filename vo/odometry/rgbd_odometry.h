@@ -68,12 +68,15 @@ class RgbdOdometry {
   const Tracker& tracker() const { return *tracker_; }
 
  private:
+  DepthImage depth_at_image_time(const RgbdFrame& frame);
+
   PinholeCamera camera_;
   TrackerOptions options_;
   PyramidBuilder pyramid_builder_;
   EdgeFinder edge_finder_;
   std::unique_ptr<Tracker> tracker_;
   FramePyramid current_;
+  DepthImage moved_depth_;  ///< last frame's depth, where it was moved to the image's time
   Trajectory trajectory_;
   StageTimes stage_times_;
 };

@@ -143,6 +143,11 @@ ReadoutMotion Tracker::readout_motion_at(const std::optional<FrameVelocity>& vel
                                             : ReadoutMotion();
 }
 
+std::optional<Vector6d> Tracker::expected_velocity() const {
+  const bool is_known = !is_lost_ && is_sure_ && mean_velocity_;
+  return is_known ? std::optional(mean_velocity_->twist) : std::nullopt;
+}
+
 Tracker::Attempt Tracker::aligned_from(const FramePyramid& current, const Guess& guess) {
   References references = references_for(current, guess.T_world_camera);
   if (is_segmenting()) {
@@ -288,6 +293,7 @@ void Tracker::accept(const FramePyramid& current, const Attempt& attempt) {
   absolute_covariance_ = attempt.result.absolute_covariance;
   last_timestamp_ = current.timestamp;
   is_lost_ = attempt.result.reason == TrackingReason::image_repeated;
+  is_sure_ = attempt.result.reason == TrackingReason::none;
 }
 
 /// Gives a keyframe whose motion was not known the mean velocity until the frame after it, and as

@@ -54,6 +54,10 @@ class Tracker {
   ReadoutMotion readout_motion() const { return readout_motion_at(velocity_); }
   ReadoutMotion keyframe_readout_motion() const { return readout_motion_at(map_.last()->velocity); }
 
+  /// Returns the velocity that the next frame is expected to have, m/s and rad/s in its own frame:
+  /// that between the last two. It is not known where nothing tells it or the last pose is doubted.
+  std::optional<Vector6d> expected_velocity() const;
+
   /// Returns the vignette that is to be removed from the next frame.
   const Vignette& vignette() const { return vignette_.vignette(); }
 
@@ -148,6 +152,7 @@ class Tracker {
   TileEvidence expected_{};  ///< log-odds that the tracked frame's tiles are static, beforehand
   int frames_since_keyframe_ = 0;
   bool is_lost_ = false;          ///< whether the last frame was lost
+  bool is_sure_ = false;          ///< whether nothing spoke against the last pose that was found
   bool depth_is_mapped_ = false;  ///< whether the points' depths were found with the tracked poses
   double last_timestamp_ = 0;     ///< s, of the last tracked frame
   SE3 T_world_last_;

@@ -95,6 +95,16 @@ constexpr auto enum_names(VignetteModel) {
                     std::pair{VignetteModel::estimated, "estimated"}};
 }
 
+/// The treatment of depth that is measured before or after the image.
+enum class DepthTime {
+  image,  ///< taken for depth at the image's time
+  own,    ///< moved to the image's time by the camera's velocity and the depth's own stamp
+};
+
+constexpr auto enum_names(DepthTime) {
+  return std::array{std::pair{DepthTime::image, "image"}, std::pair{DepthTime::own, "own"}};
+}
+
 struct TrackerOptions {
   PyramidOptions pyramid;
   EdgeOptions edges;
@@ -109,6 +119,7 @@ struct TrackerOptions {
   LensModel lens = LensModel::distortion;
   ShutterModel shutter = ShutterModel::given;
   VignetteModel vignette = VignetteModel::ignore;
+  DepthTime depth_time = DepthTime::image;
   bool doubt = false;  ///< whether what moves is left out, and poses are doubted
 
   void validate() const;  ///< throws Error if an option is invalid
@@ -134,6 +145,7 @@ void visit_fields(Visitor& visit, TrackerOptions& options) {
   visit("lens", options.lens, "how lens distortion enters the warp");
   visit("shutter", options.shutter, "how a rolling shutter enters the warp");
   visit("vignette", options.vignette, "how a fall-off of brightness towards the corners enters");
+  visit("depth_time", options.depth_time, "how depth measured before or after the image enters");
   visit(
       "doubt", options.doubt,
       "whether what moves is left out, and poses are uncertain where images repeat or parts of the "

@@ -84,6 +84,51 @@ TEST(RgbdOdometry, AbsoluteCovarianceIsCompoundedFromReferenceToReference) {
   }
 }
 
+/// Returns the mean difference of two depths away from the border, m.
+double mean_difference(const vo::DepthImage& a, const vo::DepthImage& b) {
+  const cv::Rect middle(10, 10, a.cols - 20, a.rows - 20);
+  return cv::norm(a(middle), b(middle), cv::NORM_L1) / middle.area();
+}
+
+/// A camera in steady motion whose depth is measured 15 ms after the image. Left where it is, depth
+/// is off by the 9 mm that the camera goes forwards meanwhile, and by the plane's slope.
+TEST(RgbdOdometry, DepthIsMovedToTheTimeOfTheImage) {
+  constexpr double kDelay = 0.015;
+  const vo::Vector6d velocity = (vo::Vector6d() << 0.3, -0.2, 0.6, 0.3, -0.4, 0.2).finished();
+  const auto plane_at = [&](double t) { return frame_at(SE3::exp(t * velocity), 0); };
+  vo::RgbdOdometry odometry(small_camera());
+  for (int i = 0; i < 8; ++i) {
+    vo::RgbdFrame frame = plane_at(i / 30.0);
+    const vo::DepthImage exact = frame.depth;
+    frame.timestamp = i / 30.0;
+    frame.depth = plane_at(i / 30.0 + kDelay).depth;
+    frame.depth_delay = kDelay;
+    ASSERT_NE(odometry.track(frame).status, TrackingStatus::lost);
+    const vo::DepthImage& used = odometry.current().levels.front().depth;
+    if (i < 2) {  // the velocity is not known
+      EXPECT_EQ(used.data, frame.depth.data);
+    } else {
+      EXPECT_LT(mean_difference(used, exact), 0.2 * mean_difference(frame.depth, exact));
+    }
+  }
+}
+
+/// Equal stamps, or the option, leave the depth image itself.
+TEST(RgbdOdometry, DepthStaysWhereItsTimeIsThatOfTheImage) {
+  vo::TrackerOptions options = vo::preset_options(TrackerPreset::best_measured);
+  for (const auto& [depth_time, delay] :
+       {std::pair{vo::DepthTime::own, 0.0}, std::pair{vo::DepthTime::image, 0.015}}) {
+    options.depth_time = depth_time;
+    vo::RgbdOdometry odometry(small_camera(), options, sway(0));
+    for (int i = 0; i < 4; ++i) {
+      vo::RgbdFrame frame = frame_at(sway(i), i);
+      frame.depth_delay = delay;
+      odometry.track(frame);
+      EXPECT_EQ(odometry.current().levels.front().depth.data, frame.depth.data);
+    }
+  }
+}
+
 TEST(RgbdOdometry, AStationaryCameraDoesNotDrift) {
   vo::RgbdOdometry odometry(small_camera());
   for (int i = 0; i < 30; ++i) {
