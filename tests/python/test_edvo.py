@@ -40,6 +40,12 @@ def textured_plane(shift_px, depth_m):
     return grey.clip(0, 255).astype(np.uint8), np.full((SIZE[1], SIZE[0]), depth_m, np.float32)
 
 
+def delay_depth(depth_list, delay_s):
+    """Moves the stamps of a list of depth images."""
+    lines = [line.split() for line in depth_list.read_text().splitlines() if not line.startswith("#")]
+    depth_list.write_text("".join(f"{float(stamp) + delay_s:.6f} {name}\n" for stamp, name in lines))
+
+
 class Arrays(unittest.TestCase):
     def test_depth_in_units_is_depth_in_metres(self):
         trajectories = []
@@ -154,14 +160,18 @@ class Laboratory(unittest.TestCase):
             subprocess.run([program, "render", ASSETS / "room/room.gltf", "--path", "pan", "--move.eye", "0.8,1.4,1.2",
                             "--move.target", "0,0.9,-1.5", "--rate", "10", "--duration", "1", "--size", "160x120",
                             "--out", sequence, "--quiet"], check=True)
+            delay_depth(pathlib.Path(sequence) / "depth.txt", -0.008)
             estimate = os.path.join(folder, "estimate.txt")
             subprocess.run([program, "track", sequence, "--out", estimate, "--quiet"], check=True, stdout=subprocess.DEVNULL)
             read = edvo.Sequence(sequence)
-            odometry = edvo.RgbdOdometry(read.camera)
+            frames, arrays = edvo.RgbdOdometry(read.camera), edvo.RgbdOdometry(read.camera)
             for frame in read:
-                odometry.track(frame.timestamp, frame.image, frame.depth)
-            self.assertEqual(odometry.trajectory.to_tum(), pathlib.Path(estimate).read_text())
-            self.assertEqual(len(read), len(odometry.trajectory))
+                self.assertAlmostEqual(frame.depth_delay, -0.008, delta=1e-9)
+                frames.track(frame)
+                arrays.track(frame.timestamp, frame.image, frame.depth, depth_delay=frame.depth_delay)
+            for odometry in (frames, arrays):
+                self.assertEqual(odometry.trajectory.to_tum(), pathlib.Path(estimate).read_text())
+            self.assertEqual(len(read), len(frames.trajectory))
 
     def test_a_map_is_arrays(self):
         odometry = edvo.MonoOdometry(small_camera(), edvo.MonoOptions(bootstrap="rgbd"))

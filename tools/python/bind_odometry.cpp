@@ -50,11 +50,21 @@ PyMono mono_odometry(const vo::RgbdCamera& camera, const std::optional<vo::MonoO
 }
 
 template <typename Odometry>
-auto track(Tracked<Odometry>& tracked, double timestamp, const py::array& image,
-           const std::optional<py::array>& depth) {
-  const vo::RgbdFrame frame = frame_of(timestamp, image, depth, tracked.camera);
+auto track_frame(Tracked<Odometry>& tracked, const vo::RgbdFrame& frame) {
   const py::gil_scoped_release no_gil;
   return tracked.odometry.track(frame);
+}
+
+auto track_rgbd(PyRgbd& tracked, double timestamp, const py::array& image,
+                const std::optional<py::array>& depth, double depth_delay) {
+  vo::RgbdFrame frame = frame_of(timestamp, image, depth, tracked.camera);
+  frame.depth_delay = depth_delay;
+  return track_frame(tracked, frame);
+}
+
+auto track_mono(PyMono& tracked, double timestamp, const py::array& image,
+                const std::optional<py::array>& depth) {
+  return track_frame(tracked, frame_of(timestamp, image, depth, tracked.camera));
 }
 
 /// Returns the points of a frame, one row of each array for each: px, m in the frame's camera, m.
@@ -192,13 +202,16 @@ void bind_odometry(py::module_& module) {
 
 image: uint8, height x width grey or height x width x 3 blue, green, red, as OpenCV has it.
 depth: float32 in metres or uint16 in the camera's units, height x width; None in mode mono.
+depth_delay (RgbdOdometry): s, from the stamp of the image to that of the depth.
 Arrays are not copied; they must not be written while the odometry is in use.)";
   const auto times_help = "wall-clock times of the last frame's stages, for diagnosis: dict of ms";
   py::class_<PyRgbd>(module, "RgbdOdometry", "RGB-D edge-direct odometry: one call per frame.")
       .def(py::init(&rgbd_odometry), py::arg("camera"), py::arg("options") = py::none(),
            py::arg("T_world_first") = py::none())
-      .def("track", &track<vo::RgbdOdometry>, py::arg("timestamp"), py::arg("image"),
-           py::arg("depth"), frame_help)
+      .def("track", &track_rgbd, py::arg("timestamp"), py::arg("image"), py::arg("depth"),
+           py::arg("depth_delay") = 0.0, frame_help)
+      .def("track", &track_frame<vo::RgbdOdometry>, py::arg("frame"),
+           "Track a frame of a Sequence, whose depth may have a stamp of its own.")
       .def_property_readonly(
           "trajectory", [](const PyRgbd& t) { return t.odometry.trajectory(); },
           "poses of the frames that are not lost")
@@ -212,7 +225,7 @@ Arrays are not copied; they must not be written while the odometry is in use.)";
                      "Monocular edge-direct odometry with an inverse-depth map.")
       .def(py::init(&mono_odometry), py::arg("camera"), py::arg("options") = py::none(),
            py::arg("T_world_first") = py::none())
-      .def("track", &track<vo::MonoOdometry>, py::arg("timestamp"), py::arg("image"),
+      .def("track", &track_mono, py::arg("timestamp"), py::arg("image"),
            py::arg("depth") = py::none(), frame_help)
       .def(
           "finish",

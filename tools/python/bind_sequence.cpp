@@ -60,7 +60,9 @@ void bind_sequence(py::module_& module) {
           "uint8, grey or blue, green, red; read-only")
       .def_property_readonly(
           "depth", [](const vo::RgbdFrame& f) { return shared_array(f.depth); },
-          "float32, m along the optical axis, 0 where there is none; read-only");
+          "float32, m along the optical axis, 0 where there is none; read-only")
+      .def_readonly("depth_delay", &vo::RgbdFrame::depth_delay,
+                    "s, from the stamp of the image to that of the depth");
   py::class_<FrameIterator>(module, "FrameIterator")
       .def("__iter__", [](FrameIterator& frames) -> FrameIterator& { return frames; })
       .def("__next__", &FrameIterator::next);

@@ -1,4 +1,4 @@
-from typing import Any, Iterable, Iterator, Mapping, Optional, Sequence as _Sequence, TypeVar
+from typing import Any, Iterable, Iterator, Mapping, Optional, Sequence as _Sequence, TypeVar, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -142,9 +142,16 @@ class RgbdOdometry:
         options: Optional[TrackerOptions] = None,
         T_world_first: Optional[NDArray[np.float64]] = None,
     ) -> None: ...
+    @overload
     def track(
-        self, timestamp: float, image: NDArray[np.uint8], depth: Optional[NDArray[Any]]
+        self,
+        timestamp: float,
+        image: NDArray[np.uint8],
+        depth: Optional[NDArray[Any]],
+        depth_delay: float = 0.0,
     ) -> TrackingResult: ...
+    @overload
+    def track(self, frame: Frame) -> TrackingResult: ...
     @property
     def trajectory(self) -> Trajectory: ...
     @property
@@ -179,6 +186,8 @@ class Frame:
     def image(self) -> NDArray[np.uint8]: ...
     @property
     def depth(self) -> Optional[NDArray[np.float32]]: ...
+    @property
+    def depth_delay(self) -> float: ...
 
 class FrameIterator:
     def __iter__(self) -> FrameIterator: ...

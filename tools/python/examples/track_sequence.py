@@ -9,7 +9,7 @@ camera = edvo.load_camera(sys.argv[2]) if len(sys.argv) > 2 else None
 sequence = edvo.Sequence(sys.argv[1], camera=camera)
 odometry = edvo.RgbdOdometry(sequence.camera)
 for frame in sequence:
-    result = odometry.track(frame.timestamp, frame.image, frame.depth)
+    result = odometry.track(frame)
     if result.status in ("lost", "uncertain"):
         print(f"{frame.timestamp:.6f} {result.status}: {result.reason}")
 odometry.trajectory.write("estimate.txt", replace=True)
