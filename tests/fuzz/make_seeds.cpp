@@ -174,7 +174,7 @@ void add_sequences(const vo::SequenceSource& source, Seeds& seeds) {
   const vo::SequenceLayout layout{source.camera};
   auto tum = vo::encode_lists(layout, source.truth);
   append(tum, vo::encode_frame(layout, 0, frame));
-  auto euroc = vo::encode_euroc_lists(source, true);
+  auto euroc = vo::encode_euroc_lists(source, source.timestamps);
   append(euroc, vo::encode_euroc_frame(source.camera, frame));
   auto icl = vo::encode_icl_nuim_lists(source);
   append(icl, vo::encode_icl_nuim_frame(source.camera, 0, frame, {}));

@@ -28,7 +28,8 @@ std::optional<vo::RgbdFrame> FramePairs::take() {
     }
     return std::nullopt;
   }
-  vo::RgbdFrame frame{colour_->timestamp, std::move(colour_->image), std::move(depth_->image)};
+  vo::RgbdFrame frame{colour_->timestamp, std::move(colour_->image), std::move(depth_->image),
+                      depth_->timestamp - colour_->timestamp};
   colour_.reset();
   depth_.reset();
   return frame;

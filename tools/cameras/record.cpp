@@ -11,6 +11,7 @@
 #include "vo/core/error.h"
 #include "vo/dataset/colour_sequence.h"
 #include "vo/dataset/sequence.h"
+#include "vo/frames/depth_timestamp.h"
 #include "vo/output_folders/output_folder.h"
 
 namespace tools {
@@ -86,6 +87,7 @@ RecordOutcome record(const LiveCamera& camera, const RecordJob& job, const vo::O
                      const RecordObserver& observer) {
   vo::OutputFolder folder(job.out, policy, {});
   std::vector<double> timestamps;
+  std::vector<double> depth_stamps;
   FrameWriter writer(camera, folder);
   while (job.frames == 0 || timestamps.size() < job.frames) {
     const std::optional<vo::RgbdFrame> frame = camera.next(observer.is_stopped);
@@ -94,11 +96,12 @@ RecordOutcome record(const LiveCamera& camera, const RecordJob& job, const vo::O
     }
     writer.put(*frame);
     timestamps.push_back(frame->timestamp);
+    depth_stamps.push_back(vo::depth_timestamp(*frame));
     observer.on_frame(timestamps.size());
   }
   writer.finish();
   vo::require(!timestamps.empty(), camera.device, ": has given no frame before it was stopped");
-  folder.write(camera.has_depth ? vo::encode_image_lists({camera.camera}, timestamps)
+  folder.write(camera.has_depth ? vo::encode_image_lists({camera.camera}, timestamps, depth_stamps)
                                 : vo::encode_colour_lists(camera.camera, timestamps));
   folder.commit();
   return {timestamps.size(), camera.missed(), timestamps.back() - timestamps.front()};

@@ -12,6 +12,7 @@
 #include "vo/dataset/camera_file.h"
 #include "vo/dataset/frame_images.h"
 #include "vo/files/input.h"
+#include "vo/frames/depth_timestamp.h"
 #include "vo/frames/depth_units.h"
 #include "vo/image_files/png.h"
 #include "vo/motion_files/imu_file.h"
@@ -215,6 +216,11 @@ ImuNoise read_imu_sensor(const fs::path& path) {
   return noise;
 }
 
+/// Returns an image's file within the folder of its camera.
+std::string image_name(double timestamp) {
+  return concat("/data/", to_nanoseconds(timestamp), ".png");
+}
+
 std::string format_list(const std::vector<double>& timestamps) {
   std::string text = "#timestamp [ns],filename\n";
   for (const double timestamp : timestamps) {
@@ -250,8 +256,12 @@ SequenceSource open_euroc(const fs::path& folder, const std::optional<RgbdCamera
   for (const StampedFile& image : *images) {
     source.timestamps.push_back(seconds_of(image.nanoseconds));
   }
-  const bool has_depth = fs::exists(folder / kDepth / "data.csv");
-  if (has_depth) {
+  const auto depths = std::make_shared<std::vector<StampedFile>>();
+  if (fs::exists(folder / kDepth / "data.csv")) {
+    *depths = read_list(folder / kDepth);
+    require(depths->size() == images->size(), (folder / kDepth / "data.csv").string(), ": lists ",
+            depths->size(), " depth images, expected as many as the ", images->size(),
+            " images of cam0");
     const fs::path path = folder / kDepth / "sensor.yaml";
     source.camera.depth_units_per_m =
         yaml_numbers(path, read_file(path, kMaxConfigurationBytes), "depth_units_per_m", 1)[0];
@@ -260,9 +270,10 @@ SequenceSource open_euroc(const fs::path& folder, const std::optional<RgbdCamera
   source.read = [=, camera = source.camera, timestamps = source.timestamps](std::size_t index) {
     const StampedFile& image = images->at(index);
     RgbdFrame frame{timestamps[index], read_frame_image(image.path, camera.pinhole), {}};
-    if (has_depth) {
-      frame.depth = read_depth_png(
-          folder / kDepth / "data" / image.path.filename().replace_extension(".png"), camera);
+    if (!depths->empty()) {
+      const StampedFile& depth = depths->at(index);
+      frame.depth = read_depth_png(depth.path, camera);
+      frame.depth_delay = seconds_of(depth.nanoseconds) - frame.timestamp;
     }
     return frame;
   };
@@ -282,26 +293,26 @@ SequenceSource open_euroc(const fs::path& folder, const std::optional<RgbdCamera
 }
 
 std::vector<NamedBytes> encode_euroc_frame(const RgbdCamera& camera, const RgbdFrame& frame) {
-  const std::string name = "/data/" + std::to_string(to_nanoseconds(frame.timestamp)) + ".png";
-  std::vector<NamedBytes> files = {{kCamera + name, encode_png(frame.image)}};
+  std::vector<NamedBytes> files = {
+      {kCamera + image_name(frame.timestamp), encode_png(frame.image)}};
   if (!frame.depth.empty()) {
-    files.push_back(
-        {kDepth + name, encode_png(to_depth_units(frame.depth, camera.depth_units_per_m))});
+    files.push_back({kDepth + image_name(depth_timestamp(frame)),
+                     encode_png(to_depth_units(frame.depth, camera.depth_units_per_m))});
   }
   return files;
 }
 
-std::vector<NamedBytes> encode_euroc_lists(const SequenceSource& source, bool has_depth) {
+std::vector<NamedBytes> encode_euroc_lists(const SequenceSource& source,
+                                           const std::vector<double>& depth_stamps) {
   const Distortion& lens = source.camera.pinhole.distortion;
   require(lens.model == DistortionModel::kannala_brandt || (lens.k3 == 0 && !lens.is_rational()),
           "EuRoC's sensor.yaml holds k1, k2, p1, p2, expected a lens without k3 to k6, got k3 = ",
           lens.k3);
   const std::string camera = kCamera;
-  const std::string list = format_list(source.timestamps);
-  std::vector<NamedBytes> files = {{camera + "/data.csv", list},
+  std::vector<NamedBytes> files = {{camera + "/data.csv", format_list(source.timestamps)},
                                    {camera + "/sensor.yaml", format_sensor(source, "camera")}};
-  if (has_depth) {
-    files.push_back({std::string(kDepth) + "/data.csv", list});
+  if (!depth_stamps.empty()) {
+    files.push_back({std::string(kDepth) + "/data.csv", format_list(depth_stamps)});
     files.push_back(
         {std::string(kDepth) + "/sensor.yaml",
          format_sensor(source, "planar depth, 16 bit, 0 = none") +

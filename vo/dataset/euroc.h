@@ -14,9 +14,10 @@ namespace vo {
 ///     mav0/imu0/{data.csv, sensor.yaml}
 ///     mav0/state_groundtruth_estimate0/{data.csv, sensor.yaml}
 /// The data set has no depth; this project adds mav0/depth0/, laid out as cam0: 16 bit, planar, the
-/// units per metre in its sensor.yaml. Stamps are nanoseconds, quaternions have w first. The ground
-/// truth is of the body; T_BS in sensor.yaml is T_body_sensor. Its world has z up, unless
-/// `world_up: y` in the ground truth's sensor.yaml, this project's addition, says otherwise.
+/// units per metre in its sensor.yaml, as many lines as cam0, whose stamps may differ. Stamps are
+/// nanoseconds, quaternions have w first. The ground truth is of the body; T_BS in sensor.yaml is
+/// T_body_sensor. Its world has z up, unless `world_up: y` in the ground truth's sensor.yaml, this
+/// project's addition, says otherwise.
 SequenceSource open_euroc(const std::filesystem::path& folder,
                           const std::optional<RgbdCamera>& camera);
 
@@ -25,6 +26,8 @@ std::vector<NamedBytes> encode_euroc_frame(const RgbdCamera& camera, const RgbdF
 
 /// Encodes all files but the images; a lens of Kannala and Brandt is written as `equidistant`.
 /// Throws Error for one of Brown and Conrady with k3 to k6, which the format cannot hold.
-std::vector<NamedBytes> encode_euroc_lists(const SequenceSource& source, bool has_depth);
+/// `depth_stamps`, s, are those of the frames' depth, none where there is no depth.
+std::vector<NamedBytes> encode_euroc_lists(const SequenceSource& source,
+                                           const std::vector<double>& depth_stamps);
 
 }  // namespace vo

@@ -113,11 +113,14 @@ std::vector<std::string> frame_files(const SequenceLayout& layout, std::size_t i
 std::vector<NamedBytes> encode_frame(const SequenceLayout& layout, std::size_t index,
                                      const RgbdFrame& frame);
 
-/// Encodes the lists of the images and camera.toml for frames of these stamps, s.
+/// Encodes the lists of the images and camera.toml for frames whose images and depth have these
+/// stamps, s. The layout's `depth_delay` does not enter.
 std::vector<NamedBytes> encode_image_lists(const SequenceLayout& layout,
-                                           const std::vector<double>& timestamps);
+                                           const std::vector<double>& timestamps,
+                                           const std::vector<double>& depth_stamps);
 
-/// Encodes what `encode_image_lists` does and groundtruth.txt for frames 0 to truth.size() - 1.
+/// Encodes what `encode_image_lists` does and groundtruth.txt for frames 0 to truth.size() - 1,
+/// whose depth has the layout's `depth_delay`.
 std::vector<NamedBytes> encode_lists(const SequenceLayout& layout, const Trajectory& truth);
 
 }  // namespace vo

@@ -55,8 +55,8 @@ std::vector<NamedBytes> encode_frame(const SequenceLayout& layout, std::size_t i
 }
 
 std::vector<NamedBytes> encode_image_lists(const SequenceLayout& layout,
-                                           const std::vector<double>& timestamps) {
-  const std::vector<double> depth_stamps = delayed(timestamps, layout.depth_delay);
+                                           const std::vector<double>& timestamps,
+                                           const std::vector<double>& depth_stamps) {
   std::vector<NamedBytes> files = encode_colour_lists(layout.camera, timestamps);
   files.insert(files.begin() + 1,
                {"depth.txt", format_image_list("planar depth at pixel centres, 16 bit", "depth",
@@ -70,7 +70,9 @@ std::vector<NamedBytes> encode_image_lists(const SequenceLayout& layout,
 }
 
 std::vector<NamedBytes> encode_lists(const SequenceLayout& layout, const Trajectory& truth) {
-  std::vector<NamedBytes> files = encode_image_lists(layout, timestamps_of(truth));
+  const std::vector<double> timestamps = timestamps_of(truth);
+  std::vector<NamedBytes> files =
+      encode_image_lists(layout, timestamps, delayed(timestamps, layout.depth_delay));
   files.push_back({"groundtruth.txt", format_trajectory(truth)});
   return files;
 }

@@ -70,6 +70,12 @@ CarriedTruth carried_truth(const ConvertJob& job, SequenceFormat from, const Seq
 struct WrittenImages {
   DepthImages depth = DepthImages::absent;
   std::size_t depth_beyond_16_bit = 0;
+
+  void see(const RgbdFrame& frame) {
+    if (!frame.depth.empty() && depth != DepthImages::delayed) {
+      depth = frame.depth_delay == 0 ? DepthImages::present : DepthImages::delayed;
+    }
+  }
 };
 
 WrittenImages write_folder(const ConvertJob& job, const SequenceSource& source,
@@ -83,9 +89,7 @@ WrittenImages write_folder(const ConvertJob& job, const SequenceSource& source,
     const RgbdFrame frame = source.read(i);
     require(!frame.depth.empty() || traits_of(job.to).depth == Need::optional, job.in.string(),
             ": has no depth, which ", to_string(job.to), " expects");
-    if (!frame.depth.empty()) {
-      written.depth = DepthImages::present;
-    }
+    written.see(frame);
     if (depth_units > 0) {
       written.depth_beyond_16_bit += count_beyond_16_bit(frame.depth, depth_units);
     }
@@ -107,9 +111,7 @@ WrittenImages write_images(const ConvertJob& job, const SequenceSource& source,
   SequenceSource images = source;
   images.read = [&](std::size_t index) {
     RgbdFrame frame = source.read(index);
-    if (!frame.depth.empty()) {
-      written.depth = DepthImages::present;
-    }
+    written.see(frame);
     return frame;
   };
   write_video(job.out, images, policy, progress);

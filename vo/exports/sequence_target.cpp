@@ -12,6 +12,7 @@
 #include "vo/exports/kitti.h"
 #include "vo/exports/transforms_json.h"
 #include "vo/exports/tum_lists.h"
+#include "vo/frames/depth_timestamp.h"
 #include "vo/motion_files/timestamp.h"
 #include "vo/videos/write_video.h"
 
@@ -29,25 +30,27 @@ SequenceTarget target_of(const SequenceSource& source) {
 }
 
 SequenceTarget tum_target(const SequenceSource& source) {
-  const auto depth = std::make_shared<DepthImages>(DepthImages::absent);
-  return {[&source, depth](std::size_t index, const RgbdFrame& frame) {
+  const auto depth_stamps = std::make_shared<std::vector<double>>();
+  return {[&source, depth_stamps](std::size_t index, const RgbdFrame& frame) {
             if (frame.depth.empty()) {
               return encode_colour_frame(index, frame);
             }
-            *depth = DepthImages::present;
+            depth_stamps->push_back(depth_timestamp(frame));
             return encode_frame(tum_layout(source), index, frame);
           },
-          [&source, depth] { return encode_tum_lists(source, *depth); }};
+          [&source, depth_stamps] { return encode_tum_lists(source, *depth_stamps); }};
 }
 
 SequenceTarget euroc_target(const SequenceSource& source) {
   require_nanoseconds_apart(source.timestamps);
-  const auto has_depth = std::make_shared<bool>(false);
-  return {[&source, has_depth](std::size_t, const RgbdFrame& frame) {
-            *has_depth = !frame.depth.empty();
+  const auto depth_stamps = std::make_shared<std::vector<double>>();
+  return {[&source, depth_stamps](std::size_t, const RgbdFrame& frame) {
+            if (!frame.depth.empty()) {
+              depth_stamps->push_back(depth_timestamp(frame));
+            }
             return encode_euroc_frame(source.camera, frame);
           },
-          [&source, has_depth] { return encode_euroc_lists(source, *has_depth); }};
+          [&source, depth_stamps] { return encode_euroc_lists(source, *depth_stamps); }};
 }
 
 SequenceTarget icl_nuim_target(const SequenceSource& source) {
@@ -77,12 +80,14 @@ TargetTraits traits_of(WrittenSequence format) {
       return {.lenses = LensModels::all,
               .holds_y_up = true,
               .holds_float_depth = true,
+              .holds_depth_stamps = true,
               .holds_imu = true,
               .holds_sensor = true,
               .may_choose_world = true};
     case WrittenSequence::euroc:
       return {.lenses = LensModels::four,
               .holds_y_up = true,
+              .holds_depth_stamps = true,
               .holds_imu = true,
               .up = WorldUp::z,
               .may_choose_world = true};
@@ -116,7 +121,10 @@ TargetTraits traits_of(WrittenSequence format) {
               .up = WorldUp::z,
               .may_choose_world = true};
     case WrittenSequence::mcap:
-      return {.lenses = LensModels::all, .holds_y_up = true, .holds_float_depth = true};
+      return {.lenses = LensModels::all,
+              .holds_y_up = true,
+              .holds_float_depth = true,
+              .holds_depth_stamps = true};
     case WrittenSequence::video:
       return {.lenses = LensModels::all,
               .holds_y_up = true,
@@ -164,7 +172,7 @@ std::vector<std::string> list_dropped(WrittenSequence format, const SequenceSour
                                       DepthImages depth) {
   const TargetTraits traits = traits_of(format);
   std::vector<std::string> dropped;
-  if (!traits.holds_depth && depth == DepthImages::present) {
+  if (!traits.holds_depth && depth != DepthImages::absent) {
     dropped.emplace_back(format == WrittenSequence::colmap ? "depth but that of points3D.txt"
                                                            : "depth");
   }
@@ -174,6 +182,8 @@ std::vector<std::string> list_dropped(WrittenSequence format, const SequenceSour
   if (!traits.holds_stamps ||
       (format == WrittenSequence::video && !video_holds(source.timestamps))) {
     dropped.emplace_back("the frames' stamps");
+  } else if (traits.holds_depth && !traits.holds_depth_stamps && depth == DepthImages::delayed) {
+    dropped.emplace_back("the stamps of depth");
   }
   if (!traits.holds_poses) {
     dropped.emplace_back("the camera");

@@ -63,6 +63,7 @@ struct TargetTraits {
   bool holds_y_up = false;  ///< a camera with y up, of which fy is negative
   bool holds_depth = true;  ///< as images
   bool holds_float_depth = false;
+  bool holds_depth_stamps = false;
   bool holds_stamps = true;  ///< of the frames
   bool holds_poses = true;   ///< and the camera
   bool holds_imu = false;

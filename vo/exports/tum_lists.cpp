@@ -13,10 +13,12 @@ SequenceLayout tum_layout(const SequenceSource& source) {
           .float_depth = source.has_float_depth ? FloatDepth::npy : FloatDepth::none};
 }
 
-std::vector<NamedBytes> encode_tum_lists(const SequenceSource& source, DepthImages depth) {
-  std::vector<NamedBytes> files = depth == DepthImages::present
-                                      ? encode_image_lists(tum_layout(source), source.timestamps)
-                                      : encode_colour_lists(source.camera, source.timestamps);
+std::vector<NamedBytes> encode_tum_lists(const SequenceSource& source,
+                                         const std::vector<double>& depth_stamps) {
+  std::vector<NamedBytes> files =
+      depth_stamps.empty()
+          ? encode_colour_lists(source.camera, source.timestamps)
+          : encode_image_lists(tum_layout(source), source.timestamps, depth_stamps);
   if (!source.truth.empty()) {
     files.push_back({"groundtruth.txt", format_trajectory(source.truth)});
   }

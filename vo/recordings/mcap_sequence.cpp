@@ -7,6 +7,7 @@
 
 #include "vo/core/error.h"
 #include "vo/files/streamed_output.h"
+#include "vo/frames/depth_timestamp.h"
 #include "vo/frames/depth_units.h"
 #include "vo/motion_files/timestamp.h"
 #include "vo/recording_files/byte_writer.h"
@@ -76,7 +77,8 @@ RosPose pose_message(std::int64_t stamp_ns, const SE3& T_world_camera) {
       {stamp_ns, kWorldFrame}, kCameraFrame, {t.x(), t.y(), t.z()}, {q.x(), q.y(), q.z(), q.w()}};
 }
 
-/// Writes the messages of a sequence in the order of time.
+/// Writes the messages of a sequence in the order of time. Those of a frame are logged at the
+/// image's stamp; the headers of its depth have the depth's own.
 class SequenceMessages {
  public:
   SequenceMessages(McapWriter& writer, const SequenceSource& source, PointClouds clouds)
@@ -98,16 +100,17 @@ class SequenceMessages {
     const RosHeader header{stamp_ns, kCameraFrame};
     RosCameraInfo info = camera_info_of(source_.camera.pinhole);
     info.header = header;
-    const std::string encoded_info = encode_cdr(info);
-    writer_.write(info_, stamp_ns, encoded_info);
+    writer_.write(info_, stamp_ns, encode_cdr(info));
     writer_.write(image_, stamp_ns, encode_colour(header, frame.image));
     if (frame.depth.empty()) {
       return;
     }
-    writer_.write(depth_info_, stamp_ns, encoded_info);
-    writer_.write(depth_, stamp_ns, encode_depth(header, frame.depth));
+    const RosHeader depth_header{to_nanoseconds(depth_timestamp(frame)), kCameraFrame};
+    info.header = depth_header;
+    writer_.write(depth_info_, stamp_ns, encode_cdr(info));
+    writer_.write(depth_, stamp_ns, encode_depth(depth_header, frame.depth));
     if (clouds_ == PointClouds::written) {
-      writer_.write(cloud_, stamp_ns, encode_cloud(header, frame, source_.camera.pinhole));
+      writer_.write(cloud_, stamp_ns, encode_cloud(depth_header, frame, source_.camera.pinhole));
     }
   }
 

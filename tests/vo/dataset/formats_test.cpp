@@ -73,7 +73,7 @@ TEST(Euroc, ReadsBackWithDepthPosesAndImu) {
   for (std::size_t i = 0; i < kFrames; ++i) {
     vo::write_files(folder.path(), vo::encode_euroc_frame(source.camera, source.read(i)));
   }
-  vo::write_files(folder.path(), vo::encode_euroc_lists(source, true));
+  vo::write_files(folder.path(), vo::encode_euroc_lists(source, source.timestamps));
   EXPECT_EQ(vo::detect_format(folder.path()), vo::SequenceFormat::euroc);
   const auto copy = vo::open_sequence(folder.path(), vo::SequenceFormat::euroc);
   expect_same(copy, source, 0.5 / 1000 + 1e-6);
@@ -94,7 +94,7 @@ TEST(Euroc, StampsOfOurTimeReadBackToTheBit) {
     source.truth[i].timestamp = source.timestamps[i];
   }
   const TempFolder folder;
-  vo::write_files(folder.path(), vo::encode_euroc_lists(source, true));
+  vo::write_files(folder.path(), vo::encode_euroc_lists(source, source.timestamps));
   const auto copy = vo::open_sequence(folder.path(), vo::SequenceFormat::euroc);
   EXPECT_EQ(copy.timestamps, source.timestamps);
   EXPECT_EQ(vo::timestamps_of(copy.truth), source.timestamps);
@@ -109,7 +109,7 @@ TEST(Euroc, HoldsAFisheyeAsEquidistant) {
                                       .model = vo::DistortionModel::kannala_brandt};
   const TempFolder folder;
   vo::write_files(folder.path(), vo::encode_euroc_frame(source.camera, source.read(0)));
-  vo::write_files(folder.path(), vo::encode_euroc_lists(source, true));
+  vo::write_files(folder.path(), vo::encode_euroc_lists(source, source.timestamps));
   EXPECT_THAT(vo::read_file(folder.path() / "mav0/cam0/sensor.yaml"),
               HasSubstr("distortion_model: equidistant\n"
                         "distortion_coefficients: [-0.01, 0.02, -0.003, 0.004]"));
@@ -120,7 +120,7 @@ TEST(Euroc, HoldsAFisheyeAsEquidistant) {
 TEST(Euroc, KalibrsNameOfTheLensIsKnown) {
   const vo::SequenceSource source = example();
   const TempFolder folder;
-  vo::write_files(folder.path(), vo::encode_euroc_lists(source, true));
+  vo::write_files(folder.path(), vo::encode_euroc_lists(source, source.timestamps));
   std::string sensor = vo::read_file(folder.path() / "mav0/cam0/sensor.yaml");
   const std::string name = "radial-tangential";
   sensor.replace(sensor.find(name), name.size(), "radtan");
@@ -137,7 +137,7 @@ TEST(Euroc, PosesAreTheBodysAndTheCameraHasItsPlaceOnIt) {
   for (std::size_t i = 0; i < kFrames; ++i) {
     vo::write_files(folder.path(), vo::encode_euroc_frame(source.camera, source.read(i)));
   }
-  vo::write_files(folder.path(), vo::encode_euroc_lists(source, true));
+  vo::write_files(folder.path(), vo::encode_euroc_lists(source, source.timestamps));
   const auto copy = vo::open_sequence(folder.path(), vo::SequenceFormat::euroc);
   EXPECT_LT((copy.T_body_camera.inverse() * source.T_body_camera).log().norm(), 1e-9);
   expect_same(copy, source, 0.5 / 1000 + 1e-6);
@@ -157,13 +157,21 @@ TEST(Euroc, ErrorsNameTheFileAndWhatIsMissing) {
   EXPECT_THAT(error_text(open), HasSubstr("data.csv:3: expected a stamp after"));
   vo::SequenceSource source = example();
   source.camera.pinhole.distortion.k3 = 1;
-  EXPECT_THAT(error_text([&] { vo::encode_euroc_lists(source, true); }),
+  EXPECT_THAT(error_text([&] { vo::encode_euroc_lists(source, source.timestamps); }),
               HasSubstr("expected a lens without k3 to k6"));
+}
+
+TEST(Euroc, DepthHasAsManyImagesAsTheCamera) {
+  const TempFolder folder;
+  vo::write_files(folder.path(), vo::encode_euroc_lists(example(), {0.0}));
+  EXPECT_THAT(
+      error_text([&] { vo::open_sequence(folder.path(), vo::SequenceFormat::euroc); }),
+      HasSubstr("depth0/data.csv: lists 1 depth images, expected as many as the 3 images of cam0"));
 }
 
 TEST(Euroc, SizesAndUnitsThatNoImageHasAreErrors) {
   const TempFolder folder;
-  vo::write_files(folder.path(), vo::encode_euroc_lists(example(), true));
+  vo::write_files(folder.path(), vo::encode_euroc_lists(example(), example().timestamps));
   const auto error_with = [&](const std::string& file, const std::string& from,
                               const std::string& to) {
     std::string text = vo::read_file(folder.path() / file);

@@ -251,6 +251,26 @@ TEST_F(ConvertSequence, FloatDepthAndTruthAreCarriedWhereTheFormatHoldsThem) {
   EXPECT_THAT(turned.dropped, ElementsAre("truth/normal"));
 }
 
+TEST_F(ConvertSequence, StampsOfDepthAreCarriedWhereTheFormatHoldsThem) {
+  const std::array delays = {-0.008, 0.0, 0.004, -0.016};  // s
+  std::vector<double> depth_stamps = source.timestamps;
+  for (std::size_t i = 0; i < delays.size(); ++i) {
+    depth_stamps[i] += delays.at(i);
+  }
+  vo::write_files(in, vo::encode_image_lists({source.camera}, source.timestamps, depth_stamps),
+                  vo::ExistingOutput::replace);
+  for (const auto to :
+       {vo::WrittenSequence::tum, vo::WrittenSequence::euroc, vo::WrittenSequence::mcap}) {
+    EXPECT_THAT(convert(to).dropped, testing::Not(testing::Contains("the stamps of depth")));
+    const auto copy = vo::open_sequence(out(to), vo::detect_format(out(to)));
+    for (std::size_t i = 0; i < delays.size(); ++i) {
+      EXPECT_NEAR(copy.read(i).depth_delay, delays.at(i), 1e-6) << vo::to_string(to) << i;
+    }
+  }
+  EXPECT_THAT(convert(vo::WrittenSequence::transforms_json).dropped,
+              testing::Contains("the stamps of depth"));
+}
+
 TEST_F(ConvertSequence, AColmapModelIsReadAsATrajectoryByTheNamesOfItsImages) {
   convert(vo::WrittenSequence::colmap);
   const vo::Trajectory poses =
