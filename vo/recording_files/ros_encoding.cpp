@@ -44,8 +44,10 @@ class CdrWriter {
   }
 
   void header(const RosHeader& header) {
-    number(static_cast<std::int32_t>(header.stamp_ns / kNanosecondsPerSecond));
-    number(static_cast<std::uint32_t>(header.stamp_ns % kNanosecondsPerSecond));
+    const std::int64_t rest =  // of a second that began before, also before 1970
+        (header.stamp_ns % kNanosecondsPerSecond + kNanosecondsPerSecond) % kNanosecondsPerSecond;
+    number(static_cast<std::int32_t>((header.stamp_ns - rest) / kNanosecondsPerSecond));
+    number(static_cast<std::uint32_t>(rest));
     string(header.frame_id);
   }
 
