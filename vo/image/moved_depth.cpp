@@ -87,6 +87,12 @@ EDVO_INLINE float clamped(float value, float last) {
   return positive < last ? positive : last;
 }
 
+/// Returns the whole number nearest to one of at least 0.
+EDVO_INLINE int rounded(float value) {
+  constexpr float kHalf = 0.5F;
+  return static_cast<int>(value + kHalf);
+}
+
 /// Finds the cells of the image nearest to where the points were seen.
 EDVO_INLINE void find_cells(const DepthLookup& from, MovedCells& cells) {
   const auto last_u = static_cast<float>(from.depth.cols - 2);
@@ -99,7 +105,7 @@ EDVO_INLINE void find_cells(const DepthLookup& from, MovedCells& cells) {
     const float v = clamped(cells.v[i], last_v);
     beyond_u[i] = std::abs(u - cells.u[i]);
     beyond_v[i] = std::abs(v - cells.v[i]);
-    cells.index[i] = static_cast<int>(v + 0.5F) * stride + static_cast<int>(u + 0.5F);
+    cells.index[i] = rounded(v) * stride + rounded(u);
   }
   for (std::size_t i = 0; i < kMovedCells; ++i) {
     cells.is_inside[i] = (beyond_u[i] < 0.5F ? 1.0F : 0.0F) * (beyond_v[i] < 0.5F ? 1.0F : 0.0F);

@@ -32,6 +32,13 @@ struct alignas(64) PointScores {
       }
     }
   }
+
+  EDVO_INLINE void add_to(CellSums& sums, std::size_t i) const {
+    double* sum = sums[static_cast<std::size_t>(cell[i])].data();
+    for (std::size_t p = 0; p < kPassParameters; ++p) {
+      sum[p] += static_cast<double>(term[i][p]);
+    }
+  }
 };
 
 EDVO_INLINE void add_points(const PointTerms& terms, float cell_px, CellSums& sums) {
@@ -41,10 +48,7 @@ EDVO_INLINE void add_points(const PointTerms& terms, float cell_px, CellSums& su
     scores.compute(terms, cell_px, first, count);
     for (std::size_t i = 0; i < count; ++i) {
       if (terms.weight[first + i] > 0) {
-        double* sum = sums[static_cast<std::size_t>(scores.cell[i])].data();
-        for (std::size_t p = 0; p < kPassParameters; ++p) {
-          sum[p] += static_cast<double>(scores.term[i][p]);
-        }
+        scores.add_to(sums, i);
       }
     }
   }

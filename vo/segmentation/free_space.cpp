@@ -39,6 +39,25 @@ struct RowPoints {
   }
 };
 
+/// Pixels side by side of a row, and where their points are in another view.
+struct PlacedPixels {
+  int first, v;    // px, the first of them
+  const float* z;  // m, depths
+  std::size_t count;
+  const ViewPlaces& places;
+};
+
+void add_seen_through(const PlacedPixels& pixels, const DepthImage& other, const ViewTiles& grid,
+                      float evidence, ViewTiles::Values& sum) {
+  const ViewPlaces& places = pixels.places;
+  for (std::size_t i = 0; i < pixels.count; ++i) {
+    if (has_depth(pixels.z[i]) && places.is_in_view(i) &&
+        is_seen_through(places.z[i], other, cvRound(places.u[i]), cvRound(places.v[i]))) {
+      sum[grid.of({pixels.first + static_cast<int>(i), pixels.v})] += evidence;
+    }
+  }
+}
+
 }  // namespace
 
 void add_seen_through(const PyramidLevel& own, const PyramidLevel& other, const SE3& T_other_own,
@@ -53,12 +72,8 @@ void add_seen_through(const PyramidLevel& own, const PyramidLevel& other, const 
       const float* z = own.depth[v] + first;
       const RowPoints row(z, own.rays[v] + first, count);
       placer.place({row.x.data(), row.y.data(), z, count}, places);
-      for (std::size_t i = 0; i < count; ++i) {
-        if (has_depth(z[i]) && places.is_in_view(i) &&
-            is_seen_through(places.z[i], other.depth, cvRound(places.u[i]), cvRound(places.v[i]))) {
-          sum[grid.of({static_cast<int>(first + i), v})] += evidence;
-        }
-      }
+      add_seen_through({static_cast<int>(first), v, z, count, places}, other.depth, grid, evidence,
+                       sum);
     }
   }
 }

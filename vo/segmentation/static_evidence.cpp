@@ -97,6 +97,13 @@ std::size_t depth_level(const FramePyramid& frame) {
   return level;
 }
 
+/// Adds a row of tiles, weighted, to another.
+void add_row(float weight, const float* row, float* __restrict sum) {
+  for (std::size_t column = 0; column < ViewTiles::kColumns; ++column) {
+    sum[column] += weight * row[column];
+  }
+}
+
 /// Weighs each tile with its neighbours by 1/4, 1/2, 1/4 in both directions.
 TileEvidence smoothed(const TileEvidence& evidence) {
   constexpr std::size_t kWidth = ViewTiles::kColumns;
@@ -109,14 +116,10 @@ TileEvidence smoothed(const TileEvidence& evidence) {
   }
   TileEvidence result{};
   for (std::size_t row = 0; row < kHeight; ++row) {
-    float* __restrict sum = result.data() + row * kWidth;
     for (std::size_t dv = 0; dv < kWeights.size(); ++dv) {
       for (std::size_t du = 0; du < kWeights.size(); ++du) {
-        const float weight = kWeights[dv] * kWeights[du];
-        const float* near = padded[row + dv].data() + du;
-        for (std::size_t column = 0; column < kWidth; ++column) {
-          sum[column] += weight * near[column];
-        }
+        add_row(kWeights[dv] * kWeights[du], padded[row + dv].data() + du,
+                result.data() + row * kWidth);
       }
     }
   }
