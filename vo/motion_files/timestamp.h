@@ -17,8 +17,8 @@ inline constexpr double kMaxTimestamp = 9e9;
 /// `kMaxTimestamp` of 0.
 double checked_timestamp(const TextLine& line, double timestamp);
 
-/// Returns the stamp of a line's field, s. Throws Error naming the line unless it is a number within
-/// `kMaxTimestamp` of 0.
+/// Returns the stamp of a line's field, s. Throws Error naming the line unless it is a number
+/// within `kMaxTimestamp` of 0.
 double parse_timestamp(const TextLine& line, std::size_t field);
 
 /// Returns a stamp of a line's field, in nanoseconds, as seconds: a whole number by `seconds_of`,
