@@ -40,4 +40,19 @@ constexpr auto enum_names(InstructionSet) {
 /// usage for another name, or for instructions that the machine lacks.
 InstructionSet available_instruction_set();
 
+/// Returns the one of a function's three versions that is compiled for a set.
+template <typename Function>
+constexpr Function version_for(InstructionSet set, Function baseline, Function avx2,
+                               Function avx512) {
+  switch (set) {
+    case InstructionSet::baseline:
+      return baseline;
+    case InstructionSet::avx2:
+      return avx2;
+    case InstructionSet::avx512:
+      return avx512;
+  }
+  return baseline;
+}
+
 }  // namespace vo

@@ -219,16 +219,8 @@ void Canny::find(const ByteImage& image, double weak, double strong, Instruction
     row.resize(image.cols);
   }
   hysteresis_.reset(image.size());
-  switch (set) {
-    case InstructionSet::avx512:
-      classify_avx512(image, thresholds, rows_, hysteresis_);
-      break;
-    case InstructionSet::avx2:
-      classify_avx2(image, thresholds, rows_, hysteresis_);
-      break;
-    default:
-      classify_baseline(image, thresholds, rows_, hysteresis_);
-  }
+  version_for(set, classify_baseline, classify_avx2, classify_avx512)(image, thresholds, rows_,
+                                                                      hysteresis_);
   hysteresis_.follow();
   edges.create(image.size());
   hysteresis_.write_strong(edges);

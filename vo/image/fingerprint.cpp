@@ -89,9 +89,7 @@ std::uint64_t fingerprint(const cv::Mat& image) {
     return 0;
   }
   const InstructionSet set = available_instruction_set();
-  const auto add = set == InstructionSet::avx512 ? add_rows_avx512
-                   : set == InstructionSet::avx2 ? add_rows_avx2
-                                                 : add_rows_baseline;
+  const auto add = version_for(set, add_rows_baseline, add_rows_avx2, add_rows_avx512);
   LaneHashes hashes;
   add(image, hashes);
   return hashes.mixed_together();

@@ -181,9 +181,7 @@ void move_depth(const DepthImage& depth, const PinholeCamera& camera, const RayI
   moved.row(moved.rows - 1).setTo(0);
   moved.col(moved.cols - 1).setTo(0);
   const InstructionSet set = available_instruction_set();
-  const auto move = set == InstructionSet::avx512 ? move_image_avx512
-                    : set == InstructionSet::avx2 ? move_image_avx2
-                                                  : move_image_baseline;
+  const auto move = version_for(set, move_image_baseline, move_image_avx2, move_image_avx512);
   move({depth, rays, static_cast<float>(camera.fx), static_cast<float>(camera.fy),
         small_motion(T_moved_depth)},
        moved);

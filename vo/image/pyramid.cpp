@@ -148,9 +148,7 @@ void halve(const GrayImage& image, GrayImage& half) {
 void halve_depth(const DepthImage& depth, DepthImage& half) {
   make_writable(half, {depth.cols / 2, depth.rows / 2});
   const InstructionSet set = available_instruction_set();
-  const auto merge = set == InstructionSet::avx512 ? merge_depth_avx512
-                     : set == InstructionSet::avx2 ? merge_depth_avx2
-                                                   : merge_depth_baseline;
+  const auto merge = version_for(set, merge_depth_baseline, merge_depth_avx2, merge_depth_avx512);
   merge(depth, half);
 }
 

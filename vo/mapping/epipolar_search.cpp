@@ -113,16 +113,7 @@ std::vector<Observation> search_epipolar_lines(const StereoPair& pair,
                                                InstructionSet set) {
   std::vector<Observation> observations(targets.size());
   const SearchView view(pair, options);
-  switch (set) {
-    case InstructionSet::avx512:
-      search_avx512(view, targets, observations);
-      break;
-    case InstructionSet::avx2:
-      search_avx2(view, targets, observations);
-      break;
-    default:
-      search_baseline(view, targets, observations);
-  }
+  version_for(set, search_baseline, search_avx2, search_avx512)(view, targets, observations);
   return observations;
 }
 

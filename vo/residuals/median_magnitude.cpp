@@ -55,9 +55,7 @@ float median_magnitude(std::span<const float> magnitudes) {
     return 0;
   }
   const InstructionSet set = available_instruction_set();
-  const auto find = set == InstructionSet::avx512 ? find_median_avx512
-                    : set == InstructionSet::avx2 ? find_median_avx2
-                                                  : find_median_baseline;
+  const auto find = version_for(set, find_median_baseline, find_median_avx2, find_median_avx512);
   return find(magnitudes);
 }
 

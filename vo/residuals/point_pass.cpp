@@ -95,16 +95,7 @@ void PointEquations::complete(std::size_t all_points, const PassOptions& options
 
 PointEquations sum_points(const PointView& view, const PassOptions& options, InstructionSet set) {
   PointEquations sums;
-  switch (set) {
-    case InstructionSet::avx512:
-      sum_avx512(view, options, sums);
-      break;
-    case InstructionSet::avx2:
-      sum_avx2(view, options, sums);
-      break;
-    default:
-      sum_baseline(view, options, sums);
-  }
+  version_for(set, sum_baseline, sum_avx2, sum_avx512)(view, options, sums);
   sums.complete(view.points.size(), options);
   return sums;
 }
@@ -112,9 +103,7 @@ PointEquations sum_points(const PointView& view, const PassOptions& options, Ins
 void compute_point_terms(const PointView& view, const PassOptions& options, InstructionSet set,
                          PointTerms& scores) {
   scores.resize(view.points.size());
-  const auto score = set == InstructionSet::avx512 ? score_avx512
-                     : set == InstructionSet::avx2 ? score_avx2
-                                                   : score_baseline;
+  const auto score = version_for(set, score_baseline, score_avx2, score_avx512);
   score(view, options, scores);
 }
 

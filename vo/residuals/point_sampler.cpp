@@ -62,9 +62,7 @@ PointSampler::PointSampler(const PointView& view, InstructionSet set, float max_
       warp_(view),
       max_depth_ratio_(max_depth_ratio),
       stride_(stride),
-      sample_(set == InstructionSet::avx512 ? sample_avx512
-              : set == InstructionSet::avx2 ? sample_avx2
-                                            : sample_baseline) {
+      sample_(version_for(set, sample_baseline, sample_avx2, sample_avx512)) {
   sample_(view_, warp_, max_depth_ratio_, range_of(0), {});
 }
 

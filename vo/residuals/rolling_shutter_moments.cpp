@@ -194,9 +194,7 @@ EDVO_TARGET_AVX512 void sum_readout_avx512(const PointView& view, const PointTer
 RollingShutterMoments RollingShutterMoments::of(const PointView& view, const PointTerms& scores,
                                                 ReadoutAxis axis) {
   const InstructionSet set = available_instruction_set();
-  const auto sum = set == InstructionSet::avx512 ? sum_moments_avx512
-                   : set == InstructionSet::avx2 ? sum_moments_avx2
-                                                 : sum_moments_baseline;
+  const auto sum = version_for(set, sum_moments_baseline, sum_moments_avx2, sum_moments_avx512);
   LineMoments moments;
   sum(view, scores, axis, moments);
   return {moments.points.moment(), moments.image.moment()};
@@ -205,9 +203,7 @@ RollingShutterMoments RollingShutterMoments::of(const PointView& view, const Poi
 ReadoutMoments ReadoutMoments::of(const PointView& view, const PointTerms& scores,
                                   const Vector6d& points_twist, const Vector6d& image_twist) {
   const InstructionSet set = available_instruction_set();
-  const auto sum = set == InstructionSet::avx512 ? sum_readout_avx512
-                   : set == InstructionSet::avx2 ? sum_readout_avx2
-                                                 : sum_readout_baseline;
+  const auto sum = version_for(set, sum_readout_baseline, sum_readout_avx2, sum_readout_avx512);
   ReadoutSums sums;
   sum(view, scores, {twist_of(points_twist), twist_of(image_twist)}, sums);
   ReadoutMoments result;
