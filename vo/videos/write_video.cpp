@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "vo/core/error.h"
+#include "vo/files/folder.h"
 #include "vo/files/streamed_output.h"
 #include "vo/files/system_failure.h"
 #include "vo/videos/video_library.h"
@@ -45,12 +46,12 @@ class NamedLink {
     path_ = folder_ / ("video" + extension.string());
     std::error_code error;
     fs::create_symlink(file, path_, error);
-    require(!error, path_.string(), ": cannot be made: ", error.message());
+    if (error) {
+      remove_tree(folder_);
+      fail_with(path_, "cannot be made", error.value());
+    }
   }
-  ~NamedLink() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
+  ~NamedLink() { remove_tree(folder_); }
   NamedLink(const NamedLink&) = delete;
   NamedLink& operator=(const NamedLink&) = delete;
   NamedLink(NamedLink&&) = delete;
