@@ -43,7 +43,7 @@ constexpr auto enum_names(SequenceFormat) {
 /// known.
 std::optional<SequenceFormat> known_format(const std::filesystem::path& path);
 
-/// What is said of a file that is of no format.
+/// The end of the error that refuses a file of no known format, behind its path.
 inline constexpr const char* kNoSequenceFile =
     ": is no recording or video, expected an MCAP file, a ROS 1 bag, a video (AVI, MP4, MOV, MKV, "
     "WebM) or the folder of a sequence";

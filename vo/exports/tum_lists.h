@@ -8,7 +8,8 @@
 
 namespace vo {
 
-/// Whether the frames of a sequence have depth, and whether it has stamps of its own.
+/// The depth that the frames of a sequence have: none, some with the images' stamps, or some with
+/// stamps of its own.
 enum class DepthImages { absent, present, delayed };
 
 /// Returns the layout that holds a sequence, float depth included if it has some.

@@ -7,8 +7,8 @@
 
 namespace vo {
 
-/// Where at most 64 points are in a view. Those that are not in view, which is less than to be seen
-/// (`SeenBounds`), have u = v = kNowhere.
+/// The pixels of a view at which at most 64 points lie. Points out of view have u = v = kNowhere;
+/// to be in view is less than to be seen (`SeenBounds`).
 struct alignas(64) ViewPlaces {
   static constexpr std::size_t kMost = detail::kBlock;
   static constexpr float kNowhere = -1;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "vo/core/error.h"
+#include "vo/core/nanoseconds.h"
 #include "vo/frames/depth_units.h"
 #include "vo/videos/video_container.h"
 #include "vo/videos/video_library.h"
@@ -37,8 +38,7 @@ struct VideoIndex {
 /// Returns a stamp, s, rounded to 1 ns, so that 0.04 s is what a list of stamps says by `0.04`.
 /// The first frame of some files is stamped before the beginning, by the time of its decoding.
 double rounded_stamp(double stamp) {
-  constexpr double kNanoseconds = 1e9;
-  return std::max(std::round(stamp * kNanoseconds) / kNanoseconds, 0.0);
+  return std::max(std::round(stamp * kNanosecondsPerSecond) / kNanosecondsPerSecond, 0.0);
 }
 
 /// Replaces stamps that do not increase, and notes what they are.

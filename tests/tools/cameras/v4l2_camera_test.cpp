@@ -42,7 +42,8 @@ tools::LiveCamera camera_of(vo::VideoCapture capture) {
                                {.camera = noise_camera()});
 }
 
-/// What stands between a camera of Video4Linux2 and its recording, on captures that are none.
+/// The way from a capture to a recording is tested on captures of files and of images in memory,
+/// because a machine that tests has no camera of Video4Linux2.
 class V4l2Camera : public testing::Test {
  protected:
   const support::TempFolder folder;

@@ -107,7 +107,8 @@ constexpr VideoLibrary kLibrary = {open_file, open_camera, make_file, count_imag
 }  // namespace
 }  // namespace vo
 
-/// What OpenCV says of files goes nowhere: libraries print nothing.
+/// Returns what this library does, or nothing to a program of another version. OpenCV's messages
+/// are silenced, because libraries print nothing.
 extern "C" __attribute__((visibility("default"))) const vo::VideoLibrary* edvo_video_library(
     const char* version) {
   if (std::strcmp(version, vo::version()) != 0) {
