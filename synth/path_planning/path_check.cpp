@@ -130,14 +130,14 @@ Range range_of(const std::vector<FrameCheck>& frames, double FrameCheck::*value)
   return {*least, vo::upper_median(values), *greatest};
 }
 
-PathReport check_path(const Scene& scene, const vo::PinholeCamera& camera, const TimedPath& timed,
-                      const PathLimits& limits) {
-  limits.validate();
+std::vector<FrameCheck> check_frames(const Scene& scene, const vo::PinholeCamera& camera,
+                                     const TimedPath& timed, const FrameRange& range) {
   const bool is_moving = moves(scene);
   const std::vector<bool> moving = moving_instances(scene);
-  PathReport report;
-  auto now = std::make_unique<const Instant>(scene_at(scene, 0));
-  for (std::size_t i = 0; i < timed.times.size(); ++i) {
+  const double start = timed.times.front();
+  std::vector<FrameCheck> frames;
+  auto now = std::make_unique<const Instant>(scene_at(scene, timed.times[range.first] - start));
+  for (std::size_t i = range.first; i < range.end; ++i) {
     FrameCheck frame{.time = timed.times[i]};
     const double next = timed.times[std::min(i + 1, timed.times.size() - 1)];
     const vo::SE3 T_world_cur = timed.path(frame.time);
@@ -147,18 +147,28 @@ PathReport check_path(const Scene& scene, const vo::PinholeCamera& camera, const
     frame.clearance = clearance_between(now->space, timed.path, frame.time, next);
     frame.flow_px = median_flow(now->tracer, camera, T_world_cur, T_world_next);
     if (is_moving) {
-      auto then = std::make_unique<const Instant>(scene_at(scene, next - timed.times.front()));
+      auto then = std::make_unique<const Instant>(scene_at(scene, next - start));
       if (is_struck(now->scene, then->scene, moving,
                     {T_world_cur.translation(), T_world_next.translation()})) {
         frame.clearance = 0;
       }
       now = std::move(then);
     }
-    report.length += (T_world_next.translation() - T_world_cur.translation()).norm();
+    frames.push_back(frame);
+  }
+  return frames;
+}
+
+PathReport check_path(const Scene& scene, const vo::PinholeCamera& camera, const TimedPath& timed,
+                      const PathLimits& limits) {
+  limits.validate();
+  PathReport report;
+  report.frames = check_frames(scene, camera, timed, {0, timed.times.size()});
+  for (const FrameCheck& frame : report.frames) {
     report.collisions += frame.clearance < kTouch ? 1 : 0;
     report.blank_views += frame.textured_share < kBlank ? 1 : 0;
-    report.frames.push_back(frame);
   }
+  report.length = vo::path_length(sample(timed.path, timed.times));
   report.duration = timed.times.back() - timed.times.front();
   require_limits(limits, report);
   return report;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,16 @@ struct PathReport {
 
 /// Returns the range of one measured value over all frames.
 Range range_of(const std::vector<FrameCheck>& frames, double FrameCheck::*value);
+
+/// The frames [first, end) of a path.
+struct FrameRange {
+  std::size_t first = 0;
+  std::size_t end = 0;
+};
+
+/// Measures some frames of a path, each as `check_path` does.
+std::vector<FrameCheck> check_frames(const Scene& scene, const vo::PinholeCamera& camera,
+                                     const TimedPath& timed, const FrameRange& range);
 
 /// Checks a path against limits. Each frame sees the scene at its time, animations starting with
 /// the first frame. Clearance is sampled in eight steps between frames; speeds and acceleration are

@@ -138,8 +138,7 @@ RenderOutcome rendered(const RenderJob& job, const Scene& scene, const fs::path&
                        const vo::OutputPolicy& policy, const RenderObservers& observers) {
   const vo::Progress& progress = observers.progress;
   RenderOutcome outcome{.folder = folder};
-  const vo::StagedContent content =
-      sequence_content(job.recipe, {kManifest, format_manifest(job, scene)});
+  const vo::StagedContent content = sequence_content(job.recipe, sequence_manifest(job));
   const vo::WaitObserver waiting = [&] {
     if (progress) {
       progress(0, 0);
@@ -214,6 +213,10 @@ std::string format_recipe(const RenderJob& job) {
   text += vo::format_toml(vo::fields_of(recipe.render, "render."));
   text += vo::format_toml(vo::fields_of(recipe.sensor, "sensor."));
   return text + describe_channels(recipe);
+}
+
+vo::NamedBytes sequence_manifest(const RenderJob& job) {
+  return {kManifest, format_manifest(job, job.scene.scene())};
 }
 
 }  // namespace synth

@@ -24,6 +24,10 @@ struct RenderJob {
 /// Returns the job's recipe, which excludes the scene and the share, as TOML.
 std::string format_recipe(const RenderJob& job);
 
+/// Returns sequence.toml, the file that says what a sequence was made of: conventions that a reader
+/// must know, and the inputs that identify it.
+vo::NamedBytes sequence_manifest(const RenderJob& job);
+
 struct RenderOutcome {
   bool was_there = false;                ///< whether the folder held this sequence already
   std::filesystem::path folder;          ///< folder that holds the frames

@@ -99,13 +99,17 @@ std::vector<BoundCheck> check_bounds(const Metrics& metrics,
 }
 
 synth::RenderJob render_job(const Scenario& scenario) {
+  synth::GltfOptions parts = scenario.scene.parts;
+  parts.needed = synth::needed_textures({.render = scenario.render});
+  return render_job(scenario, synth::SceneFile(scenario.scene_file(), parts));
+}
+
+synth::RenderJob render_job(const Scenario& scenario, const synth::SceneFile& scene) {
   synth::RenderJob job;
   job.recipe.camera = scenario.camera.camera();
   job.recipe.render = scenario.render;
   job.recipe.sensor = scenario.sensor;
-  synth::GltfOptions parts = scenario.scene.parts;
-  parts.needed = synth::needed_textures(job.recipe);
-  job.scene = synth::SceneFile(scenario.scene_file(), parts);
+  job.scene = scene;
   synth::TimedPath timed = synth::make_path(scenario.resolved_path(), job.scene);
   job.recipe.truth = synth::sample(timed.path, timed.times);
   job.recipe.path = std::move(timed.path);

@@ -37,6 +37,9 @@ struct Outcome {
 /// Returns the render job of the scenario. Throws vo::Error when the scene or path is unusable.
 synth::RenderJob render_job(const Scenario& scenario);
 
+/// Returns the render job of the scenario in a scene that is open already.
+synth::RenderJob render_job(const Scenario& scenario, const synth::SceneFile& scene);
+
 /// Evaluates a tracked sequence; metrics are NaN where too little was tracked to measure.
 Metrics measure(const vo::Trajectory& truth, const vo::SequenceResult& tracking,
                 const ScoreOptions& score);

@@ -205,11 +205,11 @@ synth::PathOptions Scenario::resolved_path() const {
   return result;
 }
 
-Scenario load_scenario(const fs::path& path, const Assignments& changes) {
-  const std::vector<vo::TomlValue> values = vo::read_toml(path);
+Scenario make_scenario(const std::vector<vo::TomlValue>& values, const fs::path& file,
+                       const Assignments& changes) {
   Scenario scenario;
-  scenario.file = path;
-  scenario.name = path.stem().string();
+  scenario.file = file;
+  scenario.name = file.stem().string();
   apply_preset(values, changes, scenario.sensor);
   apply_start(values, changes, scenario.odometry);
 
@@ -223,9 +223,13 @@ Scenario load_scenario(const fs::path& path, const Assignments& changes) {
   try {
     validate(scenario);
   } catch (const vo::Error& error) {
-    vo::fail(path.string(), ": ", error.what());
+    vo::fail(file.string(), ": ", error.what());
   }
   return scenario;
+}
+
+Scenario load_scenario(const fs::path& path, const Assignments& changes) {
+  return make_scenario(vo::read_toml(path), path, changes);
 }
 
 Scenario with_seed(const Scenario& scenario, int offset) {

@@ -17,6 +17,7 @@
 #include "vo/geometry/camera.h"
 #include "vo/odometry/mono_options.h"
 #include "vo/odometry/rgbd_odometry.h"
+#include "vo/text_files/toml_file.h"
 
 namespace tools {
 
@@ -211,9 +212,14 @@ using Assignments = std::vector<Assignment>;
 /// Returns whether a path is a scenario's: a file .toml, or stdin.
 bool names_scenario(const std::filesystem::path& path);
 
-/// Loads a scenario and applies `changes`; names in one of stdin are as if it lay in the working
-/// folder. Throws vo::Error as `file:line: unknown key
-/// 'sensor.exposre'; ...`, or as `--set key=value: ...` if the error is in the changes.
+/// Returns the scenario that a file's values make with `changes`; of values with one key the last
+/// counts. Names in one of stdin are as if it lay in the working folder. Throws vo::Error as
+/// `file:line: unknown key 'sensor.exposre'; ...`, or as `--set key=value: ...` if the error is in
+/// the changes.
+Scenario make_scenario(const std::vector<vo::TomlValue>& values, const std::filesystem::path& file,
+                       const Assignments& changes = {});
+
+/// Loads a scenario and applies `changes`; throws as `make_scenario` does.
 Scenario load_scenario(const std::filesystem::path& path, const Assignments& changes = {});
 
 /// Returns the scenario with `offset` added to every `seed` except those of the odometry.

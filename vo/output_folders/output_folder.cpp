@@ -38,7 +38,14 @@ void require_elsewhere(const fs::path& path) {
           path.string(), ": is the current folder or one above it, expected another to write");
 }
 
-/// Waits until a folder and all that is below are on the disk.
+void rename_to(const fs::path& from, const fs::path& path) {
+  if (uninterrupted([&] { return ::rename(from.c_str(), path.c_str()); }) != 0) {
+    fail_with(path, "cannot be written", errno);
+  }
+}
+
+}  // namespace
+
 void sync_tree(const fs::path& folder) {
   for (const FolderEntry& entry : entries_below(folder)) {
     if (entry.kind != EntryKind::link) {
@@ -47,14 +54,6 @@ void sync_tree(const fs::path& folder) {
   }
   sync_to_disk(folder);
 }
-
-void rename_to(const fs::path& from, const fs::path& path) {
-  if (uninterrupted([&] { return ::rename(from.c_str(), path.c_str()); }) != 0) {
-    fail_with(path, "cannot be written", errno);
-  }
-}
-
-}  // namespace
 
 void put_folder_in_place(const fs::path& made, const fs::path& path, Durability durability) {
   if (durability == Durability::synced) {

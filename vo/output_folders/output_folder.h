@@ -38,6 +38,9 @@ class OutputFolder {
   std::optional<OutputLock> lock_;
 };
 
+/// Waits until a folder and all that is below are on the disk. Throws Error where that fails.
+void sync_tree(const std::filesystem::path& folder);
+
 /// Renames a folder to `path` and syncs both as the policy says; a folder that is there is removed,
 /// once the new one has its name. The caller holds the lock of `path` and has called
 /// `require_replaceable`.
