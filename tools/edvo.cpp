@@ -41,6 +41,7 @@ constexpr const char* kDescription =
     "  edvo compare      two results or builds, with statistics\n"
     "  edvo budget       which imperfection of the camera causes what share of the error\n"
     "  edvo basin        from how far off the truth an alignment finds it\n"
+    "  edvo dataset      many sequences that one file describes, made by many processes\n"
     "  edvo sweep        any options of scenarios as a table and plot\n"
     "  edvo cache        the sequences that are kept for tests\n"
     "  edvo train-edges  glTF scenes -> a learnt edge detector, or a detector's precision\n"
@@ -77,6 +78,7 @@ int run(std::vector<std::string> words, tools::Session& session) {
   tools::add_sensor_check_command(program, session);
   tools::add_train_edges_command(program, session);
   tools::add_test_command(program, session);
+  tools::add_dataset_command(program, session);
   tools::add_cache_command(program, session);
   tools::add_compare_command(program, session);
   tools::add_budget_command(program, session);

@@ -1,0 +1,219 @@
+#include "tools/datasets/merge.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <mutex>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include <tbb/parallel_for.h>
+
+#include "tools/datasets/card.h"
+#include "tools/datasets/dataset_index.h"
+#include "tools/datasets/frame_rows.h"
+#include "tools/datasets/part_folder.h"
+#include "tools/datasets/part_record.h"
+#include "tools/datasets/plan_file.h"
+#include "tools/datasets/sha256.h"
+#include "tools/datasets/verify.h"
+#include "vo/core/error.h"
+#include "vo/files/folder.h"
+#include "vo/files/input.h"
+#include "vo/files/partial_file.h"
+#include "vo/files/system_failure.h"
+#include "vo/output_folders/output_folder.h"
+
+namespace tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kPlanCopy = "dataset.json";  // in the data set, by which it is recognised
+
+void rename_to(const fs::path& from, const fs::path& to) {
+  if (vo::uninterrupted([&] { return ::rename(from.c_str(), to.c_str()); }) != 0) {
+    vo::fail_with(to, "cannot be written", errno);
+  }
+}
+
+/// A data set while it is merged: files move from the parts' folders into one.
+class Merge {
+ public:
+  Merge(const DatasetSpec& spec, const DatasetPlan& plan, const DatasetLayout& layout,
+        vo::Durability durability)
+      : spec_(spec), plan_(plan), layout_(layout), durability_(durability) {}
+
+  /// Verifies all parts. One that is not as it was made is removed, and missing.
+  void verify(const vo::Progress& progress, MergeOutcome& outcome) const {
+    std::mutex mutex;
+    std::size_t done = 0;
+    tbb::parallel_for(std::size_t{0}, plan_.parts.size(), [&](std::size_t part) {
+      const std::string damage = damage_of_part(part);
+      const std::lock_guard lock(mutex);
+      if (!damage.empty()) {
+        outcome.damaged.push_back(part_name(spec_, plan_.parts[part]) + ": " + damage);
+        outcome.missing.push_back(part);
+        remove(part);
+      }
+      ++done;
+      if (progress) {
+        progress(done, plan_.parts.size());
+      }
+    });
+    std::sort(outcome.damaged.begin(), outcome.damaged.end());
+    std::sort(outcome.missing.begin(), outcome.missing.end());
+  }
+
+  /// Moves the files of all parts and writes what describes them.
+  void join(MergeOutcome& outcome) {
+    make_folders(layout_.merged());
+    PartFolder index(layout_.staging / "index");
+    index.write({{"frames.csv", kFrameColumns}});
+    for (std::size_t part = 0; part < plan_.parts.size(); ++part) {
+      join_part(part, index, outcome);
+    }
+    describe(index, outcome);
+    for (const std::string& file : vo::files_below(index.partial())) {
+      make_folders((layout_.merged() / file).parent_path());
+      rename_to(index.partial() / file, layout_.merged() / file);
+    }
+  }
+
+  /// Gives the data set its name.
+  void finish() const {
+    if (durability_ == vo::Durability::synced) {
+      vo::sync_tree(layout_.merged());
+    }
+    rename_to(layout_.merged(), layout_.out);
+    if (durability_ == vo::Durability::synced) {
+      vo::sync_to_disk(layout_.out.parent_path());
+    }
+    vo::remove_tree(layout_.staging);
+  }
+
+ private:
+  fs::path folder_of(std::size_t part) const {
+    return layout_.part(part, part_name(spec_, plan_.parts[part]));
+  }
+
+  fs::path target_of(std::size_t part) const {
+    return layout_.merged() / scene_folder(spec_.sequences[plan_.parts[part].sequence]);
+  }
+
+  std::string damage_of_part(std::size_t part) const {
+    try {
+      return damage_of(read_part_record(folder_of(part)), {folder_of(part), target_of(part)});
+    } catch (const vo::Error& error) {
+      if (error.kind() != vo::ErrorKind::input) {
+        throw;
+      }
+      return error.what();
+    }
+  }
+
+  /// Removes a part, also what a merge that was killed has moved of it.
+  void remove(std::size_t part) const {
+    try {
+      for (const MadeFile& file : read_part_record(folder_of(part)).files) {
+        vo::remove_tree(target_of(part) / file.name);
+      }
+    } catch (const vo::Error&) {  // its record is damaged: what was moved is written over
+    }
+    vo::remove_tree(folder_of(part));
+  }
+
+  void join_part(std::size_t part, const PartFolder& index, MergeOutcome& outcome) {
+    const PartRecord record = read_part_record(folder_of(part));
+    const DatasetSequence& sequence = spec_.sequences[plan_.parts[part].sequence];
+    std::string checksums;
+    std::set<fs::path> made;  // folders that are there
+    for (const MadeFile& file : record.files) {
+      const fs::path from = folder_of(part) / file.name;
+      const fs::path to = target_of(part) / file.name;
+      if (made.insert(to.parent_path()).second) {
+        make_folders(to.parent_path());
+      }
+      if (path_exists(from)) {
+        rename_to(from, to);
+      }
+      checksums += file.sha256 + "  " + scene_folder(sequence) + file.name + "\n";
+      outcome.bytes += file.bytes;
+    }
+    outcome.files += record.files.size();
+    const std::string rows = vo::read_file(folder_of(part) / kPartFrames);
+    index_.add_rows(sequence, rows);
+    index.append("frames.csv", rows);
+    index.append(kChecksums, checksums);
+    if (path_exists(folder_of(part) / kPartPicture)) {
+      index.write(
+          {{"pictures/" + sequence.name + ".webp", vo::read_file(folder_of(part) / kPartPicture)}});
+    }
+  }
+
+  /// Writes the card, the index and the checksums of all that is not of a part.
+  void describe(const PartFolder& index, MergeOutcome& outcome) const {
+    index.write({{"README.md", dataset_card(spec_, plan_, index_)},
+                 {"sequences.csv", index_.sequences_csv()},
+                 {"statistics.svg", index_.plot()},
+                 {"dataset.toml", vo::read_file(spec_.file)},
+                 {kPlanCopy, format_plan(spec_, plan_)}});
+    std::string checksums;
+    for (const std::string& file : vo::files_below(index.partial())) {
+      if (file != kChecksums) {
+        checksums += sha256_of_file(index.partial() / file) + "  " + file + "\n";
+        outcome.bytes += fs::file_size(index.partial() / file);
+        ++outcome.files;
+      }
+    }
+    index.append(kChecksums, checksums);
+  }
+
+  const DatasetSpec& spec_;
+  const DatasetPlan& plan_;
+  const DatasetLayout& layout_;
+  vo::Durability durability_;
+  DatasetIndex index_;
+};
+
+}  // namespace
+
+std::vector<std::size_t> missing_parts(const DatasetSpec& spec, const DatasetPlan& plan,
+                                       const DatasetLayout& layout) {
+  std::vector<std::size_t> missing;
+  for (std::size_t part = 0; part < plan.parts.size(); ++part) {
+    if (!path_exists(layout.part(part, part_name(spec, plan.parts[part])) / kPartRecord)) {
+      missing.push_back(part);
+    }
+  }
+  return missing;
+}
+
+bool is_merged(const DatasetSpec& spec, const DatasetPlan& plan, const DatasetLayout& layout) {
+  if (!path_exists(layout.out)) {
+    return false;
+  }
+  const fs::path copy = layout.out / kPlanCopy;
+  if (!path_exists(copy) || vo::read_file(copy) != format_plan(spec, plan)) {
+    vo::fail_as(vo::ErrorKind::output_exists, layout.out.string(),
+                ": is there and is not this data set; expected another --out, or it removed");
+  }
+  return true;
+}
+
+MergeOutcome merge_dataset(const DatasetSpec& spec, const DatasetPlan& plan,
+                           const DatasetLayout& layout, vo::Durability durability,
+                           const vo::Progress& progress) {
+  MergeOutcome outcome{.missing = missing_parts(spec, plan, layout)};
+  Merge merge(spec, plan, layout, durability);
+  if (outcome.missing.empty()) {
+    merge.verify(progress, outcome);
+  }
+  if (outcome.missing.empty()) {
+    merge.join(outcome);
+    merge.finish();
+  }
+  return outcome;
+}
+
+}  // namespace tools

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tools/datasets/layout.h"
+#include "tools/datasets/plan.h"
+#include "tools/datasets/spec.h"
+#include "vo/core/progress.h"
+#include "vo/files/output.h"
+
+namespace tools {
+
+struct MergeOutcome {
+  std::vector<std::size_t> missing;  ///< parts that are not there, damaged ones among them
+  std::vector<std::string> damaged;  ///< a sentence for each part that was removed for damage
+  std::size_t files = 0;             ///< number of files with a checksum
+  std::uintmax_t bytes = 0;          ///< of these files
+};
+
+/// Returns the parts that are not there.
+std::vector<std::size_t> missing_parts(const DatasetSpec& spec, const DatasetPlan& plan,
+                                       const DatasetLayout& layout);
+
+/// Returns whether the data set is there, complete. Throws vo::Error of kind output_exists where
+/// something else is in its place.
+bool is_merged(const DatasetSpec& spec, const DatasetPlan& plan, const DatasetLayout& layout);
+
+/// Makes the data set of its parts, which are verified, moved and described; the folder appears
+/// when it is complete. A part that is not as it was made is removed and is missing then. With a
+/// missing part nothing is merged. A merge that was killed goes on. Memory does not grow with the
+/// number of frames. Nothing may be in the data set's place.
+MergeOutcome merge_dataset(const DatasetSpec& spec, const DatasetPlan& plan,
+                           const DatasetLayout& layout, vo::Durability durability,
+                           const vo::Progress& progress);
+
+}  // namespace tools

@@ -1,0 +1,147 @@
+#include "tools/datasets/part_folder.h"
+
+#include <cerrno>
+#include <csignal>
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "tools/datasets/host_name.h"
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+#include "vo/files/folder.h"
+#include "vo/files/partial_file.h"
+#include "vo/files/system_failure.h"
+#include "vo/output_folders/output_folder.h"
+
+namespace tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Returns the beginning of the names that this machine's processes give what they write of `path`.
+std::string partial_prefix(const fs::path& path) {
+  return "." + path.filename().string() + "." + host_name() + "-";
+}
+
+fs::path own_partial(const fs::path& path) {
+  return path.parent_path() / (partial_prefix(path) + std::to_string(::getpid()));
+}
+
+bool is_alive(const std::string& process) {
+  try {
+    const auto id = static_cast<pid_t>(vo::parse_integer(process));
+    return ::kill(id, 0) == 0 || errno != ESRCH;
+  } catch (const vo::Error&) {  // no number: not of a process
+    return true;
+  }
+}
+
+/// Removes what killed processes of this machine left of `path`.
+void remove_abandoned_folders(const fs::path& path) {
+  const std::string prefix = partial_prefix(path);
+  for (const vo::FolderEntry& entry : vo::entries_of(path.parent_path())) {
+    if (entry.name.starts_with(prefix) && !is_alive(entry.name.substr(prefix.size()))) {
+      vo::remove_tree(path.parent_path() / entry.name);
+    }
+  }
+}
+
+/// An open file, which is closed at the end of its life.
+class OpenFile {
+ public:
+  OpenFile(const fs::path& path, int flags)
+      : path_(path), descriptor_(vo::uninterrupted([&] {
+          constexpr mode_t kForAll = 0666;
+          return ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | flags, kForAll);
+        })) {
+    if (descriptor_ < 0) {
+      vo::fail_with(path, "cannot be written", errno);
+    }
+  }
+  ~OpenFile() { ::close(descriptor_); }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  OpenFile(OpenFile&&) = delete;
+  OpenFile& operator=(OpenFile&&) = delete;
+
+  void write(std::string_view bytes) const { vo::write_bytes(descriptor_, bytes, path_); }
+
+ private:
+  const fs::path& path_;
+  int descriptor_;
+};
+
+}  // namespace
+
+PartFolder::PartFolder(const fs::path& path) : path_(path), partial_(own_partial(path)) {
+  make_folders(path.parent_path());
+  remove_abandoned_folders(path);
+  vo::remove_tree(partial_);
+  make_folders(partial_);
+}
+
+PartFolder::~PartFolder() {
+  vo::remove_tree(partial_);
+}
+
+void PartFolder::write(const std::vector<vo::NamedBytes>& files) const {
+  for (const vo::NamedBytes& file : files) {
+    const fs::path path = partial_ / file.name;
+    make_folders(path.parent_path());
+    OpenFile(path, O_TRUNC).write(file.bytes);
+  }
+}
+
+void PartFolder::append(const std::string& name, std::string_view bytes) const {
+  const fs::path path = partial_ / name;
+  make_folders(path.parent_path());
+  OpenFile(path, O_APPEND).write(bytes);
+}
+
+void PartFolder::commit(vo::Durability durability) {
+  if (durability == vo::Durability::synced) {
+    vo::sync_tree(partial_);
+  }
+  const int result = vo::uninterrupted([&] { return ::rename(partial_.c_str(), path_.c_str()); });
+  if (result != 0 && errno != ENOTEMPTY && errno != EEXIST) {
+    vo::fail_with(path_, "cannot be written", errno);
+  }
+  if (durability == vo::Durability::synced) {
+    vo::sync_to_disk(path_.parent_path());
+  }
+}
+
+void write_by_rename(const fs::path& file, std::string_view bytes, vo::Durability durability) {
+  make_folders(file.parent_path());
+  const fs::path partial = own_partial(file);
+  try {
+    OpenFile(partial, O_TRUNC).write(bytes);
+    if (durability == vo::Durability::synced) {
+      vo::sync_to_disk(partial);
+    }
+    if (vo::uninterrupted([&] { return ::rename(partial.c_str(), file.c_str()); }) != 0) {
+      vo::fail_with(file, "cannot be written", errno);
+    }
+  } catch (const vo::Error&) {
+    vo::remove_tree(partial);
+    throw;
+  }
+}
+
+bool path_exists(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(path, error);
+}
+
+void make_folders(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) {
+    vo::fail_with(folder, "cannot be written", error.value());
+  }
+}
+
+}  // namespace tools

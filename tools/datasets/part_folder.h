@@ -1,0 +1,52 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "vo/files/output.h"
+
+namespace tools {
+
+/// A folder that one task fills and that appears under its name by one rename when it is complete,
+/// without a lock, so that tasks of several machines may make it at once on a network file system:
+/// the first one that is complete stays, and the others' are removed. Until then it is
+/// `.NAME.HOST-PID` beside its name.
+class PartFolder {
+ public:
+  /// Begins the folder; removes what killed processes of this machine left of it. Throws vo::Error
+  /// where it cannot be made.
+  explicit PartFolder(const std::filesystem::path& path);
+  ~PartFolder();
+  PartFolder(const PartFolder&) = delete;
+  PartFolder& operator=(const PartFolder&) = delete;
+  PartFolder(PartFolder&&) = delete;
+  PartFolder& operator=(PartFolder&&) = delete;
+
+  const std::filesystem::path& partial() const { return partial_; }  ///< folder to write into
+
+  /// Writes files and the folders that hold them, from any thread.
+  void write(const std::vector<vo::NamedBytes>& files) const;
+
+  /// Writes bytes behind those that a file has, from one thread at a time.
+  void append(const std::string& name, std::string_view bytes) const;
+
+  /// Gives the folder its name unless one is there.
+  void commit(vo::Durability durability);
+
+ private:
+  std::filesystem::path path_;
+  std::filesystem::path partial_;
+};
+
+/// Writes a file that appears by one rename, without a lock; one that is there is replaced.
+void write_by_rename(const std::filesystem::path& file, std::string_view bytes,
+                     vo::Durability durability);
+
+/// Returns whether something is at a path; false where that cannot be known.
+bool path_exists(const std::filesystem::path& path);
+
+/// Makes a folder and those above it. Throws vo::Error naming it where that fails.
+void make_folders(const std::filesystem::path& folder);
+
+}  // namespace tools

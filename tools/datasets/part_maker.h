@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+#include "tools/datasets/layout.h"
+#include "tools/datasets/plan.h"
+#include "tools/datasets/sequence_jobs.h"
+#include "tools/datasets/spec.h"
+#include "vo/core/progress.h"
+#include "vo/files/output.h"
+
+namespace tools {
+
+/// Makes the parts of a data set, one after the other, the frames of each in parallel. What it is
+/// given must outlive it.
+class PartMaker {
+ public:
+  PartMaker(const DatasetSpec& spec, const DatasetPlan& plan, const DatasetLayout& layout,
+            vo::Durability durability)
+      : spec_(spec), plan_(plan), layout_(layout), durability_(durability), jobs_(spec) {}
+
+  /// Returns whether a part is there.
+  bool is_there(std::size_t part) const;
+
+  /// Renders a part and gives it its name. `progress` counts its frames. Throws vo::Error where the
+  /// scene is unusable or the disk full; what was made of the part is gone then.
+  void make(std::size_t part, const vo::Progress& progress);
+
+ private:
+  std::filesystem::path folder_of(std::size_t part) const;
+
+  const DatasetSpec& spec_;
+  const DatasetPlan& plan_;
+  const DatasetLayout& layout_;
+  vo::Durability durability_;
+  SequenceJobs jobs_;
+};
+
+}  // namespace tools

@@ -1,0 +1,44 @@
+#include "tools/datasets/part_record.h"
+
+#include <nlohmann/json.hpp>
+
+#include "tools/datasets/layout.h"
+#include "tools/json/document.h"
+#include "vo/core/error.h"
+#include "vo/files/input.h"
+#include "vo/text_files/json_limits.h"
+
+namespace tools {
+
+std::string format_part_record(const PartRecord& record) {
+  nlohmann::ordered_json files = nlohmann::ordered_json::array();
+  for (const MadeFile& file : record.files) {
+    files.push_back({{"name", file.name}, {"bytes", file.bytes}, {"sha256", file.sha256}});
+  }
+  return json_text(json_document({"dataset_part"}, {{"part", record.part},
+                                                    {"host", record.host},
+                                                    {"processor_s", record.processor_s},
+                                                    {"files", files}}),
+                   -1);
+}
+
+PartRecord read_part_record(const std::filesystem::path& part_folder) {
+  const std::filesystem::path file = part_folder / kPartRecord;
+  const std::string text = vo::read_file(file, vo::kMaxDocumentBytes);
+  vo::require_json_within_limits(text, file.string());
+  PartRecord record;
+  try {
+    const nlohmann::json document = nlohmann::json::parse(text);
+    document.at("part").get_to(record.part);
+    document.at("host").get_to(record.host);
+    document.at("processor_s").get_to(record.processor_s);
+    for (const nlohmann::json& made : document.at("files")) {
+      record.files.push_back({made.at("name"), made.at("bytes"), made.at("sha256")});
+    }
+  } catch (const nlohmann::json::exception& error) {
+    vo::fail(file.string(), ": no record of a part: ", error.what());
+  }
+  return record;
+}
+
+}  // namespace tools

@@ -1,0 +1,198 @@
+#include "tools/datasets/plan.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "tools/datasets/layout.h"
+#include "tools/datasets/part_folder.h"
+#include "tools/datasets/plan_file.h"
+#include "tools/datasets/sequence_jobs.h"
+#include "tools/sequence_cache/generator_hash.h"
+#include "tools/sequence_cache/scene_files_hash.h"
+#include "vo/core/error.h"
+#include "vo/files/input.h"
+#include "vo/hashing/content_hash.h"
+
+namespace tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxSequenceFrames = 4000;  // files of one kind in one folder
+constexpr std::size_t kMaxParts = 1'000'000;
+
+/// Adds the hash of a file that a path is read from, if it is.
+void add_path_file(const DatasetSequence& sequence, const fs::path& file,
+                   std::map<std::string, std::string>& identity) {
+  if (!file.empty()) {
+    identity.emplace(vo::concat("paths.", sequence.path, " file ", file.filename().string()),
+                     vo::content_hash(vo::read_file(file)));
+  }
+}
+
+/// Returns what determines a data set: all that the spec says, the files that it names, and the
+/// program that renders.
+std::map<std::string, std::string> identity_of(const DatasetSpec& spec) {
+  std::map<std::string, std::string> identity;
+  for (const vo::TomlValue& value : spec.values) {
+    identity.emplace(value.key, value.text);
+  }
+  std::map<fs::path, std::string> hashes;
+  for (const DatasetSequence& sequence : spec.sequences) {
+    std::string& hash = hashes[sequence.scenario.scene_file()];
+    hash = hash.empty() ? scene_files_hash(sequence.scenario.scene_file()) : hash;
+    identity.emplace(vo::concat("scenes.", sequence.scene, " files"), hash);
+    const synth::PathOptions path = sequence.scenario.resolved_path();
+    add_path_file(sequence, path.file, identity);
+    add_path_file(sequence, path.file_times, identity);
+  }
+  identity.emplace("program that renders", generator_hash());
+  return identity;
+}
+
+/// Returns what the filter has against a sequence; empty where it passes.
+std::string objection(const DatasetFilter& filter, const synth::RenderJob& job) {
+  if (filter.is_empty()) {
+    return {};
+  }
+  const synth::PathReport report = synth::check_path(job.scene.scene(), job.recipe.camera.pinhole,
+                                                     timed_path(job), filter.limits);
+  if (!report.violations.empty()) {
+    return report.violations.front();
+  }
+  const double flow = std::accumulate(report.frames.begin(), report.frames.end(), 0.0,
+                                      [](double sum, const synth::FrameCheck& frame) {
+                                        return sum + frame.flow_px;
+                                      }) /
+                      static_cast<double>(report.frames.size());
+  if (flow < filter.min_mean_flow_px) {
+    return vo::concat("min_mean_flow_px: got ", flow, ", limit ", filter.min_mean_flow_px);
+  }
+  if (filter.max_mean_flow_px > 0 && flow > filter.max_mean_flow_px) {
+    return vo::concat("max_mean_flow_px: got ", flow, ", limit ", filter.max_mean_flow_px);
+  }
+  return {};
+}
+
+/// Plans one sequence: its number of frames, or why there are none.
+void plan_one(const DatasetSpec& spec, std::size_t index, SequenceJobs& jobs, DatasetPlan& plan) {
+  const DatasetSequence& sequence = spec.sequences[index];
+  std::string reason;
+  try {
+    const synth::RenderJob& job = jobs.job(index);
+    reason = objection(spec.filter, job);
+    plan.frames[index] = reason.empty() ? job.recipe.truth.size() : 0;
+  } catch (const vo::Error& error) {
+    if (error.kind() != vo::ErrorKind::input) {
+      throw;
+    }
+    reason = error.what();
+  }
+  if (!reason.empty()) {
+    plan.rejected.push_back({sequence.name, reason});
+  }
+  vo::require(plan.frames[index] <= kMaxSequenceFrames, spec.file.string(), ": ", sequence.name,
+              ": ", plan.frames[index], " frames, expected at most ", kMaxSequenceFrames,
+              " in one sequence; shorter paths with more seeds have as many");
+}
+
+/// Cuts the sequences into parts of nearly equal length. With further formats, which are converted
+/// from whole sequences, a sequence is one part.
+void add_parts(const DatasetSpec& spec, DatasetPlan& plan) {
+  const bool is_whole = !spec.options.formats.empty();
+  for (std::size_t sequence = 0; sequence < plan.frames.size(); ++sequence) {
+    const std::size_t frames = plan.frames[sequence];
+    const auto longest = static_cast<std::size_t>(spec.options.part_frames);
+    const std::size_t count =
+        is_whole ? std::min<std::size_t>(frames, 1) : (frames + longest - 1) / longest;
+    for (std::size_t i = 0; i < count; ++i) {
+      plan.parts.push_back({sequence, i, i * frames / count, (i + 1) * frames / count});
+    }
+  }
+  vo::require(plan.parts.size() <= kMaxParts, spec.file.string(), ": ", plan.parts.size(),
+              " parts, expected at most ", kMaxParts, "; longer parts are fewer (part_frames)");
+}
+
+/// Throws vo::Error of kind output_exists that names the keys in which two identities differ.
+void require_same(const std::map<std::string, std::string>& begun,
+                  const std::map<std::string, std::string>& wanted, const fs::path& plan_file) {
+  constexpr std::size_t kMaxNamed = 8;
+  std::map<std::string, std::string> all = begun;
+  all.insert(wanted.begin(), wanted.end());
+  std::string keys;
+  std::size_t count = 0;
+  for (const auto& [key, value] : all) {
+    const auto a = begun.find(key);
+    const auto b = wanted.find(key);
+    if (a != begun.end() && b != wanted.end() && a->second == b->second) {
+      continue;
+    }
+    ++count;
+    if (count <= kMaxNamed) {
+      keys += (keys.empty() ? "" : ", ") + key;
+    }
+  }
+  if (count > 0) {
+    vo::fail_as(vo::ErrorKind::output_exists, plan_file.parent_path().string(),
+                ": was begun with other values of ", keys,
+                count > kMaxNamed ? vo::concat(" and ", count - kMaxNamed, " more") : "",
+                "; expected the same spec, or another --out, or that folder removed");
+  }
+}
+
+}  // namespace
+
+std::size_t DatasetPlan::frame_count() const {
+  return std::accumulate(frames.begin(), frames.end(), std::size_t{0});
+}
+
+std::size_t DatasetPlan::sequence_count() const {
+  return static_cast<std::size_t>(
+      std::count_if(frames.begin(), frames.end(), [](std::size_t count) { return count > 0; }));
+}
+
+DatasetPlan make_plan(const DatasetSpec& spec, const vo::Progress& progress) {
+  DatasetPlan plan{.identity = identity_of(spec)};
+  plan.frames.resize(spec.sequences.size());
+  SequenceJobs jobs(spec);
+  for (std::size_t i = 0; i < spec.sequences.size(); ++i) {
+    plan_one(spec, i, jobs, plan);
+    if (progress) {
+      progress(i + 1, spec.sequences.size());
+    }
+  }
+  add_parts(spec, plan);
+  return plan;
+}
+
+DatasetPlan begin_dataset(const DatasetSpec& spec, const fs::path& plan_file,
+                          vo::Durability durability, const vo::Progress& progress) {
+  if (path_exists(plan_file)) {
+    DatasetPlan plan = read_plan(plan_file);
+    require_same(plan.identity, identity_of(spec), plan_file);
+    plan.frames.resize(spec.sequences.size());
+    return plan;
+  }
+  DatasetPlan plan = make_plan(spec, progress);
+  write_by_rename(plan_file, format_plan(spec, plan), durability);
+  return plan;
+}
+
+std::vector<std::size_t> share_of_parts(const DatasetPlan& plan, std::size_t k, std::size_t n) {
+  const std::size_t total = plan.frame_count();
+  std::vector<std::size_t> share;
+  std::size_t before = 0;  // frames of the parts before
+  for (std::size_t i = 0; i < plan.parts.size(); ++i) {
+    const DatasetPart& part = plan.parts[i];
+    const std::size_t frames = part.end - part.first;
+    // A part belongs to the share that its middle frame lies in.
+    if ((2 * before + frames) * n / (2 * total) + 1 == k) {
+      share.push_back(i);
+    }
+    before += frames;
+  }
+  return share;
+}
+
+}  // namespace tools

@@ -1,0 +1,338 @@
+#include "tools/datasets/spec.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include "tools/datasets/part_folder.h"
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+
+namespace tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The tables of a spec that are as in a scenario.
+constexpr std::array<std::string_view, 4> kScenarioTables{"camera.", "render.", "path.", "sensor."};
+
+/// A named scene, path or sensor of a spec.
+struct Alternative {
+  std::string name;
+  std::vector<vo::TomlValue> values;                    ///< keys as in a scenario
+  std::map<std::string, std::string, std::less<>> own;  ///< texts of keys that a scenario lacks
+  std::string place;                                    ///< of its first value, for messages
+};
+
+/// A kind of alternatives: their table, what their keys are in a scenario, and the keys that only a
+/// spec has.
+struct Kind {
+  std::string_view table;
+  std::string_view prefix;
+  std::vector<std::string_view> own;
+};
+
+const Kind& scene_kind() {
+  static const Kind kind{"scenes.", "scene.", {"split", "licence"}};
+  return kind;
+}
+
+const Kind& path_kind() {
+  static const Kind kind{"paths.", "path.", {"scenes"}};
+  return kind;
+}
+
+const Kind& sensor_kind() {
+  static const Kind kind{"sensors.", "sensor.", {"scenes", "paths"}};
+  return kind;
+}
+
+bool is_name(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+  });
+}
+
+/// Returns the names of a list `room, desk`.
+std::vector<std::string> names_in(const std::string& list) {
+  std::vector<std::string> names;
+  std::istringstream text(list);
+  for (std::string name; std::getline(text, name, ',');) {
+    const std::size_t first = name.find_first_not_of(' ');
+    if (first != std::string::npos) {
+      names.push_back(name.substr(first, name.find_last_not_of(' ') - first + 1));
+    }
+  }
+  return names;
+}
+
+/// Adds a value of an alternative; `key` is within the alternative's table.
+void add_value(const Kind& kind, const vo::TomlValue& value, std::string_view key,
+               Alternative& alternative) {
+  if (std::find(kind.own.begin(), kind.own.end(), key) != kind.own.end()) {
+    vo::require(value.type == vo::FieldType::text, value.place, ": ", value.key,
+                ": expected a text in quotes");
+    alternative.own.emplace(key, value.text);
+    return;
+  }
+  vo::TomlValue scenario_value = value;
+  const bool is_camera = kind.prefix == "sensor." && key.starts_with("camera.");
+  scenario_value.key = (is_camera ? "" : std::string(kind.prefix)) + std::string(key);
+  alternative.values.push_back(std::move(scenario_value));
+}
+
+/// Returns the alternatives of a kind, sorted by name.
+std::vector<Alternative> alternatives_of(const Kind& kind,
+                                         const std::vector<vo::TomlValue>& values) {
+  std::vector<Alternative> alternatives;
+  for (const vo::TomlValue& value : values) {
+    if (!value.key.starts_with(kind.table)) {
+      continue;
+    }
+    const std::string_view rest = std::string_view(value.key).substr(kind.table.size());
+    const std::size_t dot = rest.find('.');
+    vo::require(dot != std::string_view::npos, value.place, ": ", value.key, ": expected a table [",
+                kind.table, "NAME]");
+    const std::string name(rest.substr(0, dot));
+    vo::require(is_name(name), value.place, ": ", kind.table, name,
+                ": expected a name of letters, digits and -");
+    if (alternatives.empty() || alternatives.back().name != name) {
+      alternatives.push_back({name, {}, {}, value.place});
+    }
+    add_value(kind, value, rest.substr(dot + 1), alternatives.back());
+  }
+  return alternatives;
+}
+
+/// Returns whether an alternative goes with another of the kind that its list `key` names.
+bool goes_with(const Alternative& alternative, std::string_view key, const std::string& name) {
+  const auto list = alternative.own.find(key);
+  if (list == alternative.own.end()) {
+    return true;
+  }
+  const std::vector<std::string> names = names_in(list->second);
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Throws vo::Error where a list of names has one that is none of the alternatives'.
+void require_known(const std::vector<Alternative>& with_lists, std::string_view key,
+                   const std::vector<Alternative>& named) {
+  for (const Alternative& alternative : with_lists) {
+    const auto list = alternative.own.find(key);
+    for (const std::string& name : names_in(list == alternative.own.end() ? "" : list->second)) {
+      const bool is_known = std::any_of(named.begin(), named.end(),
+                                        [&](const Alternative& a) { return a.name == name; });
+      vo::require(is_known, alternative.place, ": ", alternative.name, ".", key, ": there is no '",
+                  name, "'");
+    }
+  }
+}
+
+std::string own_text(const Alternative& alternative, std::string_view key,
+                     const std::string& otherwise) {
+  const auto text = alternative.own.find(key);
+  return text == alternative.own.end() ? otherwise : text->second;
+}
+
+/// Makes the scene's file absolute, as seen from the spec's folder.
+void resolve_scene(const fs::path& spec, Alternative& scene) {
+  for (vo::TomlValue& value : scene.values) {
+    if (value.key == "scene.gltf") {
+      value.text = (fs::absolute(spec).parent_path() / value.text).lexically_normal().string();
+    }
+  }
+}
+
+/// All that sequences of a spec are combined of.
+struct Alternatives {
+  std::vector<vo::TomlValue> common;  ///< values of all sequences
+  std::vector<Alternative> scenes;
+  std::vector<Alternative> paths;
+  std::vector<Alternative> sensors;  ///< one without a name where the spec has none
+};
+
+Alternatives read_alternatives(const fs::path& file, const std::vector<vo::TomlValue>& values) {
+  Alternatives all;
+  for (const vo::TomlValue& value : values) {
+    const bool is_common =
+        std::any_of(kScenarioTables.begin(), kScenarioTables.end(),
+                    [&](std::string_view table) { return value.key.starts_with(table); });
+    if (is_common) {
+      all.common.push_back(value);
+    }
+  }
+  all.scenes = alternatives_of(scene_kind(), values);
+  all.paths = alternatives_of(path_kind(), values);
+  all.sensors = alternatives_of(sensor_kind(), values);
+  vo::require(!all.scenes.empty(), file.string(), ": expected a scene, [scenes.NAME] with gltf");
+  vo::require(!all.paths.empty(), file.string(), ": expected a path, [paths.NAME] with kind");
+  require_known(all.paths, "scenes", all.scenes);
+  require_known(all.sensors, "scenes", all.scenes);
+  require_known(all.sensors, "paths", all.paths);
+  if (all.sensors.empty()) {
+    all.sensors.emplace_back();
+  }
+  for (Alternative& scene : all.scenes) {
+    resolve_scene(file, scene);
+  }
+  return all;
+}
+
+/// One scene, path and sensor of a spec.
+struct Combination {
+  const Alternative& scene;
+  const Alternative& path;
+  const Alternative& sensor;
+
+  bool is_wanted() const {
+    return goes_with(path, "scenes", scene.name) && goes_with(sensor, "scenes", scene.name) &&
+           goes_with(sensor, "paths", path.name);
+  }
+};
+
+/// Adds the sequences of a combination, one for each seed.
+void add_sequences(const Combination& combination, const Alternatives& all, DatasetSpec& spec) {
+  std::vector<vo::TomlValue> values = all.common;
+  for (const Alternative* part : {&combination.scene, &combination.path, &combination.sensor}) {
+    values.insert(values.end(), part->values.begin(), part->values.end());
+  }
+  const Scenario scenario = make_scenario(values, spec.file);
+  for (int seed = 0; seed < spec.options.seeds; ++seed) {
+    DatasetSequence sequence{.scene = combination.scene.name,
+                             .path = combination.path.name,
+                             .sensor = combination.sensor.name,
+                             .seed = seed,
+                             .split = own_text(combination.scene, "split", "train"),
+                             .licence = own_text(combination.scene, "licence", "not stated"),
+                             .scenario = with_seed(scenario, seed)};
+    vo::require(is_name(sequence.split), combination.scene.place, ": scenes.", sequence.scene,
+                ".split: expected letters, digits and -, got '", sequence.split, "'");
+    sequence.name = vo::concat(sequence.scene, "_", sequence.path, "_",
+                               sequence.sensor.empty() ? "" : sequence.sensor + "_", seed);
+    sequence.scenario.name = sequence.name;
+    spec.sequences.push_back(std::move(sequence));
+  }
+}
+
+void add_all_sequences(const Alternatives& all, DatasetSpec& spec) {
+  for (const Alternative& scene : all.scenes) {
+    for (const Alternative& path : all.paths) {
+      for (const Alternative& sensor : all.sensors) {
+        const Combination combination{scene, path, sensor};
+        if (combination.is_wanted()) {
+          add_sequences(combination, all, spec);
+        }
+      }
+    }
+  }
+  vo::require(!spec.sequences.empty(), spec.file.string(),
+              ": no scene, path and sensor go together, expected at least one sequence");
+}
+
+/// Sets the options of a spec and its filter; every other key must be of a table of scenarios or of
+/// alternatives.
+void read_options(DatasetSpec& spec) {
+  std::vector<vo::Field> fields = vo::fields_of(spec.options);
+  for (vo::Field& field : vo::fields_of(spec.filter, "filter.")) {
+    fields.push_back(std::move(field));
+  }
+  std::vector<vo::TomlValue> own;
+  const auto is_elsewhere = [](const std::string& key) {
+    const auto begins = [&](std::string_view table) { return key.starts_with(table); };
+    return std::any_of(kScenarioTables.begin(), kScenarioTables.end(), begins) ||
+           begins(scene_kind().table) || begins(path_kind().table) || begins(sensor_kind().table);
+  };
+  std::copy_if(spec.values.begin(), spec.values.end(), std::back_inserter(own),
+               [&](const vo::TomlValue& value) { return !is_elsewhere(value.key); });
+  vo::assign_fields(own, fields);
+  if (spec.options.name.empty()) {
+    spec.options.name = spec.file.stem().string();
+  }
+  try {
+    spec.options.validate();
+    spec.filter.validate();
+    spec.channels();
+    spec.formats();
+  } catch (const vo::Error& error) {
+    vo::fail(spec.file.string(), ": ", error.what());
+  }
+}
+
+/// Throws vo::Error that names all scene files that are missing.
+void require_scenes(const DatasetSpec& spec) {
+  std::set<std::string> missing;
+  for (const DatasetSequence& sequence : spec.sequences) {
+    if (!path_exists(sequence.scenario.scene_file())) {
+      missing.insert(vo::concat("scenes.", sequence.scene, ".gltf: ",
+                                sequence.scenario.scene_file().string(), " does not exist"));
+    }
+  }
+  std::string sentence;
+  for (const std::string& one : missing) {
+    sentence += (sentence.empty() ? "" : "; ") + one;
+  }
+  vo::require(missing.empty(), spec.file.string(), ": ", sentence);
+}
+
+}  // namespace
+
+bool DatasetFilter::is_empty() const {
+  DatasetFilter copy = *this;
+  DatasetFilter none;
+  const std::vector<vo::Field> given = vo::fields_of(copy);
+  const std::vector<vo::Field> defaults = vo::fields_of(none);
+  return std::equal(given.begin(), given.end(), defaults.begin(),
+                    [](const vo::Field& a, const vo::Field& b) { return a.get() == b.get(); });
+}
+
+void DatasetFilter::validate() const {
+  limits.validate();
+  for (const double limit : {min_mean_flow_px, max_mean_flow_px}) {
+    vo::require(limit >= 0 && std::isfinite(limit), "filter: expected limits of 0 or above, got ",
+                limit);
+  }
+}
+
+void DatasetOptions::validate() const {
+  constexpr int kMaxSeeds = 100'000;
+  constexpr int kMaxPartFrames = 4000;  // of a folder that any file system lists quickly
+  vo::require(is_name(name), "name: expected letters, digits and -, got '", name, "'");
+  vo::require(seeds >= 1 && seeds <= kMaxSeeds, "seeds: expected 1 to ", kMaxSeeds, ", got ",
+              seeds);
+  vo::require(part_frames >= 1 && part_frames <= kMaxPartFrames, "part_frames: expected 1 to ",
+              kMaxPartFrames, ", got ", part_frames);
+  vo::require(!tar || formats.empty(), "tar: expected no formats with it, which are made of files");
+}
+
+std::vector<synth::TruthChannel> DatasetSpec::channels() const {
+  return options.channels.empty() ? std::vector<synth::TruthChannel>()
+                                  : synth::parse_channels(options.channels);
+}
+
+std::vector<vo::WrittenSequence> DatasetSpec::formats() const {
+  std::vector<vo::WrittenSequence> formats;
+  for (const std::string& name : names_in(options.formats)) {
+    formats.push_back(vo::parse_enum<vo::WrittenSequence>(name));
+    vo::require(formats.back() != vo::WrittenSequence::tum,
+                "formats: tum is always written, expected others");
+  }
+  return formats;
+}
+
+DatasetSpec load_dataset_spec(const fs::path& file) {
+  DatasetSpec spec;
+  spec.file = file;
+  spec.values = vo::read_toml(file);
+  read_options(spec);
+  add_all_sequences(read_alternatives(file, spec.values), spec);
+  require_scenes(spec);
+  return spec;
+}
+
+}  // namespace tools

@@ -1,0 +1,148 @@
+#include "tools/datasets/verify.h"
+
+#include <algorithm>
+#include <mutex>
+#include <set>
+#include <system_error>
+
+#include <tbb/parallel_for.h>
+
+#include "tools/datasets/part_folder.h"
+#include "tools/datasets/sha256.h"
+#include "vo/core/error.h"
+#include "vo/output_folders/file_records.h"
+#include "vo/text_files/text_lines.h"
+
+namespace tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Returns what is wrong with a file; empty where it has that SHA-256.
+std::string damage_of_file(const fs::path& file, const std::string& expected) {
+  if (!path_exists(file)) {
+    return "is missing";
+  }
+  return sha256_of_file(file) == expected ? "" : "is not as it was made: its SHA-256 differs";
+}
+
+/// The checksums of a data set: the SHA-256 of each file and its name.
+std::vector<std::pair<std::string, std::string>> read_checksums(const fs::path& folder) {
+  constexpr std::size_t kDigits = 64;
+  vo::require(path_exists(folder / kChecksums), folder.string(), ": holds no data set, expected ",
+              kChecksums, " in it");
+  std::vector<std::pair<std::string, std::string>> checksums;
+  const vo::TextFile file(folder / kChecksums);
+  file.for_each_whole_line([&](const vo::TextLine& line) {
+    const std::string text(line.text);
+    vo::require(text.size() > kDigits + 2 && text.compare(kDigits, 2, "  ") == 0, line.place(),
+                ": expected a SHA-256, two blanks and a name");
+    checksums.emplace_back(text.substr(0, kDigits), text.substr(kDigits + 2));
+  });
+  return checksums;
+}
+
+/// Counts what threads find, in the order of the files.
+class Findings {
+ public:
+  Findings(std::size_t count, const vo::Progress& progress)
+      : problems_(count), progress_(progress) {}
+
+  /// Takes what was found of one of the things that are verified; empty = nothing.
+  void add(std::size_t index, const std::string& problem, std::uintmax_t bytes) {
+    const std::lock_guard lock(mutex_);
+    problems_[index] = problem;
+    bytes_ += bytes;
+    ++done_;
+    if (progress_) {
+      progress_(done_, problems_.size());
+    }
+  }
+
+  /// Moves what was found into a verification.
+  void tell(Verification& verification) const {
+    verification.bytes += bytes_;
+    std::copy_if(problems_.begin(), problems_.end(), std::back_inserter(verification.problems),
+                 [](const std::string& problem) { return !problem.empty(); });
+  }
+
+ private:
+  std::vector<std::string> problems_;
+  const vo::Progress& progress_;
+  std::uintmax_t bytes_ = 0;
+  std::size_t done_ = 0;
+  std::mutex mutex_;
+};
+
+std::uintmax_t size_of(const fs::path& file) {
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(file, error);
+  return error ? 0 : size;
+}
+
+}  // namespace
+
+Verification verify_dataset(const fs::path& folder, const vo::Progress& progress) {
+  const auto checksums = read_checksums(folder);
+  Verification verification{.files = checksums.size()};
+  Findings findings(checksums.size(), progress);
+  tbb::parallel_for(std::size_t{0}, checksums.size(), [&](std::size_t i) {
+    const auto& [sum, name] = checksums[i];
+    const std::string damage = damage_of_file(folder / name, sum);
+    findings.add(i, damage.empty() ? "" : name + " " + damage, size_of(folder / name));
+  });
+  findings.tell(verification);
+  std::set<std::string> known{kChecksums};
+  for (const auto& [sum, name] : checksums) {
+    known.insert(name);
+  }
+  for (const std::string& name : vo::files_below(folder)) {
+    if (!known.contains(name)) {
+      verification.problems.push_back(name + " is not of the data set");
+    }
+  }
+  return verification;
+}
+
+std::string damage_of(const PartRecord& record, const std::vector<fs::path>& folders) {
+  for (const MadeFile& file : record.files) {
+    const auto has = [&](const fs::path& folder) { return path_exists(folder / file.name); };
+    const auto folder = std::find_if(folders.begin(), folders.end(), has);
+    const std::string damage = damage_of_file(
+        (folder == folders.end() ? folders.front() : *folder) / file.name, file.sha256);
+    if (!damage.empty()) {
+      return file.name + " " + damage;
+    }
+  }
+  return {};
+}
+
+Verification verify_parts(const DatasetSpec& spec, const DatasetPlan& plan,
+                          const DatasetLayout& layout, const vo::Progress& progress) {
+  std::vector<PartRecord> records;
+  std::vector<fs::path> folders;
+  for (std::size_t i = 0; i < plan.parts.size(); ++i) {
+    const fs::path folder = layout.part(i, part_name(spec, plan.parts[i]));
+    if (path_exists(folder / kPartRecord)) {
+      records.push_back(read_part_record(folder));
+      folders.push_back(folder);
+    }
+  }
+  Verification verification;
+  Findings findings(records.size(), progress);
+  tbb::parallel_for(std::size_t{0}, records.size(), [&](std::size_t i) {
+    std::uintmax_t bytes = 0;
+    for (const MadeFile& file : records[i].files) {
+      bytes += file.bytes;
+    }
+    const std::string damage = damage_of(records[i], {folders[i]});
+    findings.add(i, damage.empty() ? "" : records[i].part + ": " + damage, bytes);
+  });
+  findings.tell(verification);
+  for (const PartRecord& record : records) {
+    verification.files += record.files.size();
+  }
+  return verification;
+}
+
+}  // namespace tools
