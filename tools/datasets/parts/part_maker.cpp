@@ -1,4 +1,4 @@
-#include "tools/datasets/part_maker.h"
+#include "tools/datasets/parts/part_maker.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -12,11 +12,11 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
-#include "tools/datasets/archive_names.h"
-#include "tools/datasets/frame_rows.h"
 #include "tools/datasets/host_name.h"
 #include "tools/datasets/part_folder.h"
 #include "tools/datasets/part_record.h"
+#include "tools/datasets/parts/archive_names.h"
+#include "tools/datasets/parts/frame_rows.h"
 #include "tools/datasets/sha256.h"
 #include "tools/pictures/webp.h"
 #include "vo/archives/tar.h"

@@ -1,4 +1,4 @@
-#include "tools/datasets/archive_names.h"
+#include "tools/datasets/parts/archive_names.h"
 
 #include <filesystem>
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "tools/datasets/dataset_index.h"
+#include "tools/datasets/merging/dataset_index.h"
 #include "tools/datasets/plan.h"
 #include "tools/datasets/spec.h"
 

@@ -12,7 +12,7 @@
 #include "tools/cli/scene_arguments.h"
 #include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
-#include "tools/commands/study_commands.h"
+#include "tools/commands/studies/study_commands.h"
 #include "tools/scenario/run_scenario.h"
 #include "tools/scenario/scenario.h"
 #include "tools/studies/pose_pairs.h"

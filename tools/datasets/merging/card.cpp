@@ -1,4 +1,4 @@
-#include "tools/datasets/card.h"
+#include "tools/datasets/merging/card.h"
 
 #include <algorithm>
 #include <map>

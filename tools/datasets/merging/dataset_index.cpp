@@ -1,4 +1,4 @@
-#include "tools/datasets/dataset_index.h"
+#include "tools/datasets/merging/dataset_index.h"
 
 #include <algorithm>
 #include <cmath>

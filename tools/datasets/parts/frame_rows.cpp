@@ -1,9 +1,9 @@
-#include "tools/datasets/frame_rows.h"
+#include "tools/datasets/parts/frame_rows.h"
 
 #include <utility>
 
-#include "tools/datasets/archive_names.h"
 #include "tools/datasets/layout.h"
+#include "tools/datasets/parts/archive_names.h"
 #include "tools/datasets/sequence_jobs.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"

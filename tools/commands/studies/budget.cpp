@@ -7,7 +7,7 @@
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
-#include "tools/commands/study_commands.h"
+#include "tools/commands/studies/study_commands.h"
 #include "vo/files/result_files.h"
 
 namespace tools {

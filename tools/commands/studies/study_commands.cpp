@@ -1,4 +1,4 @@
-#include "tools/commands/study_commands.h"
+#include "tools/commands/studies/study_commands.h"
 
 #include <iostream>
 

@@ -1,4 +1,4 @@
-#include "tools/datasets/merge.h"
+#include "tools/datasets/merging/merge.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -9,19 +9,20 @@
 
 #include <tbb/parallel_for.h>
 
-#include "tools/datasets/card.h"
-#include "tools/datasets/dataset_index.h"
-#include "tools/datasets/frame_rows.h"
+#include "tools/datasets/merging/card.h"
+#include "tools/datasets/merging/dataset_index.h"
+#include "tools/datasets/merging/verify.h"
 #include "tools/datasets/part_folder.h"
 #include "tools/datasets/part_record.h"
+#include "tools/datasets/parts/frame_rows.h"
 #include "tools/datasets/plan_file.h"
 #include "tools/datasets/sha256.h"
-#include "tools/datasets/verify.h"
 #include "vo/core/error.h"
 #include "vo/files/folder.h"
 #include "vo/files/input.h"
 #include "vo/files/partial_file.h"
 #include "vo/files/system_failure.h"
+#include "vo/output_folders/file_records.h"
 #include "vo/output_folders/output_folder.h"
 
 namespace tools {

@@ -1,4 +1,4 @@
-#include "tools/datasets/verify.h"
+#include "tools/datasets/merging/verify.h"
 
 #include <algorithm>
 #include <mutex>
