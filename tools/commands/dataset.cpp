@@ -19,10 +19,10 @@
 #include "tools/datasets/estimate.h"
 #include "tools/datasets/layout.h"
 #include "tools/datasets/merging/merge.h"
+#include "tools/datasets/merging/verify.h"
 #include "tools/datasets/parts/part_maker.h"
 #include "tools/datasets/plan.h"
 #include "tools/datasets/spec.h"
-#include "tools/datasets/merging/verify.h"
 #include "tools/json/document.h"
 #include "tools/plot/table.h"
 #include "vo/core/error.h"
@@ -154,7 +154,7 @@ std::size_t make_share(const DatasetPlan& plan, const std::vector<std::size_t>& 
   return made;
 }
 
-void render(const DatasetArguments& arguments, Session& /*session*/) {
+void render(const DatasetArguments& arguments, Session& session) {
   const auto limit = arguments.common.limit_threads();
   const TaskShare task = chosen_share(arguments.shard, arguments.shards);
   ProgressBar bar("rendering", arguments.common.verbosity());
@@ -171,6 +171,10 @@ void render(const DatasetArguments& arguments, Session& /*session*/) {
     made = make_share(plan, share, maker, bar);
   }
   bar.erase();
+  if (!plan.rejected.empty() && !arguments.common.quiet) {
+    std::cerr << session.err.paint(Tone::caution, "note") << ": " << plan.rejected.size() << " of "
+              << spec.sequences.size() << " sequences are left out, `edvo dataset plan` says why\n";
+  }
   const std::size_t missing = is_there ? 0 : missing_parts(spec, plan, layout).size();
   if (arguments.common.json) {
     print_json("dataset_render", {{"dataset", arguments.out},

@@ -47,6 +47,11 @@ std::map<std::string, std::string> identity_of(const DatasetSpec& spec) {
     add_path_file(sequence, path.file, identity);
     add_path_file(sequence, path.file_times, identity);
   }
+  std::string names;
+  for (const DatasetSequence& sequence : spec.sequences) {
+    names += sequence.name + "\n";
+  }
+  identity.emplace("names of sequences", vo::content_hash(names));
   identity.emplace("program that renders", generator_hash());
   return identity;
 }
@@ -61,11 +66,10 @@ std::string objection(const DatasetFilter& filter, const synth::RenderJob& job) 
   if (!report.violations.empty()) {
     return report.violations.front();
   }
-  const double flow = std::accumulate(report.frames.begin(), report.frames.end(), 0.0,
-                                      [](double sum, const synth::FrameCheck& frame) {
-                                        return sum + frame.flow_px;
-                                      }) /
-                      static_cast<double>(report.frames.size());
+  double flow = 0;  // px, mean over the frames that have a next one
+  for (std::size_t i = 0; i + 1 < report.frames.size(); ++i) {
+    flow += report.frames[i].flow_px / static_cast<double>(report.frames.size() - 1);
+  }
   if (flow < filter.min_mean_flow_px) {
     return vo::concat("min_mean_flow_px: got ", flow, ", limit ", filter.min_mean_flow_px);
   }

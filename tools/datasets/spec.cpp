@@ -87,25 +87,31 @@ void add_value(const Kind& kind, const vo::TomlValue& value, std::string_view ke
   alternative.values.push_back(std::move(scenario_value));
 }
 
+/// What a spec's file holds.
+struct SpecFile {
+  fs::path path;
+  const std::vector<vo::TomlValue>& values;
+  std::vector<vo::TomlTable> tables;
+};
+
 /// Returns the alternatives of a kind, sorted by name.
-std::vector<Alternative> alternatives_of(const Kind& kind,
-                                         const std::vector<vo::TomlValue>& values) {
+std::vector<Alternative> alternatives_of(const Kind& kind, const SpecFile& file) {
   std::vector<Alternative> alternatives;
-  for (const vo::TomlValue& value : values) {
-    if (!value.key.starts_with(kind.table)) {
+  for (const vo::TomlTable& table : file.tables) {
+    const std::string name = table.key.substr(std::min(kind.table.size(), table.key.size()));
+    if (!table.key.starts_with(kind.table) || name.find('.') != std::string::npos) {
       continue;
     }
-    const std::string_view rest = std::string_view(value.key).substr(kind.table.size());
-    const std::size_t dot = rest.find('.');
-    vo::require(dot != std::string_view::npos, value.place, ": ", value.key, ": expected a table [",
-                kind.table, "NAME]");
-    const std::string name(rest.substr(0, dot));
-    vo::require(is_name(name), value.place, ": ", kind.table, name,
+    vo::require(is_name(name), table.place, ": ", table.key,
                 ": expected a name of letters, digits and -");
-    if (alternatives.empty() || alternatives.back().name != name) {
-      alternatives.push_back({name, {}, {}, value.place});
+    Alternative alternative{.name = name, .place = table.place};
+    const std::string prefix = table.key + ".";
+    for (const vo::TomlValue& value : file.values) {
+      if (value.key.starts_with(prefix)) {
+        add_value(kind, value, std::string_view(value.key).substr(prefix.size()), alternative);
+      }
     }
-    add_value(kind, value, rest.substr(dot + 1), alternatives.back());
+    alternatives.push_back(std::move(alternative));
   }
   return alternatives;
 }
@@ -157,9 +163,9 @@ struct Alternatives {
   std::vector<Alternative> sensors;  ///< one without a name where the spec has none
 };
 
-Alternatives read_alternatives(const fs::path& file, const std::vector<vo::TomlValue>& values) {
+Alternatives read_alternatives(const SpecFile& file) {
   Alternatives all;
-  for (const vo::TomlValue& value : values) {
+  for (const vo::TomlValue& value : file.values) {
     const bool is_common =
         std::any_of(kScenarioTables.begin(), kScenarioTables.end(),
                     [&](std::string_view table) { return value.key.starts_with(table); });
@@ -167,11 +173,12 @@ Alternatives read_alternatives(const fs::path& file, const std::vector<vo::TomlV
       all.common.push_back(value);
     }
   }
-  all.scenes = alternatives_of(scene_kind(), values);
-  all.paths = alternatives_of(path_kind(), values);
-  all.sensors = alternatives_of(sensor_kind(), values);
-  vo::require(!all.scenes.empty(), file.string(), ": expected a scene, [scenes.NAME] with gltf");
-  vo::require(!all.paths.empty(), file.string(), ": expected a path, [paths.NAME] with kind");
+  all.scenes = alternatives_of(scene_kind(), file);
+  all.paths = alternatives_of(path_kind(), file);
+  all.sensors = alternatives_of(sensor_kind(), file);
+  vo::require(!all.scenes.empty(), file.path.string(),
+              ": expected a scene, [scenes.NAME] with gltf");
+  vo::require(!all.paths.empty(), file.path.string(), ": expected a path, [paths.NAME] with kind");
   require_known(all.paths, "scenes", all.scenes);
   require_known(all.sensors, "scenes", all.scenes);
   require_known(all.sensors, "paths", all.paths);
@@ -179,7 +186,7 @@ Alternatives read_alternatives(const fs::path& file, const std::vector<vo::TomlV
     all.sensors.emplace_back();
   }
   for (Alternative& scene : all.scenes) {
-    resolve_scene(file, scene);
+    resolve_scene(file.path, scene);
   }
   return all;
 }
@@ -311,8 +318,11 @@ void DatasetOptions::validate() const {
 }
 
 std::vector<synth::TruthChannel> DatasetSpec::channels() const {
-  return options.channels.empty() ? std::vector<synth::TruthChannel>()
-                                  : synth::parse_channels(options.channels);
+  std::string list;
+  for (const std::string& name : names_in(options.channels)) {
+    list += (list.empty() ? "" : ",") + name;
+  }
+  return list.empty() ? std::vector<synth::TruthChannel>() : synth::parse_channels(list);
 }
 
 std::vector<vo::WrittenSequence> DatasetSpec::formats() const {
@@ -330,7 +340,7 @@ DatasetSpec load_dataset_spec(const fs::path& file) {
   spec.file = file;
   spec.values = vo::read_toml(file);
   read_options(spec);
-  add_all_sequences(read_alternatives(file, spec.values), spec);
+  add_all_sequences(read_alternatives({file, spec.values, vo::toml_tables(file)}), spec);
   require_scenes(spec);
   return spec;
 }

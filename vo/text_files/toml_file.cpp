@@ -77,6 +77,29 @@ void flatten(const toml::table& table, const std::string& prefix, const Path& pa
   }
 }
 
+/// Reads and parses a TOML file.
+toml::table parsed(const Path& path) {
+  const std::string text = read_file(path, kMaxConfigurationBytes);
+  require_shallow_toml(text, path);
+  try {
+    return toml::parse(text, path.string());
+  } catch (const toml::parse_error& error) {
+    fail(path.string(), ":", error.source().begin.line, ":", error.source().begin.column, ": ",
+         error.description());
+  }
+}
+
+void list_tables(const toml::table& table, const std::string& prefix, const Path& path,
+                 std::vector<TomlTable>& tables) {
+  for (const auto& [name, node] : table) {
+    if (const auto* nested = node.as_table()) {
+      const std::string key = prefix + std::string(name.str());
+      tables.push_back({key, concat(path.string(), ":", node.source().begin.line)});
+      list_tables(*nested, key + ".", path, tables);
+    }
+  }
+}
+
 /// Returns whether a field takes a TOML value of this type: its own, or an integer for a real
 /// field.
 bool is_accepted(FieldType field, FieldType value) {
@@ -138,16 +161,15 @@ std::string quoted_toml(std::string_view text) {
 }
 
 std::vector<TomlValue> read_toml(const Path& path) {
-  const std::string text = read_file(path, kMaxConfigurationBytes);
-  require_shallow_toml(text, path);
   std::vector<TomlValue> values;
-  try {
-    flatten(toml::parse(text, path.string()), "", path, values);
-  } catch (const toml::parse_error& error) {
-    fail(path.string(), ":", error.source().begin.line, ":", error.source().begin.column, ": ",
-         error.description());
-  }
+  flatten(parsed(path), "", path, values);
   return values;
+}
+
+std::vector<TomlTable> toml_tables(const Path& path) {
+  std::vector<TomlTable> tables;
+  list_tables(parsed(path), "", path, tables);
+  return tables;
 }
 
 void assign_fields(const std::vector<TomlValue>& values, std::vector<Field>& fields) {

@@ -22,6 +22,16 @@ struct TomlValue {
 /// column for what is not TOML.
 std::vector<TomlValue> read_toml(const std::filesystem::path& path);
 
+/// A table of a TOML file.
+struct TomlTable {
+  std::string key;    ///< dotted, from the outermost table
+  std::string place;  ///< `file:line`, for messages
+};
+
+/// Returns all tables of a TOML file, those without a value, too, each before what it holds. Throws
+/// as `read_toml` does.
+std::vector<TomlTable> toml_tables(const std::filesystem::path& path);
+
 /// Sets the fields that the values name. Throws Error with file:line for a key that is not among
 /// the fields (naming the nearest one) and for a value of another type.
 void assign_fields(const std::vector<TomlValue>& values, std::vector<Field>& fields);

@@ -6,8 +6,8 @@ namespace tools {
 
 /// Returns the name that a frame's file has in an archive, as WebDataset groups files: all of one
 /// frame have the name up to the first dot, SEQUENCE/000012, and what they are behind it.
-/// `rgb/000012.png` becomes `SEQUENCE/000012.rgb.png`, `truth/flow/000012.npy`
-/// `SEQUENCE/000012.flow.npy`.
+/// `rgb/000012.png` becomes `SEQUENCE/000012.rgb.png`, `truth/flow/000012.flo`
+/// `SEQUENCE/000012.flow.flo`.
 std::string archive_name(const std::string& sequence, const std::string& file);
 
 }  // namespace tools

@@ -215,11 +215,15 @@ void PartMaker::make(std::size_t index, const vo::Progress& progress) {
   writer.write_frames(progress);
   writer.write_lists();
   std::vector<MadeFile> made = writer.made();
+  const std::size_t frames = part.end - part.first;
+  const vo::Progress converting = [&](std::size_t /*done*/, std::size_t /*total*/) {
+    progress(frames, frames);  // all are rendered; this also ends a run that is interrupted
+  };
   for (const vo::WrittenSequence format : spec_.formats()) {
     const std::string name = converted_name(sequence, format);
     vo::convert_sequence(
         {.in = folder.partial() / sequence.name, .out = folder.partial() / name, .to = format},
-        {vo::ExistingOutput::keep, vo::Durability::unsynced}, {});
+        {vo::ExistingOutput::keep, vo::Durability::unsynced}, converting);
     add_converted(folder.partial(), name, made);
   }
   folder.write({{kPartFrames, writer.csv()}});

@@ -1,0 +1,288 @@
+"""Data sets as Python's own hashlib, tarfile and csv read them, made by one process and by many, killed and resumed.
+
+    dataset_test.py EDVO REPOSITORY SCRATCH
+"""
+
+import csv
+import hashlib
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tarfile
+
+try:
+    import numpy
+except ImportError:
+    print("skipped: python3-numpy was not found")
+    sys.exit(77)
+
+EDVO, REPOSITORY, SCRATCH = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+sys.path += [str(REPOSITORY / "tests/tools"), str(REPOSITORY / "tests/tools/exports")]
+import files  # noqa: E402  (of tests/tools/exports)
+import png_file  # noqa: E402
+
+SPEC = """
+name = "small"
+about = "A small data set."
+seeds = 2
+part_frames = 3
+{more}
+[camera]
+width = 64
+height = 48
+[path]
+rate = 10
+duration = {duration}
+[scenes.box]
+gltf = "{assets}/plane_and_box/plane_and_box.gltf"
+licence = "CC0-1.0, of edvo"
+[scenes.moving]
+gltf = "{assets}/moving_room/moving_room.gltf"
+split = "test"
+[paths.orbit]
+kind = "orbit"
+orbit.radius = 2.0
+[paths.walk]
+scenes = "moving"
+kind = "explore"
+[sensors.kinect]
+preset = "kinect-v1"
+scenes = "box"
+[sensors.plain]
+"""
+
+
+def edvo(*words, code=0, env=None):
+    """Runs `edvo dataset`, holds it to its exit code and returns what it printed."""
+    result = subprocess.run([EDVO, "dataset", *map(str, words)], capture_output=True, text=True, cwd=SCRATCH,
+                            env={**os.environ, **(env or {})})
+    assert result.returncode == code, (words, result.returncode, result.stdout, result.stderr)
+    return result.stdout + result.stderr
+
+
+def write_spec(name, more="", duration=0.8, **changes):
+    text = SPEC.format(more=more, duration=duration, assets=REPOSITORY / "assets")
+    for old, new in changes.values():
+        assert old in text
+        text = text.replace(old, new)
+    (SCRATCH / name).write_text(text)
+    return name
+
+
+def files_of(folder):
+    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def require_same(a, b):
+    files_a, files_b = files_of(SCRATCH / a), files_of(SCRATCH / b)
+    assert files_a.keys() == files_b.keys(), files_a.keys() ^ files_b.keys()
+    differing = [name for name in files_a if files_a[name] != files_b[name]]
+    assert not differing, differing
+
+
+def require_clean(*names):
+    """Nothing is left beside what was made."""
+    stray = [p.name for p in SCRATCH.iterdir() if p.name not in names and not p.name.endswith(".toml")]
+    assert not stray, stray
+
+
+def check_shares():
+    """Any number of shares, in any order, on any number of threads, gives the bytes of one process."""
+    write_spec("small.toml")
+    edvo("render", "small.toml", "--out", "one")
+    edvo("merge", "small.toml", "--out", "one")
+    for k in (3, 1, 2):
+        out = edvo("status", "small.toml", "--out", "three", "--shards", 3, "--json", code=5)
+        assert str(k) in json.loads(out[:out.rindex("}") + 1])["missing_shards"] or k != 3
+        edvo("render", "small.toml", "--out", "three", "--shard", f"{k}/3", "--threads", k)
+    out = edvo("render", "small.toml", "--out", "three", "--shards", 3, env={"SLURM_ARRAY_TASK_ID": "2"})
+    assert "share 2 of 3" in out, out
+    edvo("merge", "small.toml", "--out", "three")
+    require_same("one", "three")
+    assert "there already" in edvo("merge", "small.toml", "--out", "three")
+    require_clean("one", "three")
+
+
+def check_checksums():
+    lines = (SCRATCH / "one/checksums.sha256").read_text().splitlines()
+    names = set()
+    for line in lines:
+        digest, name = line.split("  ", 1)
+        assert hashlib.sha256((SCRATCH / "one" / name).read_bytes()).hexdigest() == digest, name
+        names.add(name)
+    assert names | {"checksums.sha256"} == files_of(SCRATCH / "one").keys()
+    edvo("verify", "one")
+
+
+def check_index():
+    """The rows of frames.csv are those of the sequences: poses, stamps, images, depth's coverage, flow."""
+    with open(SCRATCH / "one/frames.csv") as text:
+        rows = list(csv.DictReader(text))
+    by_sequence = {}
+    for row in rows:
+        by_sequence.setdefault((row["split"], row["sequence"]), []).append(row)
+    names = sorted(name for _, name in by_sequence)
+    assert names == [
+        "box_orbit_kinect_0", "box_orbit_kinect_1", "box_orbit_plain_0", "box_orbit_plain_1", "moving_orbit_plain_0",
+        "moving_orbit_plain_1", "moving_walk_plain_0", "moving_walk_plain_1"], names
+    for (split, name), frames in by_sequence.items():
+        folder = SCRATCH / "one" / split / name.split("_")[0] / name
+        truth = files.read_tum_poses(folder / "groundtruth.txt")
+        assert len(truth) == len(frames) == 9
+        for i, (row, (stamp, T_world_camera)) in enumerate(zip(frames, truth, strict=True)):
+            T = files.matrix_of([float(row[k]) for k in ("tx", "ty", "tz")],
+                                [float(row[k]) for k in ("qx", "qy", "qz", "qw")])
+            assert abs(T - T_world_camera).max() < 1e-8 and abs(float(row["timestamp"]) - stamp) < 1e-9
+            depth = png_file.read_png(SCRATCH / "one" / row["depth"])
+            assert abs(float(row["depth_coverage"]) - (depth > 0).mean()) < 1e-9
+            assert (SCRATCH / "one" / row["rgb"]).exists() and int(row["frame"]) == i
+            assert (row["flow_px"] == "") == (i == 8) and (i == 8 or float(row["flow_px"]) > 0)
+        blurs = name.split("_")[2] == "kinect"
+        assert all((float(row["blur_px"]) > 0) == blurs for row in frames[:-1])
+    with open(SCRATCH / "one/sequences.csv") as text:
+        for row in csv.DictReader(text):
+            frames = by_sequence[row["split"], row["sequence"]]
+            flow = numpy.mean([float(f["flow_px"]) for f in frames[:-1]])
+            steps = numpy.diff([[float(f[k]) for k in ("tx", "ty", "tz")] for f in frames], axis=0)
+            assert abs(float(row["flow_px"]) - flow) < 1e-9 * max(flow, 1)
+            assert abs(float(row["length_m"]) - numpy.linalg.norm(steps, axis=1).sum()) < 1e-9
+            assert row["licence"] == ("CC0-1.0; of edvo" if row["scene"] == "box" else "not stated")
+
+
+def check_as_rendered():
+    """A sequence has the bytes that `edvo render` gives it."""
+    subprocess.run([EDVO, "render", REPOSITORY / "assets/plane_and_box/plane_and_box.gltf", "--camera",
+                    SCRATCH / "one/train/box/box_orbit_plain_0/camera.toml", "--path", "orbit", "--orbit.radius", "2", "--rate", "10", "--duration", "0.8", "--out",
+                    SCRATCH / "rendered", "--quiet"], check=True, capture_output=True)
+    ours = files_of(SCRATCH / "one/train/box/box_orbit_plain_0")
+    theirs = files_of(SCRATCH / "rendered")
+    theirs.pop(".edvo-files")
+    assert ours == theirs, [name for name in ours.keys() | theirs.keys() if ours.get(name) != theirs.get(name)]
+    shutil.rmtree(SCRATCH / "rendered")
+
+
+def check_damage():
+    """One flipped byte is found, in the data set and in a part."""
+    image = SCRATCH / "three/test/moving/moving_walk_plain_0/rgb/000003.png"
+    damaged = bytearray(image.read_bytes())
+    damaged[len(damaged) // 2] ^= 1
+    image.write_bytes(damaged)
+    (SCRATCH / "three/stray.txt").write_text("not ours")
+    out = edvo("verify", "three", code=4)
+    assert "moving_walk_plain_0/rgb/000003.png is not as it was made" in out and "stray.txt" in out and "2 problems" in out
+    shutil.rmtree(SCRATCH / "three")
+    edvo("render", "small.toml", "--out", "three")
+    (image,) = SCRATCH.glob("three.part/parts/*/moving_walk_plain_0-001/moving_walk_plain_0/rgb/000003.png")
+    image.write_bytes(damaged)
+    assert "moving_walk_plain_0-001" in edvo("merge", "small.toml", "--out", "three", code=5)
+    edvo("render", "small.toml", "--out", "three")
+    edvo("merge", "small.toml", "--out", "three")
+    require_same("one", "three")
+    shutil.rmtree(SCRATCH / "three")
+
+
+def check_kills():
+    """Killed at its first, second, ... part, and begun again each time, it gives the same bytes and leaves nothing."""
+    for parts in (1, 4, 9):
+        with subprocess.Popen([EDVO, "dataset", "render", "small.toml", "--out", "killed", "--quiet"], cwd=SCRATCH) as run:
+            while run.poll() is None and len(list(SCRATCH.glob("killed.part/parts/000/[!.]*"))) < parts:
+                pass
+            run.send_signal(signal.SIGKILL)
+    assert run.returncode == -signal.SIGKILL
+    twice = [subprocess.Popen([EDVO, "dataset", "render", "small.toml", "--out", "killed", "--quiet"], cwd=SCRATCH)
+             for _ in range(2)]  # two tasks that make the same parts at once
+    assert [run.wait() for run in twice] == [0, 0]
+    edvo("merge", "small.toml", "--out", "killed")
+    require_same("one", "killed")
+    require_clean("one", "killed")
+    shutil.rmtree(SCRATCH / "killed")
+
+
+def check_archives():
+    """An archive has the bytes of the files, grouped by frame as WebDataset groups them."""
+    write_spec("tar.toml", more="tar = true")
+    edvo("render", "tar.toml", "--out", "tar")
+    edvo("merge", "tar.toml", "--out", "tar")
+    edvo("verify", "tar")
+    with open(SCRATCH / "tar/frames.csv") as text:
+        rows = list(csv.DictReader(text))
+    plain = list(csv.DictReader(open(SCRATCH / "one/frames.csv")))
+    for row, file_row in zip(rows, plain, strict=True):
+        with tarfile.open(SCRATCH / "tar" / row["archive"]) as archive:
+            keys = [name.split(".")[0] for name in archive.getnames()]
+            assert keys == sorted(keys) and all(archive.getmember(name).isreg() for name in archive.getnames())
+            for kind in ("rgb", "depth"):
+                assert row[kind].split(".")[0] == f"{row['sequence']}/{int(row['frame']):06}"
+                assert archive.extractfile(row[kind]).read() == (SCRATCH / "one" / file_row[kind]).read_bytes()
+    tars = subprocess.run(["tar", "tf", SCRATCH / "tar" / rows[0]["archive"]], capture_output=True, text=True, check=True)
+    assert tars.stderr == "" and len(tars.stdout.splitlines()) == 6
+
+
+def check_formats_and_channels():
+    write_spec("formats.toml", more='formats = "euroc, mcap"\nchannels = "flow, imu"', duration=0.2,
+               only=("seeds = 2", "seeds = 1"))
+    edvo("render", "formats.toml", "--out", "formats")
+    edvo("merge", "formats.toml", "--out", "formats")
+    edvo("verify", "formats")
+    folder = SCRATCH / "formats/train/box"
+    assert (folder / "box_orbit_plain_0.euroc/mav0/cam0/sensor.yaml").exists()
+    assert (folder / "box_orbit_plain_0/truth/flow/000000.flo").exists()
+    assert (folder / "box_orbit_plain_0/imu.csv").exists()
+    subprocess.run([EDVO, "convert", folder / "box_orbit_plain_0.mcap", SCRATCH / "back", "--format", "tum", "--quiet"],
+                   check=True, capture_output=True)
+    for image in (folder / "box_orbit_plain_0/rgb").iterdir():
+        assert (png_file.read_png(image) == png_file.read_png(SCRATCH / "back/rgb" / image.name)).all()
+    shutil.rmtree(SCRATCH / "back")
+
+
+def check_filter():
+    """What the filter leaves out is named with its reason, in the plan and on the card."""
+    write_spec("filtered.toml", more="[filter]\nmax_mean_flow_px = 1.3")
+    plan = edvo("plan", "filtered.toml")
+    flows = {row["sequence"]: float(row["flow_px"]) for row in csv.DictReader(open(SCRATCH / "one/sequences.csv"))}
+    kept = {name for name, flow in flows.items() if flow <= 1.3}
+    left_out = {line.split(": ")[1] for line in plan.splitlines() if line.startswith("left out")}
+    assert left_out and kept and len(left_out) + len(kept) == len(flows) and not left_out & kept, (left_out, kept, flows)
+
+
+def check_bad_input():
+    for change, message in (
+            (("kind = \"explore\"", "kind = \"explorer\""), "bad.toml:24: path.kind"),
+            (("split = \"test\"", "split = \"te st\""), "split"),
+            (("scenes = \"box\"", "scenes = \"bux\""), "there is no 'bux'"),
+            (("seeds = 2", "seeds = 0"), "seeds: expected 1 to"),
+            (("seeds = 2", "seedz = 2"), "seedz"),
+            (("plane_and_box.gltf", "missing.gltf"), "missing.gltf does not exist"),
+            (("[paths.orbit]", "[paths.'or_bit']"), "or_bit"),
+            (("part_frames = 3", "part_frames = 3\nformats = \"tum\""), "formats"),
+            (("part_frames = 3", "part_frames = 3\nchannels = \"flaw\""), "flaw")):
+        name = write_spec("bad.toml", change=change)
+        out = edvo("plan", name, code=3)
+        assert "bad.toml" in out and message in out, (change, out)
+    edvo("render", "small.toml", "--out", "begun", "--shard", "1/8")
+    write_spec("small.toml", change=("orbit.radius = 2.0", "orbit.radius = 2.5"))
+    for action in ("render", "status", "merge"):
+        out = edvo(action, "small.toml", "--out", "begun", code=6)
+        assert "other values of paths.orbit.orbit.radius;" in out, out
+    write_spec("small.toml")
+    edvo("render", "small.toml", "--out", "begun", "--shard", "9/8", code=2)
+    (SCRATCH / "one-other").mkdir()
+    edvo("render", "small.toml", "--out", "one-other", code=6)
+    edvo("verify", "begun.part", code=3)
+
+
+def main():
+    shutil.rmtree(SCRATCH, ignore_errors=True)
+    SCRATCH.mkdir(parents=True)
+    for check in (check_shares, check_checksums, check_index, check_as_rendered, check_damage, check_kills, check_archives,
+                  check_formats_and_channels, check_filter, check_bad_input):
+        check()
+        print(check.__name__, "ok", flush=True)
+    shutil.rmtree(SCRATCH)
+
+
+main()
