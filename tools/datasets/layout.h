@@ -30,7 +30,7 @@ struct DatasetLayout {
 /// The files of a part's folder that are no data: what was made and how long it took, and the
 /// part's rows of frames.csv.
 inline constexpr const char* kPartRecord = "part.json";
-inline constexpr const char* kPartFrames = "frames.csv";
+inline constexpr const char* kPartFrames = "frames.rows";
 inline constexpr const char* kPartPicture = "picture.webp";  ///< in the part with the middle frame
 
 /// Returns the name of a part: its sequence's and the number of the part in it, from 0.

@@ -33,6 +33,27 @@ tracked_fraction = { min = 0.5 }
 """
 SCENARIOS = {"good.toml": SCENARIO + RGBD, "bad.toml": SCENARIO + IMPOSSIBLE, "mono.toml": SCENARIO + MONO,
              "broken.toml": "why = 3\n"}
+DATASET = """name = "small"
+seeds = 2
+part_frames = 2
+channels = "flow"
+[camera]
+width = 64
+height = 48
+[path]
+rate = 10
+duration = 0.3
+[scenes.box]
+gltf = "assets/plane_and_box/plane_and_box.gltf"
+[paths.orbit]
+kind = "orbit"
+orbit.radius = 2.0
+[paths.nowhere]
+kind = "explore"
+explore.clearance = 50.0
+"""
+FILES = {**{f"scenarios/{name}": text for name, text in SCENARIOS.items()}, "dataset.toml": DATASET,
+         "archives.toml": DATASET.replace("part_frames", "tar = true\npart_frames")}
 
 
 @dataclasses.dataclass
@@ -112,5 +133,12 @@ RUNS = [
     Run("sensor-check --frames 2 --out sensors --json", "sensor_check"),
     Run("train-edges assets/white_room/white_room.gltf --views 2 --out forest.yml.gz --json", "train_edges"),
     Run("train-edges assets/white_room/white_room.gltf --views 2 --evaluate forest.yml.gz --json", "edge_detectors"),
+    Run("dataset plan dataset.toml --json", "dataset_estimate"),
+    Run("dataset render dataset.toml --out set --shard 1/2 --json", "dataset_render"),
+    Run("dataset status dataset.toml --out set --shards 2 --json", "dataset_status", (5,)),
+    Run("dataset render dataset.toml --out set --json", "dataset_render"),
+    Run("dataset merge dataset.toml --out set --json", "dataset_merge"),
+    Run("dataset verify set --json", "dataset_verify"),
+    Run("dataset render archives.toml --out archives"),  # which are left as parts
     Run("cache prune --max-size 0 --cache cache --json", "cache"),
 ]

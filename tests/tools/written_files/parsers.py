@@ -5,6 +5,7 @@ valid or does not mean what a file of its kind must.
 """
 
 import csv
+import hashlib
 import html.parser
 import io
 import json
@@ -12,6 +13,7 @@ import math
 import re
 import struct
 import subprocess
+import tarfile
 import tomllib
 import xml.etree.ElementTree as ElementTree
 import zipfile
@@ -321,11 +323,38 @@ def riff_chunks(data, at, end):
         at += 8 + size + size % 2
 
 
+def parse_tar(path):
+    """An archive of regular files without owner and time."""
+    with tarfile.open(path) as archive:
+        for member in archive:
+            require(member.isreg() and member.mtime == 0 and member.uid == 0, f"{member.name}: {member.get_info()}")
+            require(len(archive.extractfile(member).read()) == member.size, f"{member.name}: is cut")
+
+
+def parse_checksums(path):
+    """SHA-256 of each file beside it, as sha256sum --check reads them, and of no other."""
+    names = []
+    for line in path.read_text(encoding="utf-8").splitlines():
+        match = re.fullmatch(r"([0-9a-f]{64})  (.+)", line)
+        require(match is not None, f"no checksum and name: {line}")
+        require(hashlib.sha256((path.parent / match[2]).read_bytes()).hexdigest() == match[1], f"{match[2]} differs")
+        names.append(match[2])
+    there = {str(file.relative_to(path.parent)) for file in path.parent.rglob("*") if file.is_file()}
+    require(set(names) | {path.name} == there and len(set(names)) == len(names), "lists other files than there are")
+
+
+def parse_webp(path):
+    """A RIFF file of the size that it states, with a picture (WebP Container Specification)."""
+    data = path.read_bytes()
+    require(data[:4] == b"RIFF" and data[8:12] == b"WEBP" and data[12:16] in (b"VP8 ", b"VP8L", b"VP8X"), "no WebP")
+    require(struct.unpack("<I", data[4:8])[0] + 8 == len(data), f"{len(data)} bytes are not as many as it states")
+
+
 PARSERS = {".json": parse_json, ".toml": parse_toml, ".csv": parse_csv, ".svg": parse_svg,
            ".xml": parse_junit, ".html": parse_html, ".md": parse_markdown,
            ".ply": parse_ply, ".pcd": parse_pcd, ".zip": parse_zip, ".mcap": parse_mcap,
-           ".avi": parse_avi}
-OTHERS = {".png", ".npy", ".flo", ".txt", ".gz", ".yaml", ".depth", ".freiburg", ".files", ""}
+           ".avi": parse_avi, ".tar": parse_tar, ".sha256": parse_checksums, ".webp": parse_webp}
+OTHERS = {".png", ".npy", ".flo", ".txt", ".gz", ".yaml", ".depth", ".freiburg", ".files", ".rows", ""}
 
 
 def parse(path):

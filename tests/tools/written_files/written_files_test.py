@@ -117,8 +117,8 @@ def prepare(work, source):
     shutil.rmtree(work, ignore_errors=True)
     (work / "scenarios").mkdir(parents=True)
     (work / "assets").symlink_to(source / "assets")
-    for name, text in commands.SCENARIOS.items():
-        (work / "scenarios" / name).write_text(text, encoding="utf-8")
+    for name, text in commands.FILES.items():
+        (work / name).write_text(text, encoding="utf-8")
 
 
 def main():
