@@ -1,6 +1,8 @@
 #include "synth/path_planning/path_check.h"
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -80,6 +82,15 @@ TEST(PathCheck, FindsWhereAMovingThingRunsIntoTheCamera) {
   EXPECT_NEAR(report.frames[0].clearance, 1.5, 1e-5) << "the walls, the board is at -2";
   EXPECT_NEAR(report.frames[1].clearance, 1.15, 1e-5) << "the board is at -1";
   EXPECT_EQ(report.frames[2].clearance, 0) << "on its way from 0 to 1";
+
+  const std::vector<FrameCheck> some =
+      synth::check_frames(scene, kCamera, {synth::still(move), {10, 11, 12, 13}}, {1, 3});
+  ASSERT_EQ(some.size(), 2U);
+  for (const std::size_t i : {0U, 1U}) {
+    EXPECT_EQ(some[i].time, report.frames[i + 1].time);
+    EXPECT_EQ(some[i].clearance, report.frames[i + 1].clearance) << "as of the whole path";
+    EXPECT_EQ(some[i].textured_share, report.frames[i + 1].textured_share);
+  }
 }
 
 TEST(PathCheck, FindsViewsThatShowNothing) {
