@@ -11,6 +11,7 @@ inline constexpr int kUsage = 2;          ///< the command line is wrong
 inline constexpr int kUnusableInput = 3;  ///< unusable input, configuration, scene or output path
 inline constexpr int kBoundViolated = 4;  ///< a bound or a baseline comparison failed
 inline constexpr int kTrackingLost = 5;   ///< frames are lost or uncertain
+inline constexpr int kMissing = 5;        ///< parts of what is put together are missing
 inline constexpr int kOutputExists = 6;   ///< an output exists and differs; --force replaces it
 inline constexpr int kTemporary = 75;     ///< a retry may succeed: disk full, terminated
 inline constexpr int kInterrupted = 130;

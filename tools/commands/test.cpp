@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -14,6 +12,7 @@
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/standard_streams.h"
+#include "tools/cli/task_share.h"
 #include "tools/cli/watched_run.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
@@ -26,6 +25,8 @@
 #include "tools/report/html_report.h"
 #include "tools/sequence_cache/sequence_cache.h"
 #include "tools/trials/test_run.h"
+#include "tools/trials/trial_share.h"
+#include "tools/trials/trial_words.h"
 #include "vo/core/error.h"
 #include "vo/files/output.h"
 
@@ -70,9 +71,19 @@ constexpr const char* kFooter =
     "  edvo test scenarios --tracker 'my_vo --in {sequence} --camera {camera} --out {output}'\n"
     "  edvo test scenarios --tracker 'edvo track {sequence} --preset paper --out {output}'\n"
     "  edvo test scenarios --tracker 'sh -c \"my_vo < $EDVO_SEQUENCE/rgb.txt > $EDVO_OUTPUT\"'\n\n"
-    "Exit codes: 0 all hold, 1 edvo crashed in a scenario, 3 a scenario or scene cannot be used,\n"
-    "4 a bound or the baseline is violated or the outside tracker failed, 75 a disk was full; the "
-    "other scenarios still run.";
+    "  sbatch --array=1-40 --wrap 'edvo test scenarios --seeds 20 --shards 40 --trials t'\n"
+    "  edvo test scenarios --seeds 20 --shards 40 --collect t --json results.json\n\n"
+    "With --trials nothing is judged: each trial is written into the folder, one that is there is "
+    "not\n"
+    "run again. --collect reads them and does what one process that ran all would have done; "
+    "where\n"
+    "some are missing it prints the shares to submit again, as `sbatch --array` takes them.\n\n"
+    "Exit codes: 0 all hold (with --trials: all have run), 1 edvo crashed in a scenario, 3 a "
+    "scenario\n"
+    "or scene cannot be used, 4 a bound or the baseline is violated or the outside tracker "
+    "failed,\n"
+    "5 trials to collect are missing, 6 a trial there was measured with another program, tracker,\n"
+    "scenario or scene, 75 a disk was full; the other scenarios still run.";
 
 struct TestArguments {
   std::vector<std::string> paths{"scenarios"};
@@ -91,6 +102,10 @@ struct TestArguments {
   std::string baseline;
   bool update_baseline = false;
   std::string save_baseline;
+  std::string shard;       ///< K/N
+  std::size_t shards = 0;  ///< 0 = not given
+  std::string trials;      ///< folder that a share's trials are written into
+  std::string collect;     ///< folder that all trials are read from
   RunSettings run;
   ComparisonOptions comparison;
 };
@@ -120,7 +135,30 @@ void complete_judges(TestArguments& arguments) {
   }
 }
 
+/// Checks the options of shares, of which --trials runs some and --collect takes all.
+void check_shares(const TestArguments& arguments) {
+  const auto expect = [](bool holds, const char* what) {
+    if (!holds) {
+      vo::fail_as(vo::ErrorKind::usage, what);
+    }
+  };
+  const bool runs = !arguments.trials.empty();
+  const bool collects = !arguments.collect.empty();
+  expect(!runs || !collects, "--trials: expected no --collect with it");
+  expect(runs || arguments.shard.empty(), "--shard: expected --trials DIR with it");
+  expect(runs || collects || arguments.shards == 0,
+         "--shards: expected --trials DIR or --collect DIR with it");
+  for (const std::string& judging :
+       {arguments.junit, arguments.json, arguments.report, arguments.bounds, arguments.baseline,
+        arguments.save_baseline}) {
+    expect(!runs || judging.empty(),
+           "--trials: expected no --junit, --json, --report, --bounds or baseline with it; "
+           "--collect takes them");
+  }
+}
+
 void complete(TestArguments& arguments) {
+  check_shares(arguments);
   RunSettings& run = arguments.run;
   if (!arguments.tracker.empty()) {
     run.trial.tracker = {.command = arguments.tracker,
@@ -230,41 +268,65 @@ void write_results(const TestArguments& arguments, const TestResults& results,
   }
 }
 
-std::string name_of(const TrialJob& job) {
-  return job.scenario.name + (job.seed == 0 ? "" : vo::concat(", seed ", job.seed));
+/// Compares and writes the results of all trials, and returns the exit code.
+int judge(const TestArguments& arguments, const TestResults& results,
+          const std::optional<TestResults>& baseline, const Session& session) {
+  const std::vector<Change> changes =
+      baseline ? changes_from(*baseline, results, arguments.comparison, session)
+               : std::vector<Change>();
+  write_results(arguments, results, changes, session);
+  return worst_code(results, changes, arguments.run.trial.tracker.has_value());
 }
 
-/// Returns a trial's verdict in a word: by its scenario's own bounds, where those judge.
-std::string word_of(const TrialJob& job, const TrialResult& trial, const RunSettings& settings) {
-  if (!trial.problem.empty()) {
-    return "error";
-  }
-  if (settings.bounds != BoundsSource::scenario) {
-    return "measured";
-  }
-  const std::vector<BoundCheck> checks = check_bounds(trial.metrics, job.scenario.expect);
-  const bool holds = std::all_of(checks.begin(), checks.end(), [&](const BoundCheck& check) {
-    return check.holds || (settings.trial.tracker && std::isnan(check.measured));
-  });
-  return holds ? "passed" : "failed";
+/// Runs the trials of a share, which are judged when all are collected.
+int test_share(const TestArguments& arguments, const std::vector<fs::path>& files, ProgressBar& bar,
+               const Session& session) {
+  const TaskShare task = chosen_share(arguments.shard, arguments.shards);
+  const std::string name = vo::concat("share ", task.task, "/", task.tasks);
+  const std::size_t trials = files.size() * static_cast<std::size_t>(arguments.run.seeds);
+  WatchedTrials watched(arguments.live, name, trials / task.tasks + 1);
+  const ShareOutcome outcome = run_share(
+      files, {task.task, task.tasks}, {arguments.trials, policy_of(arguments).durability},
+      arguments.run, watched.progress(bar.callback()), throw_if_interrupted,
+      [&](const TrialJob& job, const TrialResult& trial) {
+        watched.tell(trial_name(job), trial_word(job, trial, arguments.run), trial_figures(trial));
+      });
+  bar.erase();
+  print_notes(outcome.unusable, session);
+  print_notes(outcome.temporary, session);
+  const std::string text =
+      vo::concat(name, ": ", outcome.trials, " trials, of which ", outcome.kept, " were there");
+  std::cout << text << "\n";
+  watched.finish(text);
+  return !outcome.temporary.empty()  ? exit_code::kTemporary
+         : !outcome.unusable.empty() ? exit_code::kUnusableInput
+                                     : exit_code::kOk;
 }
 
-/// Returns the figures of a trial that say most, or its problem.
-std::string text_of(const TrialResult& trial) {
-  constexpr double kPercent = 100;
-  constexpr double kMicrometers = 1e6;
-  if (!trial.problem.empty()) {
-    return trial.problem;
+/// Says which trials are missing, and on stdout, unless a document goes there, which shares to run
+/// for them. Where nobody says how many shares there are, each trial is one.
+int report_missing(const TestArguments& arguments, const CollectedTrials& collected,
+                   const Session& session) {
+  const std::size_t shares = arguments.shards > 0 ? arguments.shards : collected.trials;
+  const std::string array = array_text(collected.missing_shares(shares));
+  std::cerr << error_line(
+      session.err, vo::concat(arguments.collect, ": ", collected.missing.size(), " of ",
+                              collected.trials, " trials are missing, shares ", array, " of ",
+                              shares, ": ", collected.names_of_missing()));
+  const std::set<std::string> outputs{arguments.json, arguments.junit, arguments.report};
+  if (!outputs.contains(vo::kStdoutPath)) {
+    std::cout << array << "\n";
   }
-  return vo::concat("ATE ", std::round(kMicrometers * trial.metrics.ate_rmse_m) / 1000, " mm, ",
-                    std::round(kPercent * trial.metrics.tracked_fraction), " % tracked");
+  return exit_code::kMissing;
 }
 
-std::string describe_verdicts(const TestResults& results) {
-  const auto passed =
-      std::count_if(results.scenarios.begin(), results.scenarios.end(),
-                    [](const ScenarioResult& s) { return s.verdict() == Verdict::passed; });
-  return vo::concat(passed, " of ", results.scenarios.size(), " scenarios passed");
+int collect(const TestArguments& arguments, const std::vector<fs::path>& files,
+            const std::optional<TestResults>& baseline, ProgressBar& bar, const Session& session) {
+  const CollectedTrials collected =
+      collect_trials(files, arguments.collect, arguments.run, bar.callback("collecting"));
+  bar.erase();
+  return collected.missing.empty() ? judge(arguments, collected.results, baseline, session)
+                                   : report_missing(arguments, collected, session);
 }
 
 int test(TestArguments& arguments, const Session& session) {
@@ -276,23 +338,43 @@ int test(TestArguments& arguments, const Session& session) {
   const std::vector<fs::path> files =
       find_scenarios({arguments.paths.begin(), arguments.paths.end()},
                      arguments.slow ? SlowScenarios::include : SlowScenarios::leave_out);
-  if (!arguments.report.empty()) {
+  if (!arguments.report.empty() || !arguments.trials.empty() || !arguments.collect.empty()) {
     arguments.run.trial.pictures = pictures_of_each(files.size());
+  }
+  if (!arguments.trials.empty()) {
+    return test_share(arguments, files, bar, session);
+  }
+  if (!arguments.collect.empty()) {
+    return collect(arguments, files, baseline, bar, session);
   }
   WatchedTrials watched(arguments.live, vo::concat(files.size(), " scenarios"),
                         files.size() * static_cast<std::size_t>(arguments.run.seeds));
-  const TestResults results =
-      run_tests(files, arguments.run, watched.progress(bar.callback()), throw_if_interrupted,
-                [&](const TrialJob& job, const TrialResult& trial) {
-                  watched.tell(name_of(job), word_of(job, trial, arguments.run), text_of(trial));
-                });
+  const TestResults results = run_tests(
+      files, arguments.run, watched.progress(bar.callback()), throw_if_interrupted,
+      [&](const TrialJob& job, const TrialResult& trial) {
+        watched.tell(trial_name(job), trial_word(job, trial, arguments.run), trial_figures(trial));
+      });
   bar.erase();
-  const std::vector<Change> changes =
-      baseline ? changes_from(*baseline, results, arguments.comparison, session)
-               : std::vector<Change>();
-  write_results(arguments, results, changes, session);
-  watched.finish(describe_verdicts(results));
-  return worst_code(results, changes, arguments.run.trial.tracker.has_value());
+  const int code = judge(arguments, results, baseline, session);
+  watched.finish(passed_scenarios(results));
+  return code;
+}
+
+void add_share_options(CLI::App& command, TestArguments& arguments) {
+  constexpr const char* kGroup = "Shares";
+  command
+      .add_option("--trials", arguments.trials, "write each trial into this folder, judge nothing")
+      ->group(kGroup);
+  command
+      .add_option("--shard", arguments.shard, "K/N, only every N-th trial from the K-th, K from 1")
+      ->group(kGroup);
+  command
+      .add_option("--shards", arguments.shards,
+                  "--shard K/N with K from SLURM_ARRAY_TASK_ID, SGE_TASK_ID, PBS_ARRAY_INDEX")
+      ->check(CLI::PositiveNumber)
+      ->group(kGroup);
+  command.add_option("--collect", arguments.collect, "judge the trials that are in this folder")
+      ->group(kGroup);
 }
 
 void add_run_options(CLI::App& command, TestArguments& arguments) {
@@ -331,11 +413,12 @@ void add_test_command(CLI::App& program, Session& session) {
                      "put the results into this baseline, beside other scenarios' in it");
   command.add_flag("--update-baseline", arguments->update_baseline,
                    "--save-baseline to the file of --baseline, without comparing");
+  add_share_options(command, *arguments);
   add_field_options(command, vo::fields_of(arguments->comparison), "Baseline");
   add_field_options(command, vo::fields_of(arguments->limits), "Limits of --tracker");
   take_streams(command, {.inputs = {"PATHS", "--baseline"},
                          .outputs = {"--junit", "--json", "--report"},
-                         .others = {"--save-baseline", "--cache"}});
+                         .others = {"--save-baseline", "--cache", "--trials", "--collect"}});
   command.callback([arguments, &session] { session.status = test(*arguments, session); });
 }
 

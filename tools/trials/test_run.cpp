@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <optional>
+#include <iterator>
+#include <utility>
 
 #include <tbb/global_control.h>
 
@@ -44,12 +45,6 @@ std::vector<fs::path> scenarios_in(const fs::path& folder, SlowScenarios slow) {
   vo::require(!files.empty(), folder.string(), ": has no scenario, expected .toml files");
   return files;
 }
-
-/// A scenario file's result and, if it could be loaded, its scenario.
-struct LoadedScenario {
-  ScenarioResult result;
-  std::optional<Scenario> scenario;  ///< empty if the file is unusable
-};
 
 LoadedScenario load(const fs::path& file, BoundsSource bounds) {
   LoadedScenario loaded{.result = {.name = readable_text(file.stem().string())}, .scenario = {}};
@@ -104,6 +99,40 @@ std::vector<fs::path> find_scenarios(const std::vector<fs::path>& paths, SlowSce
   return files;
 }
 
+std::vector<LoadedScenario> load_scenarios(const std::vector<fs::path>& files,
+                                           BoundsSource bounds) {
+  std::vector<LoadedScenario> scenarios;
+  for (const fs::path& file : files) {
+    scenarios.push_back(load(file, bounds));
+  }
+  return scenarios;
+}
+
+TestResults judge_trials(std::vector<LoadedScenario> scenarios, std::vector<TrialResult> trials,
+                         const RunSettings& settings) {
+  TestResults results{
+      .edvo = vo::version(),
+      .tracker = settings.trial.tracker ? readable_text(settings.trial.tracker->command) : "edvo",
+      .bounds = settings.bounds,
+      .scenarios = {}};
+  auto next = trials.begin();
+  for (LoadedScenario& loaded : scenarios) {
+    ScenarioResult& result = loaded.result;
+    if (loaded.scenario) {
+      const auto end = next + settings.seeds;
+      result.trials.assign(std::make_move_iterator(next), std::make_move_iterator(end));
+      next = end;
+      const auto& expect = loaded.scenario->expect;
+      if (result.verdict() != Verdict::error && settings.bounds == BoundsSource::scenario) {
+        result.checks =
+            check_means(result, settings.trial.tracker ? outside_bounds(expect) : expect);
+      }
+    }
+    results.scenarios.push_back(std::move(result));
+  }
+  return results;
+}
+
 std::vector<TrialResult> run_trials(const std::vector<TrialJob>& jobs, const RunSettings& settings,
                                     const vo::Progress& progress, const vo::WaitObserver& waiting,
                                     const TrialObserver& observe) {
@@ -131,36 +160,15 @@ std::vector<TrialResult> run_trials(const std::vector<TrialJob>& jobs, const Run
 TestResults run_tests(const std::vector<fs::path>& files, const RunSettings& settings,
                       const vo::Progress& progress, const vo::WaitObserver& waiting,
                       const TrialObserver& observe) {
-  std::vector<LoadedScenario> scenarios;
+  std::vector<LoadedScenario> scenarios = load_scenarios(files, settings.bounds);
   std::vector<TrialJob> jobs;
-  for (const fs::path& file : files) {
-    scenarios.push_back(load(file, settings.bounds));
-    for (int seed = 0; scenarios.back().scenario && seed < settings.seeds; ++seed) {
-      jobs.push_back({*scenarios.back().scenario, seed});
+  for (const LoadedScenario& loaded : scenarios) {
+    for (int seed = 0; loaded.scenario && seed < settings.seeds; ++seed) {
+      jobs.push_back({*loaded.scenario, seed});
     }
   }
   std::vector<TrialResult> trials = run_trials(jobs, settings, progress, waiting, observe);
-  TestResults results{
-      .edvo = vo::version(),
-      .tracker = settings.trial.tracker ? readable_text(settings.trial.tracker->command) : "edvo",
-      .bounds = settings.bounds,
-      .scenarios = {}};
-  auto next = trials.begin();
-  for (LoadedScenario& loaded : scenarios) {
-    ScenarioResult& result = loaded.result;
-    if (loaded.scenario) {
-      const auto end = next + settings.seeds;
-      result.trials.assign(std::make_move_iterator(next), std::make_move_iterator(end));
-      next = end;
-      const auto& expect = loaded.scenario->expect;
-      if (result.verdict() != Verdict::error && settings.bounds == BoundsSource::scenario) {
-        result.checks =
-            check_means(result, settings.trial.tracker ? outside_bounds(expect) : expect);
-      }
-    }
-    results.scenarios.push_back(std::move(result));
-  }
-  return results;
+  return judge_trials(std::move(scenarios), std::move(trials), settings);
 }
 
 }  // namespace tools

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "tools/laboratory/results.h"
@@ -26,10 +28,26 @@ enum class SlowScenarios { leave_out, include };
 std::vector<std::filesystem::path> find_scenarios(const std::vector<std::filesystem::path>& paths,
                                                   SlowScenarios slow);
 
+/// A scenario file and what becomes of it.
+struct LoadedScenario {
+  ScenarioResult result;             ///< one trial with a problem if the file is unusable
+  std::optional<Scenario> scenario;  ///< empty if the file is unusable
+};
+
+/// Loads scenario files. One that lacks the bounds that are to judge it is unusable, too.
+std::vector<LoadedScenario> load_scenarios(const std::vector<std::filesystem::path>& files,
+                                           BoundsSource bounds);
+
+/// Returns the results of scenarios whose trials are `trials`: of each usable scenario those of all
+/// seeds, in order. Checks the means against the bounds if the scenario's judge.
+TestResults judge_trials(std::vector<LoadedScenario> scenarios, std::vector<TrialResult> trials,
+                         const RunSettings& settings);
+
 /// One scenario and one seed to run it with.
 struct TrialJob {
   Scenario scenario;
   int seed = 0;
+  std::size_t number = 0;  ///< by which its giver knows it again
 };
 
 /// Called with each trial when it has ended, in this process.
@@ -42,9 +60,7 @@ std::vector<TrialResult> run_trials(const std::vector<TrialJob>& jobs, const Run
                                     const vo::Progress& progress, const vo::WaitObserver& waiting,
                                     const TrialObserver& observe = {});
 
-/// Runs every scenario with every seed and checks the means against the bounds if the scenario's
-/// judge. A scenario whose file is unusable, or lacks the bounds that are to judge it, gets a trial
-/// with a problem.
+/// Runs every scenario with every seed and judges them.
 TestResults run_tests(const std::vector<std::filesystem::path>& files, const RunSettings& settings,
                       const vo::Progress& progress, const vo::WaitObserver& waiting,
                       const TrialObserver& observe = {});

@@ -15,18 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-TrialResult trial_of_message(const std::string& message) {
-  const Json json = Json::parse(message);
-  TrialResult trial = trial_from_json(json.at("trial"));
-  trial.note = json.at("note").get<std::string>();
-  trial.was_kept = json.at("was_kept").get<bool>();
-  trial.time = json.at("time").get<double>();
-  if (json.contains("report")) {
-    trial.report = std::make_shared<ScenarioReport>(report_of_data(json["report"]));
-  }
-  return trial;
-}
-
 /// Returns the trial of a process that was ended before it could tell.
 TrialResult trial_without_result(const JobEnd& end, int seed) {
   TrialResult trial{.seed = seed};
@@ -46,7 +34,7 @@ TrialResult trial_without_result(const JobEnd& end, int seed) {
 
 }  // namespace
 
-std::string trial_message(const TrialResult& trial) {
+Json json_of_trial(const TrialResult& trial) {
   Json json = {{"trial", trial_json(trial)},
                {"note", trial.note},
                {"was_kept", trial.was_kept},
@@ -54,11 +42,27 @@ std::string trial_message(const TrialResult& trial) {
   if (trial.report) {
     json["report"] = report_data({*trial.report})["scenarios"][0];
   }
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json;
+}
+
+TrialResult trial_of_json(const Json& json) {
+  TrialResult trial = trial_from_json(json.at("trial"));
+  trial.note = json.at("note").get<std::string>();
+  trial.was_kept = json.at("was_kept").get<bool>();
+  trial.time = json.at("time").get<double>();
+  if (json.contains("report")) {
+    trial.report = std::make_shared<ScenarioReport>(report_of_data(json["report"]));
+  }
+  return trial;
+}
+
+std::string trial_message(const TrialResult& trial) {
+  return json_of_trial(trial).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 TrialResult trial_of_process(const JobEnd& end, int seed) {
-  return end.is_complete() ? trial_of_message(end.result) : trial_without_result(end, seed);
+  return end.is_complete() ? trial_of_json(Json::parse(end.result))
+                           : trial_without_result(end, seed);
 }
 
 }  // namespace tools

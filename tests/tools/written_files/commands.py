@@ -113,6 +113,9 @@ RUNS = [
         "results"),
     Run(f"{TEST} scenarios --junit junit_bad.xml --report test_bad.html --json -", "results", (3,)),
     Run(f"{TEST} scenarios/good.toml --seeds 4 --json four.json"),
+    Run(f"{TEST} scenarios/good.toml --seeds 2 --trials trials --shard 2/2"),
+    Run(f"{TEST} scenarios/good.toml --seeds 2 --trials trials --shard 1/2"),
+    Run(f"{TEST} scenarios/good.toml --seeds 2 --collect trials --json -", "results"),
     Run(f"{TEST} scenarios/good.toml --seeds 2 --baseline baseline.json --update-baseline --json two.json"),
     Run(f"{TEST} scenarios/good.toml --tracker '{{edvo}} track {{sequence}} --preset paper --out {{output}}' "
         "--junit outside.xml --report outside.html --json outside.json --baseline baseline.json", exit_codes=(0, 4)),

@@ -49,6 +49,15 @@ def parse_json(path):
     return load_json(path.read_text(encoding="utf-8"))
 
 
+def parse_json_lines(path):
+    """A line for each document: a head that names its schema, then what it heads."""
+    text = path.read_text(encoding="utf-8")
+    require(text.endswith("\n"), "the last line does not end")
+    head, *rest = [load_json(line) for line in text.splitlines()]
+    require({"schema", "schema_version", "hash"} == set(head), f"the head has {list(head)}")
+    require(len(rest) > 0, "nothing but a head")
+
+
 def parse_toml(path):
     with path.open("rb") as file:
         tomllib.load(file)
@@ -350,7 +359,7 @@ def parse_webp(path):
     require(struct.unpack("<I", data[4:8])[0] + 8 == len(data), f"{len(data)} bytes are not as many as it states")
 
 
-PARSERS = {".json": parse_json, ".toml": parse_toml, ".csv": parse_csv, ".svg": parse_svg,
+PARSERS = {".json": parse_json, ".jsonl": parse_json_lines, ".toml": parse_toml, ".csv": parse_csv, ".svg": parse_svg,
            ".xml": parse_junit, ".html": parse_html, ".md": parse_markdown,
            ".ply": parse_ply, ".pcd": parse_pcd, ".zip": parse_zip, ".mcap": parse_mcap,
            ".avi": parse_avi, ".tar": parse_tar, ".sha256": parse_checksums, ".webp": parse_webp}
