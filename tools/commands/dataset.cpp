@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/standard_streams.h"
 #include "tools/cli/task_share.h"
+#include "tools/cluster_simulation/simulate.h"
 #include "tools/commands/commands.h"
 #include "tools/datasets/estimate.h"
 #include "tools/datasets/layout.h"
@@ -54,6 +56,7 @@ struct DatasetArguments {
   std::string shard;
   std::size_t shards = 0;  ///< 0 = not given
   std::size_t cores = 0;   ///< 0 = those of this machine
+  std::string simulate;    ///< options of a cluster; empty = none is simulated
 };
 
 constexpr double kSecondsPerHour = 3600;
@@ -114,7 +117,37 @@ void print_plan(const DatasetSpec& spec, const DatasetPlan& plan, const DatasetE
             << cores << (cores == 1 ? " core\n" : " cores\n");
 }
 
+/// An array job of a data set on a cluster.
+struct SimulatedJob {
+  ClusterOptions cluster;
+  ClusterRun run;
+};
+
+/// Returns how the cluster that --simulate describes makes the parts. What frames cost is as
+/// measured, unless the text says otherwise.
+std::optional<SimulatedJob> simulated(const DatasetArguments& arguments, const DatasetPlan& plan,
+                                      const DatasetEstimate& estimate) {
+  const auto frames = static_cast<double>(plan.frame_count());
+  if (arguments.simulate.empty() || frames == 0) {
+    return {};
+  }
+  SimulatedJob job;
+  job.cluster.frame_s = estimate.processor_s / frames;
+  job.cluster.write_s = 0;  // in what was measured
+  job.cluster.frame_mb = estimate.bytes / kBytesPerMegabyte / frames;
+  job.cluster.frame_files = static_cast<double>(estimate.files) / frames;
+  set_cluster_options(arguments.simulate, job.cluster);
+  std::vector<std::size_t> parts;
+  for (const DatasetPart& part : plan.parts) {
+    parts.push_back(part.end - part.first);
+  }
+  job.run = simulate_cluster(job.cluster, parts);
+  return job;
+}
+
 void plan(const DatasetArguments& arguments, Session& session) {
+  ClusterOptions checked;
+  set_cluster_options(arguments.simulate, checked);
   const auto limit = arguments.common.limit_threads();
   ProgressBar bar("planning", arguments.common.verbosity());
   bar.announce("reading " + arguments.spec);
@@ -125,10 +158,18 @@ void plan(const DatasetArguments& arguments, Session& session) {
   const DatasetEstimate estimate = estimate_dataset(spec, made, bar.callback("measuring"));
   bar.erase();
   const std::size_t cores = arguments.cores == 0 ? arguments.common.max_threads() : arguments.cores;
+  const std::optional<SimulatedJob> job = simulated(arguments, made, estimate);
   if (arguments.common.json) {
-    print_json("dataset_estimate", plan_json(spec, made, estimate, cores));
-  } else {
-    print_plan(spec, made, estimate, cores, session.out);
+    nlohmann::ordered_json members = plan_json(spec, made, estimate, cores);
+    if (job) {
+      members["simulation"] = cluster_run_json(job->cluster, job->run);
+    }
+    print_json("dataset_estimate", members);
+    return;
+  }
+  print_plan(spec, made, estimate, cores, session.out);
+  if (job) {
+    std::cout << "\n" << format_cluster_run(job->cluster, job->run);
   }
 }
 
@@ -330,6 +371,12 @@ void add_dataset_command(CLI::App& program, Session& session) {
       {"plan", "what will be made: sequences, frames, size, time; what is left out and why"}, plan,
       session);
   planning.add_option("--cores", arguments->cores, "to tell the wall time for [this machine's]");
+  ClusterOptions cluster;
+  planning.add_option("--simulate", arguments->simulate,
+                      "an array job on a cluster, nodes=1000,mtbf_h=5000,...; keys and defaults "
+                      "are below");
+  planning.footer("Options of --simulate; those of a frame's cost are as measured unless given:\n" +
+                  describe_fields(vo::fields_of(cluster)));
   CLI::App& rendering =
       add_action(command, arguments,
                  {"render", "makes a share of the parts below OUT.part; all without --shard"},

@@ -137,6 +137,7 @@ RUNS = [
     Run("train-edges assets/white_room/white_room.gltf --views 2 --out forest.yml.gz --json", "train_edges"),
     Run("train-edges assets/white_room/white_room.gltf --views 2 --evaluate forest.yml.gz --json", "edge_detectors"),
     Run("dataset plan dataset.toml --json", "dataset_estimate"),
+    Run("dataset plan dataset.toml --simulate nodes=2,processors=4,mtbf_h=0.01 --json", "dataset_estimate"),
     Run("dataset render dataset.toml --out set --shard 1/2 --json", "dataset_render"),
     Run("dataset status dataset.toml --out set --shards 2 --json", "dataset_status", (5,)),
     Run("dataset render dataset.toml --out set --json", "dataset_render"),
