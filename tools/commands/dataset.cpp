@@ -275,7 +275,7 @@ void status(const DatasetArguments& arguments, Session& session) {
               << plan.parts.size() << " parts are there"
               << (missing.empty() ? "" : "; shares that lack one: " + shares) << "\n";
   }
-  session.status = missing.empty() ? exit_code::kOk : exit_code::kTrackingLost;
+  session.status = missing.empty() ? exit_code::kOk : exit_code::kMissing;
 }
 
 void merge(const DatasetArguments& arguments, Session& session) {
@@ -314,7 +314,7 @@ void merge(const DatasetArguments& arguments, Session& session) {
                                        static_cast<double>(outcome.bytes) / kBytesPerMegabyte, 1),
                                    " MB\n"));
   }
-  session.status = outcome.missing.empty() ? exit_code::kOk : exit_code::kTrackingLost;
+  session.status = outcome.missing.empty() ? exit_code::kOk : exit_code::kMissing;
 }
 
 void verify(const DatasetArguments& arguments, Session& session) {

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -61,13 +62,23 @@ class OpenFile {
       vo::fail_with(path, "cannot be written", errno);
     }
   }
-  ~OpenFile() { ::close(descriptor_); }
+  ~OpenFile() {
+    if (descriptor_ >= 0) {
+      ::close(descriptor_);
+    }
+  }
   OpenFile(const OpenFile&) = delete;
   OpenFile& operator=(const OpenFile&) = delete;
   OpenFile(OpenFile&&) = delete;
   OpenFile& operator=(OpenFile&&) = delete;
 
-  void write(std::string_view bytes) const { vo::write_bytes(descriptor_, bytes, path_); }
+  /// Writes bytes and closes the file: network file systems tell of a full disk only then.
+  void write(std::string_view bytes) {
+    vo::write_bytes(descriptor_, bytes, path_);
+    if (::close(std::exchange(descriptor_, -1)) != 0) {
+      vo::fail_with(path_, "cannot be written", errno);
+    }
+  }
 
  private:
   const fs::path& path_;
@@ -111,23 +122,6 @@ void PartFolder::commit(vo::Durability durability) {
   }
   if (durability == vo::Durability::synced) {
     vo::sync_to_disk(path_.parent_path());
-  }
-}
-
-void write_by_rename(const fs::path& file, std::string_view bytes, vo::Durability durability) {
-  make_folders(file.parent_path());
-  const fs::path partial = own_partial(file);
-  try {
-    OpenFile(partial, O_TRUNC).write(bytes);
-    if (durability == vo::Durability::synced) {
-      vo::sync_to_disk(partial);
-    }
-    if (vo::uninterrupted([&] { return ::rename(partial.c_str(), file.c_str()); }) != 0) {
-      vo::fail_with(file, "cannot be written", errno);
-    }
-  } catch (const vo::Error&) {
-    vo::remove_tree(partial);
-    throw;
   }
 }
 

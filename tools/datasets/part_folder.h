@@ -39,10 +39,6 @@ class PartFolder {
   std::filesystem::path partial_;
 };
 
-/// Writes a file that appears by one rename, without a lock; one that is there is replaced.
-void write_by_rename(const std::filesystem::path& file, std::string_view bytes,
-                     vo::Durability durability);
-
 /// Returns whether something is at a path; false where that cannot be known.
 bool path_exists(const std::filesystem::path& path);
 

@@ -12,6 +12,7 @@
 #include "tools/sequence_cache/scene_files_hash.h"
 #include "vo/core/error.h"
 #include "vo/files/input.h"
+#include "vo/files/unlocked_file.h"
 #include "vo/hashing/content_hash.h"
 
 namespace tools {
@@ -179,7 +180,8 @@ DatasetPlan begin_dataset(const DatasetSpec& spec, const fs::path& plan_file,
     return plan;
   }
   DatasetPlan plan = make_plan(spec, progress);
-  write_by_rename(plan_file, format_plan(spec, plan), durability);
+  make_folders(plan_file.parent_path());
+  vo::write_unlocked(plan_file, format_plan(spec, plan), durability);
   return plan;
 }
 

@@ -23,7 +23,6 @@
 #include "vo/files/partial_file.h"
 #include "vo/files/system_failure.h"
 #include "vo/output_folders/file_records.h"
-#include "vo/output_folders/output_folder.h"
 
 namespace tools {
 namespace {
@@ -76,15 +75,24 @@ class Merge {
     }
     describe(index, outcome);
     for (const std::string& file : vo::files_below(index.partial())) {
+      if (durability_ == vo::Durability::synced) {
+        vo::sync_to_disk(index.partial() / file);
+      }
       make_folders((layout_.merged() / file).parent_path());
       rename_to(index.partial() / file, layout_.merged() / file);
     }
   }
 
-  /// Gives the data set its name.
+  /// Gives the data set its name. Files were synced when they were written, folders have changed
+  /// since.
   void finish() const {
     if (durability_ == vo::Durability::synced) {
-      vo::sync_tree(layout_.merged());
+      for (const vo::FolderEntry& entry : vo::entries_below(layout_.merged())) {
+        if (entry.kind == vo::EntryKind::folder) {
+          vo::sync_to_disk(layout_.merged() / entry.name);
+        }
+      }
+      vo::sync_to_disk(layout_.merged());
     }
     rename_to(layout_.merged(), layout_.out);
     if (durability_ == vo::Durability::synced) {
