@@ -43,6 +43,7 @@ constexpr const char* kDescription =
     "  edvo basin        from how far off the truth an alignment finds it\n"
     "  edvo dataset      many sequences that one file describes, made by many processes\n"
     "  edvo sweep        any options of scenarios as a table and plot\n"
+    "  edvo submit       a data set or scenarios in shares, by Slurm or GNU parallel\n"
     "  edvo cache        the sequences that are kept for tests\n"
     "  edvo train-edges  glTF scenes -> a learnt edge detector, or a detector's precision\n"
     "  edvo sensor-check the noise of the sensor presets beside their formulas\n"
@@ -80,6 +81,7 @@ int run(std::vector<std::string> words, tools::Session& session) {
   tools::add_test_command(program, session);
   tools::add_dataset_command(program, session);
   tools::add_cache_command(program, session);
+  tools::add_submit_command(program, session);
   tools::add_compare_command(program, session);
   tools::add_budget_command(program, session);
   tools::add_basin_command(program, session);

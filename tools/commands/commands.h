@@ -26,6 +26,7 @@ void add_train_edges_command(CLI::App& program, Session& session);
 void add_test_command(CLI::App& program, Session& session);
 void add_cache_command(CLI::App& program, Session& session);
 void add_dataset_command(CLI::App& program, Session& session);
+void add_submit_command(CLI::App& program, Session& session);
 void add_compare_command(CLI::App& program, Session& session);
 void add_budget_command(CLI::App& program, Session& session);
 void add_basin_command(CLI::App& program, Session& session);

@@ -66,6 +66,7 @@ class Run:
     exit_codes: tuple = (0,)
     camera: bool = False  # reads a camera of OpenNI2, in whose place a driver shows `sequence`
     video: bool = False  # writes a video, which needs OpenCV's videoio
+    slurm: bool = False  # calls sbatch, in whose place a script prints the number of a job
 
 
 ROOM = "assets/room/room.gltf"
@@ -122,6 +123,7 @@ RUNS = [
     Run("compare two.json four.json --json -", "comparison"),
     Run("compare two.json outside.json --json", "comparison", (0, 4)),
     Run("compare four.json --halves 10 --json", "self_comparison"),
+    Run("submit --test scenarios/good.toml --out tests --shards 2 --max-array 2", slurm=True),
     Run("cache list --cache cache --json -", "cache"),
     Run("cache verify --cache cache --json", "cache"),
     Run("sweep scenarios/good.toml --set odometry.tracker.pyramid.levels=2,3 --cache cache --out sweep --json",

@@ -359,10 +359,17 @@ def parse_webp(path):
     require(struct.unpack("<I", data[4:8])[0] + 8 == len(data), f"{len(data)} bytes are not as many as it states")
 
 
+def parse_script(path):
+    """A script of bash, as bash itself reads it."""
+    done = subprocess.run(["bash", "-n", path], capture_output=True, text=True, check=False)
+    require(done.returncode == 0, done.stderr)
+
+
 PARSERS = {".json": parse_json, ".jsonl": parse_json_lines, ".toml": parse_toml, ".csv": parse_csv, ".svg": parse_svg,
            ".xml": parse_junit, ".html": parse_html, ".md": parse_markdown,
            ".ply": parse_ply, ".pcd": parse_pcd, ".zip": parse_zip, ".mcap": parse_mcap,
-           ".avi": parse_avi, ".tar": parse_tar, ".sha256": parse_checksums, ".webp": parse_webp}
+           ".avi": parse_avi, ".tar": parse_tar, ".sha256": parse_checksums, ".webp": parse_webp,
+           ".sbatch": parse_script}
 OTHERS = {".png", ".npy", ".flo", ".txt", ".gz", ".yaml", ".depth", ".freiburg", ".files", ".rows", ""}
 
 

@@ -39,6 +39,8 @@ class Check:
             self.problems.append(f"{what}: {type(error).__name__}: {error}")
 
     def environment(self, run):
+        if run.slurm:
+            return os.environ | {"PATH": f"{self.work / 'stand_ins'}:{os.environ['PATH']}"}
         if not run.camera:
             return None
         return os.environ | {"LD_LIBRARY_PATH": str(self.openni2), "EDVO_DEVICE_FOLDER": str(self.work / "sequence")}
@@ -119,6 +121,10 @@ def prepare(work, source):
     (work / "assets").symlink_to(source / "assets")
     for name, text in commands.FILES.items():
         (work / name).write_text(text, encoding="utf-8")
+    sbatch = work / "stand_ins" / "sbatch"
+    sbatch.parent.mkdir()
+    sbatch.write_text("#!/bin/sh\necho 7\n")
+    sbatch.chmod(0o755)
 
 
 def main():
