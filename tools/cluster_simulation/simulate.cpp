@@ -305,10 +305,10 @@ void Simulation::break_off(std::size_t index) {
 
 /// Draws when a node that is up fails next.
 void Simulation::plan_failure(std::size_t index) {
-  constexpr double kHour = 3600;
+  constexpr double kSecondsPerHour = 3600;
   if (options_.mtbf_h > 0) {
     const double uniform = vo::random_uniform({options_.seed, index, nodes_[index].failures});
-    const double life = -std::log1p(-uniform) * options_.mtbf_h * kHour;
+    const double life = -std::log1p(-uniform) * options_.mtbf_h * kSecondsPerHour;
     events_.add(now_ + life, {Kind::node_fails, index});
   }
 }
