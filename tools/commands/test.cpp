@@ -286,7 +286,7 @@ int test_share(const TestArguments& arguments, const std::vector<fs::path>& file
   const std::size_t trials = files.size() * static_cast<std::size_t>(arguments.run.seeds);
   WatchedTrials watched(arguments.live, name, trials / task.tasks + 1);
   const ShareOutcome outcome = run_share(
-      files, {task.task, task.tasks}, {arguments.trials, policy_of(arguments).durability},
+      files, {{task.task, task.tasks}, {arguments.trials, policy_of(arguments).durability}},
       arguments.run, watched.progress(bar.callback()), throw_if_interrupted,
       [&](const TrialJob& job, const TrialResult& trial) {
         watched.tell(trial_name(job), trial_word(job, trial, arguments.run), trial_figures(trial));

@@ -227,15 +227,21 @@ void add_sequences(const Combination& combination, const Alternatives& all, Data
   }
 }
 
+/// Adds the sequences of a scene with a path, by every sensor that goes with them.
+void add_sequences_along(const Alternative& scene, const Alternative& path, const Alternatives& all,
+                         DatasetSpec& spec) {
+  for (const Alternative& sensor : all.sensors) {
+    const Combination combination{scene, path, sensor};
+    if (combination.is_wanted()) {
+      add_sequences(combination, all, spec);
+    }
+  }
+}
+
 void add_all_sequences(const Alternatives& all, DatasetSpec& spec) {
   for (const Alternative& scene : all.scenes) {
     for (const Alternative& path : all.paths) {
-      for (const Alternative& sensor : all.sensors) {
-        const Combination combination{scene, path, sensor};
-        if (combination.is_wanted()) {
-          add_sequences(combination, all, spec);
-        }
-      }
+      add_sequences_along(scene, path, all, spec);
     }
   }
   vo::require(!spec.sequences.empty(), spec.file.string(),

@@ -70,7 +70,7 @@ std::string SlurmQueue::submit(const std::vector<std::string>& words,
   const Printed printed = run_and_read({.words = words, .folder = folder}, [] {});
   vo::require(printed.exit_code == 0, "sbatch ", words.back(), ": ", reason_of(printed));
   // ID, or ID;CLUSTER
-  const std::string id = printed.out.substr(0, printed.out.find_first_not_of(kDigits));
+  std::string id = printed.out.substr(0, printed.out.find_first_not_of(kDigits));
   vo::require(!id.empty(), "sbatch ", words.back(), ": printed \"", printed.out,
               "\", expected the number of a job");
   return id;

@@ -167,21 +167,20 @@ std::optional<TrialResult> collected(const PlannedTrial& planned, const TrialKey
 
 }  // namespace
 
-ShareOutcome run_share(const std::vector<fs::path>& files, const TrialShare& share,
-                       const TrialFolder& folder, const RunSettings& settings,
-                       const vo::Progress& progress, const vo::WaitObserver& waiting,
-                       const TrialObserver& observe) {
+ShareOutcome run_share(const std::vector<fs::path>& files, const TrialTask& task,
+                       const RunSettings& settings, const vo::Progress& progress,
+                       const vo::WaitObserver& waiting, const TrialObserver& observe) {
   const std::vector<LoadedScenario> scenarios = load_scenarios(files, BoundsSource::none);
   TrialKeys keys(settings.trial);
   ShareWork work;
-  for (const PlannedTrial& planned : plan_trials(files, folder.path, settings.seeds)) {
-    if (share.takes(planned.number)) {
+  for (const PlannedTrial& planned : plan_trials(files, task.folder.path, settings.seeds)) {
+    if (task.share.takes(planned.number)) {
       add_trial(planned, scenarios[planned.scenario], settings.trial.measure_again, keys, work);
     }
   }
   run_trials(work.jobs, settings, progress, waiting,
              [&](const TrialJob& job, const TrialResult& trial) {
-               keep_trial(job, trial, folder.durability, work);
+               keep_trial(job, trial, task.folder.durability, work);
                observe(job, trial);
              });
   return std::move(work.outcome);

@@ -28,6 +28,12 @@ struct TrialFolder {
   vo::Durability durability = vo::Durability::synced;
 };
 
+/// The share of a task, and where it keeps the trials.
+struct TrialTask {
+  TrialShare share;
+  TrialFolder folder;
+};
+
 /// What has become of a share.
 struct ShareOutcome {
   std::size_t trials = 0;              ///< number of the share's trials
@@ -41,10 +47,9 @@ struct ShareOutcome {
 /// and run again by the next run of the share, for its machine may lack something. Nothing is
 /// judged. Throws vo::Error of kind output_exists, before anything is run, for a file with another
 /// key, unless the settings say to measure again.
-ShareOutcome run_share(const std::vector<std::filesystem::path>& files, const TrialShare& share,
-                       const TrialFolder& folder, const RunSettings& settings,
-                       const vo::Progress& progress, const vo::WaitObserver& waiting,
-                       const TrialObserver& observe);
+ShareOutcome run_share(const std::vector<std::filesystem::path>& files, const TrialTask& task,
+                       const RunSettings& settings, const vo::Progress& progress,
+                       const vo::WaitObserver& waiting, const TrialObserver& observe);
 
 /// A trial without a file, or with a damaged one.
 struct MissingTrial {

@@ -11,16 +11,14 @@
 namespace tools {
 namespace {
 
-/// The columns of frames.csv that statistics are made of.
-enum Column : std::size_t {
-  kTime = 3,
-  kPosition = 7,
-  kFlow = 14,
-  kBlur = 15,
-  kCoverage = 16,
-  kTextured = 17,
-  kColumns = 19,
-};
+// The columns of frames.csv that statistics are made of, and the number of all.
+constexpr std::size_t kTime = 3;
+constexpr std::size_t kPosition = 7;
+constexpr std::size_t kFlow = 14;
+constexpr std::size_t kBlur = 15;
+constexpr std::size_t kCoverage = 16;
+constexpr std::size_t kTextured = 17;
+constexpr std::size_t kColumns = 19;
 
 std::vector<std::string> cells_of(const std::string& row) {
   std::vector<std::string> cells(1);
@@ -32,7 +30,7 @@ std::vector<std::string> cells_of(const std::string& row) {
     }
   }
   vo::require(cells.size() == kColumns, "frames.csv: ", cells.size(), " columns, expected ",
-              static_cast<std::size_t>(kColumns));
+              kColumns);
   return cells;
 }
 

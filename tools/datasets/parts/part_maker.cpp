@@ -20,6 +20,7 @@
 #include "tools/datasets/sha256.h"
 #include "tools/pictures/webp.h"
 #include "vo/archives/tar.h"
+#include "vo/core/error.h"
 #include "vo/core/processor_time.h"
 #include "vo/exports/convert_sequence.h"
 #include "vo/files/input.h"
@@ -84,7 +85,7 @@ class PartWriter {
   /// Renders all frames: files are written in parallel, an archive in the order of the frames.
   void write_frames(const vo::Progress& progress) {
     const synth::FrameGenerator generator(job_.scene.scene(), job_.recipe);
-    const auto tokens = static_cast<std::size_t>(2 * tbb::this_task_arena::max_concurrency());
+    const auto tokens = 2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
     std::size_t next = part_.first;
     const auto number = [&](tbb::flow_control& control) {
       if (next == part_.end) {
@@ -191,7 +192,7 @@ void add_converted(const fs::path& folder, const std::string& name, std::vector<
     return;
   }
   for (const std::string& file : vo::files_below(folder / name)) {
-    made.push_back(made_file(folder, name + "/" + file));
+    made.push_back(made_file(folder, vo::concat(name, "/", file)));
   }
 }
 
