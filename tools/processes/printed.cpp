@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "tools/processes/scratch_folder.h"
+#include "vo/core/error.h"
 #include "vo/files/input.h"
 
 namespace tools {
@@ -31,7 +32,7 @@ bool is_in_path(const std::string& program) {
   while (!rest.empty()) {
     const std::string folder(rest.substr(0, rest.find(':')));
     rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
-    if (::access((folder + "/" + program).c_str(), X_OK) == 0) {
+    if (::access(vo::concat(folder, "/", program).c_str(), X_OK) == 0) {
       return true;
     }
   }
