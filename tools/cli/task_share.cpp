@@ -13,7 +13,7 @@
 namespace tools {
 namespace {
 
-/// Where a queue says which task of an array a process is.
+/// A TaskVariable is a variable by which a queue tells a process which task of an array it is.
 struct TaskVariable {
   const char* name;
   int first;  ///< number of an array's first task

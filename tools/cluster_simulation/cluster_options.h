@@ -6,7 +6,7 @@
 namespace tools {
 
 /// A cluster, the file system that its nodes share, and what the frames of a data set cost on it.
-/// Where a rate is 0 there is no limit, where a time between failures is 0 there is no failure.
+/// A rate of 0 is no limit, and a time between failures of 0 is no failure.
 struct ClusterOptions {
   int nodes = 10;
   int processors = 64;           ///< per node

@@ -41,7 +41,7 @@ std::vector<std::size_t> equal_parts(std::size_t parts, std::size_t frames) {
   return std::vector<std::size_t>(parts, frames);
 }
 
-/// How long it takes to work off a list when each item goes to the worker that is free first.
+/// Returns how long a list takes when each item goes to the worker that is free first.
 double list_schedule(const std::vector<std::size_t>& items, std::size_t workers) {
   std::priority_queue<double, std::vector<double>, std::greater<>> free;
   for (std::size_t i = 0; i < workers; ++i) {
@@ -174,7 +174,8 @@ TEST(ClusterSimulation, NodesFailAsOftenAsTheyAreSaidTo) {
 TEST(ClusterSimulation, AFailureCostsHalfAPart) {
   const ClusterRun run = simulate_cluster(failing(), equal_parts(kParts, kFrames));
   const double lost = run.time_of(TimeUse::lost) / static_cast<double>(run.broken_off);
-  // Of the life of a node that ends within a part of length P, the mean is P/2 (1 - P/6 / MTBF).
+  // A node that fails within a part of length P has worked on it for P/2 (1 - P/6 / MTBF) on
+  // average.
   const double expected = kFrames / 2.0 * (1 - kFrames / 6.0 / kHour);
   const double sigma = kFrames / std::sqrt(12.0 * static_cast<double>(run.broken_off));
   EXPECT_NEAR(lost, expected, 3 * sigma);

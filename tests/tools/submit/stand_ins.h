@@ -35,7 +35,7 @@ class StandIns {
     return file;
   }
 
-  /// What a program was given, empty where it was not called.
+  /// Returns what a program was given; empty where it was not called.
   std::string calls(const std::string& name) const {
     const std::filesystem::path log = folder_.path() / (name + ".log");
     return std::filesystem::exists(log) ? vo::read_file(log) : "";
