@@ -139,7 +139,7 @@ std::optional<SimulatedJob> simulated(const DatasetArguments& arguments, const D
   set_cluster_options(arguments.simulate, job.cluster);
   std::vector<std::size_t> parts;
   for (const DatasetPart& part : plan.parts) {
-    parts.push_back(part.end - part.first);
+    parts.push_back(part.frame_count());
   }
   job.run = simulate_cluster(job.cluster, parts);
   return job;
@@ -178,7 +178,7 @@ std::size_t make_share(const DatasetPlan& plan, const std::vector<std::size_t>& 
                        PartMaker& maker, ProgressBar& bar) {
   std::size_t frames = 0;
   for (const std::size_t part : share) {
-    frames += plan.parts[part].end - plan.parts[part].first;
+    frames += plan.parts[part].frame_count();
   }
   std::size_t before = 0;
   std::size_t made = 0;
@@ -190,7 +190,7 @@ std::size_t make_share(const DatasetPlan& plan, const std::vector<std::size_t>& 
                  [&](std::size_t done, std::size_t /*total*/) { progress(before + done, frames); });
       ++made;
     }
-    before += plan.parts[part].end - plan.parts[part].first;
+    before += plan.parts[part].frame_count();
   }
   return made;
 }
@@ -230,22 +230,6 @@ void render(const DatasetArguments& arguments, Session& session) {
             << share.size() << " parts, of which " << share.size() - made << " were there; "
             << (missing == 0 ? "all are there, merge makes the data set\n"
                              : vo::concat(missing, " of ", plan.parts.size(), " are missing\n"));
-}
-
-/// Returns the shares, of so many, that have a part that is missing.
-std::vector<std::size_t> shares_with(const DatasetPlan& plan,
-                                     const std::vector<std::size_t>& missing, std::size_t shards) {
-  std::vector<std::size_t> open;
-  for (std::size_t k = 1; k <= shards; ++k) {
-    const std::vector<std::size_t> share = share_of_parts(plan, k, shards);
-    const bool lacks = std::any_of(share.begin(), share.end(), [&](std::size_t part) {
-      return std::binary_search(missing.begin(), missing.end(), part);
-    });
-    if (lacks) {
-      open.push_back(k);
-    }
-  }
-  return open;
 }
 
 void status(const DatasetArguments& arguments, Session& session) {

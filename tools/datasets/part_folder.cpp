@@ -14,6 +14,7 @@
 #include "vo/core/fields.h"
 #include "vo/files/folder.h"
 #include "vo/files/partial_file.h"
+#include "vo/files/result_files.h"
 #include "vo/files/system_failure.h"
 #include "vo/output_folders/output_folder.h"
 
@@ -88,10 +89,10 @@ class OpenFile {
 }  // namespace
 
 PartFolder::PartFolder(const fs::path& path) : path_(path), partial_(own_partial(path)) {
-  make_folders(path.parent_path());
+  vo::make_folder(path.parent_path());
   remove_abandoned_folders(path);
   vo::remove_tree(partial_);
-  make_folders(partial_);
+  vo::make_folder(partial_);
 }
 
 PartFolder::~PartFolder() {
@@ -101,14 +102,14 @@ PartFolder::~PartFolder() {
 void PartFolder::write(const std::vector<vo::NamedBytes>& files) const {
   for (const vo::NamedBytes& file : files) {
     const fs::path path = partial_ / file.name;
-    make_folders(path.parent_path());
+    vo::make_folder(path.parent_path());
     OpenFile(path, O_TRUNC).write(file.bytes);
   }
 }
 
 void PartFolder::append(const std::string& name, std::string_view bytes) const {
   const fs::path path = partial_ / name;
-  make_folders(path.parent_path());
+  vo::make_folder(path.parent_path());
   OpenFile(path, O_APPEND).write(bytes);
 }
 
@@ -128,14 +129,6 @@ void PartFolder::commit(vo::Durability durability) {
 bool path_exists(const fs::path& path) {
   std::error_code error;
   return fs::exists(path, error);
-}
-
-void make_folders(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    vo::fail_with(folder, "cannot be written", error.value());
-  }
 }
 
 }  // namespace tools

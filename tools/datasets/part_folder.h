@@ -42,7 +42,4 @@ class PartFolder {
 /// Returns whether something is at a path; false where that cannot be known.
 bool path_exists(const std::filesystem::path& path);
 
-/// Makes a folder and those above it. Throws vo::Error naming it where that fails.
-void make_folders(const std::filesystem::path& folder);
-
 }  // namespace tools

@@ -12,6 +12,7 @@
 #include "tools/sequence_cache/scene_files_hash.h"
 #include "vo/core/error.h"
 #include "vo/files/input.h"
+#include "vo/files/result_files.h"
 #include "vo/files/unlocked_file.h"
 #include "vo/hashing/content_hash.h"
 
@@ -180,25 +181,44 @@ DatasetPlan begin_dataset(const DatasetSpec& spec, const fs::path& plan_file,
     return plan;
   }
   DatasetPlan plan = make_plan(spec, progress);
-  make_folders(plan_file.parent_path());
+  vo::make_folder(plan_file.parent_path());
   vo::write_unlocked(plan_file, format_plan(spec, plan), durability);
   return plan;
 }
 
-std::vector<std::size_t> share_of_parts(const DatasetPlan& plan, std::size_t k, std::size_t n) {
+std::vector<std::size_t> shares_by_part(const DatasetPlan& plan, std::size_t shares) {
   const std::size_t total = plan.frame_count();
-  std::vector<std::size_t> share;
+  std::vector<std::size_t> by_part;
   std::size_t before = 0;  // frames of the parts before
-  for (std::size_t i = 0; i < plan.parts.size(); ++i) {
-    const DatasetPart& part = plan.parts[i];
-    const std::size_t frames = part.end - part.first;
+  for (const DatasetPart& part : plan.parts) {
     // A part belongs to the share that its middle frame lies in.
-    if ((2 * before + frames) * n / (2 * total) + 1 == k) {
-      share.push_back(i);
+    by_part.push_back((2 * before + part.frame_count()) * shares / (2 * total) + 1);
+    before += part.frame_count();
+  }
+  return by_part;
+}
+
+std::vector<std::size_t> share_of_parts(const DatasetPlan& plan, std::size_t k, std::size_t n) {
+  const std::vector<std::size_t> by_part = shares_by_part(plan, n);
+  std::vector<std::size_t> share;
+  for (std::size_t part = 0; part < by_part.size(); ++part) {
+    if (by_part[part] == k) {
+      share.push_back(part);
     }
-    before += frames;
   }
   return share;
+}
+
+std::vector<std::size_t> shares_with(const DatasetPlan& plan, const std::vector<std::size_t>& parts,
+                                     std::size_t shares) {
+  const std::vector<std::size_t> by_part = shares_by_part(plan, shares);
+  std::vector<std::size_t> some;
+  for (const std::size_t part : parts) {
+    if (some.empty() || some.back() != by_part[part]) {
+      some.push_back(by_part[part]);
+    }
+  }
+  return some;
 }
 
 }  // namespace tools

@@ -18,6 +18,8 @@ struct DatasetPart {
   std::size_t number = 0;    ///< of the part in its sequence, from 0
   std::size_t first = 0;     ///< first frame
   std::size_t end = 0;       ///< one past the last frame
+
+  std::size_t frame_count() const { return end - first; }
 };
 
 /// A sequence that is not made, and why.
@@ -50,8 +52,15 @@ DatasetPlan make_plan(const DatasetSpec& spec, const vo::Progress& progress);
 DatasetPlan begin_dataset(const DatasetSpec& spec, const std::filesystem::path& plan_file,
                           vo::Durability durability, const vo::Progress& progress);
 
-/// Returns the K-th of N consecutive shares of the parts, K from 1, whose numbers of frames differ
-/// as little as whole parts allow.
+/// Returns the share, 1 to `shares`, that each part belongs to. Shares are consecutive, and their
+/// numbers of frames differ as little as whole parts allow.
+std::vector<std::size_t> shares_by_part(const DatasetPlan& plan, std::size_t shares);
+
+/// Returns the parts of the K-th of N shares, K from 1.
 std::vector<std::size_t> share_of_parts(const DatasetPlan& plan, std::size_t k, std::size_t n);
+
+/// Returns the shares, of so many, that some parts belong to, ascending; `parts` ascend, too.
+std::vector<std::size_t> shares_with(const DatasetPlan& plan, const std::vector<std::size_t>& parts,
+                                     std::size_t shares);
 
 }  // namespace tools

@@ -21,6 +21,7 @@
 #include "vo/files/folder.h"
 #include "vo/files/input.h"
 #include "vo/files/partial_file.h"
+#include "vo/files/result_files.h"
 #include "vo/files/system_failure.h"
 #include "vo/output_folders/file_records.h"
 
@@ -67,7 +68,7 @@ class Merge {
 
   /// Moves the files of all parts and writes what describes them.
   void join(MergeOutcome& outcome) {
-    make_folders(layout_.merged());
+    vo::make_folder(layout_.merged());
     PartFolder index(layout_.staging / "index");
     index.write({{"frames.csv", kFrameColumns}});
     for (std::size_t part = 0; part < plan_.parts.size(); ++part) {
@@ -78,7 +79,7 @@ class Merge {
       if (durability_ == vo::Durability::synced) {
         vo::sync_to_disk(index.partial() / file);
       }
-      make_folders((layout_.merged() / file).parent_path());
+      vo::make_folder((layout_.merged() / file).parent_path());
       rename_to(index.partial() / file, layout_.merged() / file);
     }
   }
@@ -141,7 +142,7 @@ class Merge {
       const fs::path from = folder_of(part) / file.name;
       const fs::path to = target_of(part) / file.name;
       if (made.insert(to.parent_path()).second) {
-        make_folders(to.parent_path());
+        vo::make_folder(to.parent_path());
       }
       if (path_exists(from)) {
         rename_to(from, to);

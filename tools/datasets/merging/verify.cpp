@@ -117,32 +117,4 @@ std::string damage_of(const PartRecord& record, const std::vector<fs::path>& fol
   return {};
 }
 
-Verification verify_parts(const DatasetSpec& spec, const DatasetPlan& plan,
-                          const DatasetLayout& layout, const vo::Progress& progress) {
-  std::vector<PartRecord> records;
-  std::vector<fs::path> folders;
-  for (std::size_t i = 0; i < plan.parts.size(); ++i) {
-    const fs::path folder = layout.part(i, part_name(spec, plan.parts[i]));
-    if (path_exists(folder / kPartRecord)) {
-      records.push_back(read_part_record(folder));
-      folders.push_back(folder);
-    }
-  }
-  Verification verification;
-  Findings findings(records.size(), progress);
-  tbb::parallel_for(std::size_t{0}, records.size(), [&](std::size_t i) {
-    std::uintmax_t bytes = 0;
-    for (const MadeFile& file : records[i].files) {
-      bytes += file.bytes;
-    }
-    const std::string damage = damage_of(records[i], {folders[i]});
-    findings.add(i, damage.empty() ? "" : records[i].part + ": " + damage, bytes);
-  });
-  findings.tell(verification);
-  for (const PartRecord& record : records) {
-    verification.files += record.files.size();
-  }
-  return verification;
-}
-
 }  // namespace tools

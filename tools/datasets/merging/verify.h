@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/datasets/layout.h"
 #include "tools/datasets/part_record.h"
-#include "tools/datasets/plan.h"
 #include "vo/core/progress.h"
 
 namespace tools {
@@ -16,7 +14,7 @@ namespace tools {
 /// The file of a data set that has the SHA-256 of all others, as `sha256sum --check` reads it.
 inline constexpr const char* kChecksums = "checksums.sha256";
 
-/// What reading every file of a data set, or of the parts that are there of one, found.
+/// What reading every file of a data set found.
 struct Verification {
   std::size_t files = 0;
   std::uintmax_t bytes = 0;
@@ -31,9 +29,5 @@ Verification verify_dataset(const std::filesystem::path& folder, const vo::Progr
 /// Returns what is wrong with the files of a part, each seen from the first of the folders that has
 /// it; empty where all are as they were made.
 std::string damage_of(const PartRecord& record, const std::vector<std::filesystem::path>& folders);
-
-/// Reads every file of the parts that are there.
-Verification verify_parts(const DatasetSpec& spec, const DatasetPlan& plan,
-                          const DatasetLayout& layout, const vo::Progress& progress);
 
 }  // namespace tools

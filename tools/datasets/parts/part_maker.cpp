@@ -98,7 +98,7 @@ class PartWriter {
     const auto collect = [&](const std::shared_ptr<FrameOnItsWay>& frame) {
       take(*frame);
       if (progress) {
-        progress(frame->index + 1 - part_.first, part_.end - part_.first);
+        progress(frame->index + 1 - part_.first, part_.frame_count());
       }
     };
     tbb::parallel_pipeline(
@@ -216,7 +216,7 @@ void PartMaker::make(std::size_t index, const vo::Progress& progress) {
   writer.write_frames(progress);
   writer.write_lists();
   std::vector<MadeFile> made = writer.made();
-  const std::size_t frames = part.end - part.first;
+  const std::size_t frames = part.frame_count();
   const vo::Progress converting = [&](std::size_t /*done*/, std::size_t /*total*/) {
     progress(frames, frames);  // all are rendered; this also ends a run that is interrupted
   };
