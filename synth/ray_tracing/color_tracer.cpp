@@ -7,18 +7,40 @@
 
 #include "synth/shading/even_samples.h"
 #include "synth/shading/scatter.h"
+#include "synth/shading/scrambled_sobol.h"
 #include "vo/core/random_field.h"
 
 namespace synth {
 namespace {
 
 constexpr float kUnlimited = std::numeric_limits<float>::infinity();
+constexpr float kToEmitter = 1 - 1e-5F;  // of the way, short of what Embree takes as a hit
 constexpr int kMaxLayers = 32;  // blended surfaces along a path; what lies behind them is black
 
 /// The uses of a path's random numbers at each surface that it meets; the lights come last.
-enum Use : std::size_t { of_direction, of_lobe, of_coverage, of_lights };
+enum Use : std::size_t {
+  of_direction,
+  of_lobe_and_survival,
+  of_coverage,
+  of_emitter,
+  of_place_on_emitter,
+  of_lights
+};
 
-constexpr std::uint64_t kPaths = 0x9a74;  // purpose of the paths' random numbers
+constexpr std::uint64_t kPaths = 0x9a75;   // purpose of the random numbers in mode `path`
+constexpr std::uint64_t kLights = 0x9a74;  // purpose of the places on lights in other modes
+
+/// Returns the irradiance per radiance of a drawn light at a point, weighted beside the direction
+/// that a bounce draws there; zero if none arrives.
+float irradiance_share(const SurfacePoint& point, const DrawnLight& light) {
+  if (!(light.density > 0)) {
+    return 0;
+  }
+  const Eigen::Vector3f direction = light.to_light.normalized();
+  const float bounced = scatter_density(point, direction);
+  const float cosine = point.normal.dot(direction);
+  return bounced > 0 ? sample_weight(light.density, bounced) * cosine / light.density : 0;
+}
 
 }  // namespace
 
@@ -26,6 +48,8 @@ struct ColorTracer::LitPoints {
   LitLanes points;
   std::array<const PathLeg*, kPacketSize> legs;
   std::array<Eigen::Vector3f, kPacketSize> weights;
+  std::array<SurfacePoint, kPacketSize> surfaces;  ///< in mode `path`
+  Lanes reach;                                     ///< m, path length from the camera
 };
 
 /// The state of a step in which all legs of a packet advance by one surface.
@@ -54,10 +78,11 @@ ColorTracer::ColorTracer(const WorldGeometry& world, const EmbreeScene& embree,
       bounces_(options.bounces),
       light_radius_(static_cast<float>(options.light_radius)),
       ambient_(ambient_light(world, options.ambient)),
-      lights_(place_lights(world)) {}
+      lights_(place_lights(world)),
+      emitters_(world) {}
 
 ColorMemory ColorTracer::new_memory() const {
-  return {.seen = {}, .blockers = std::vector<Occluder>(lights_.size())};
+  return {.seen = {}, .blockers = std::vector<Occluder>(lights_.size() + 1)};
 }
 
 PacketColors ColorTracer::trace(ColorPacket& packet, ColorMemory& memory) const {
@@ -89,6 +114,9 @@ void ColorTracer::advance(PathLegs& bundle, Step& step) const {
   }
   if (step.lit.points.size > 0) {
     add_lights(step);
+  }
+  if (step.lit.points.size > 0 && mode_ == RenderMode::path && !emitters_.empty()) {
+    add_emitters(step);
   }
 }
 
@@ -140,7 +168,7 @@ void ColorTracer::meet_lit_surface(const PathLegs& bundle, int lane,
     return;
   }
   const Eigen::Vector3f weight = share * leg.weight;
-  Eigen::Vector3f radiance = point.emission;
+  Eigen::Vector3f radiance = weight_of_emission(bundle, lane, triangle, point) * point.emission;
   if (mode_ == RenderMode::direct) {
     radiance += reflect_ambient(point, ambient_);
   }
@@ -149,11 +177,28 @@ void ColorTracer::meet_lit_surface(const PathLegs& bundle, int lane,
   add_point(step.lit.points, point);
   step.lit.legs[place] = &leg;
   step.lit.weights[place] = weight;
-  if (mode_ == RenderMode::path && leg.bounces < bounces_) {
+  if (bounces_at(leg)) {
+    step.lit.surfaces[place] = point;
+    step.lit.reach[place] = reach;
     PathLeg next = leg;
     next.travelled = reach;
     bounce(next, point, step);
   }
+}
+
+/// Returns the weight of what a surface emits along a leg: 1 where nothing else draws it; after a
+/// bounce, of the direction that the bounce drew beside a place on an emitter, `add_emitters`.
+float ColorTracer::weight_of_emission(const PathLegs& bundle, int lane,
+                                      const SurfaceTriangle& triangle,
+                                      const SurfacePoint& point) const {
+  const PathLeg& leg = bundle.legs[static_cast<std::size_t>(lane)];
+  if (leg.bounces == 0 || point.emission.isZero(0)) {
+    return 1;
+  }
+  const float drawn =
+      emitters_.density(triangle, static_cast<std::size_t>(bundle.rays.mesh(lane)),
+                        bundle.rays.triangle(lane), point, bundle.rays.lanes.ray.tfar[lane]);
+  return sample_weight(leg.density, drawn);
 }
 
 /// Returns the fraction that a surface hides of what is behind it; in mode `path` 0 or 1 at random.
@@ -184,13 +229,18 @@ void ColorTracer::pass(const PathLegs& bundle, int lane, float hidden, Step& ste
                  bundle.rays.share(lane)});
 }
 
+/// Continues a leg in a direction drawn at random. After the first reflection it goes on with the
+/// probability of its strongest colour, and is as much stronger if it does (Russian roulette).
 void ColorTracer::bounce(const PathLeg& leg, const SurfacePoint& point, Step& step) const {
-  const Scattered scattered =
-      scatter(point, draw(step, leg, of_lobe).x(), draw(step, leg, of_direction));
+  const Eigen::Vector2f choices = draw(step, leg, of_lobe_and_survival);
+  const Scattered scattered = scatter(point, choices.x(), draw(step, leg, of_direction));
   PathLeg next = leg;
   next.weight = leg.weight.cwiseProduct(scattered.weight);
+  next.density = scattered.density;
   ++next.bounces;
-  if (!next.weight.isZero(0)) {
+  const float survival = next.bounces > 1 ? std::min(1.0F, next.weight.maxCoeff()) : 1.0F;
+  if (!next.weight.isZero(0) && choices.y() < survival) {
+    next.weight /= survival;
     step.add(next, {point.position + point.rounding * point.face_normal, scattered.direction, 0,
                     kUnlimited, point.share});
   }
@@ -203,7 +253,7 @@ void ColorTracer::add_lights(Step& step) const {
   for (std::size_t i = 0; i < lights_.size(); ++i) {
     const PlacedLight& light = lights_[i];
     LightLanes direct = direct_light(light, places_on_light(i, step), lit, instruction_set_);
-    aim_at_light(shadows, direct, light);
+    aim_at_light(shadows, direct, shadow_reach(light));
     if (cast_shadows(shadows, shadow_reach(light), step.memory.blockers[i])) {
       direct.keep(shadows.active);
       add_reflected(lit, direct, light.intensity, instruction_set_, sum);
@@ -213,6 +263,47 @@ void ColorTracer::add_lights(Step& step) const {
     step.colors[step.lit.legs[i]->sample] +=
         step.lit.weights[i].cwiseProduct(Eigen::Vector3f(sum.x[i], sum.y[i], sum.z[i]));
   }
+}
+
+/// Adds the reflected light of one drawn direction to each point; `radiance` comes from there.
+void ColorTracer::add_drawn(LightLanes& direct, const PacketColors& radiance, float reach,
+                            Occluder& occluder, Step& step) const {
+  const LitLanes& lit = step.lit.points;
+  ShadowPacket shadows = shadow_rays(lit);
+  aim_at_light(shadows, direct, reach);
+  if (!cast_shadows(shadows, reach, occluder)) {
+    return;
+  }
+  direct.keep(shadows.active);
+  Lanes3 sum;
+  add_reflected(lit, direct, Eigen::Vector3f::Ones(), instruction_set_, sum);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(lit.size); ++i) {
+    if (direct.share[i] > 0) {
+      step.colors[step.lit.legs[i]->sample] +=
+          step.lit.weights[i]
+              .cwiseProduct(radiance[i])
+              .cwiseProduct(Eigen::Vector3f(sum.x[i], sum.y[i], sum.z[i]));
+    }
+  }
+}
+
+/// Adds the light of one place on an emitter to each point where a path bounces.
+void ColorTracer::add_emitters(Step& step) const {
+  LightLanes direct;
+  PacketColors radiance;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(step.lit.points.size); ++i) {
+    const PathLeg& leg = *step.lit.legs[i];
+    if (!bounces_at(leg)) {
+      continue;
+    }
+    const SurfacePoint& point = step.lit.surfaces[i];
+    const DrawnLight light = emitters_.draw(
+        {point.position, point.share, draw(step, leg, of_emitter).x(),
+         draw(step, leg, of_place_on_emitter), step.lit.reach[i], step.packet.sample_width});
+    radiance[i] = light.radiance;
+    direct.set(i, light.to_light, irradiance_share(point, light));
+  }
+  add_drawn(direct, radiance, kToEmitter, step.memory.blockers[lights_.size()], step);
 }
 
 /// Traces shadow rays and deactivates those that hit something. Returns whether any are left.
@@ -239,8 +330,11 @@ Lanes3 ColorTracer::places_on_light(std::size_t light_index, const Step& step) c
   for (std::size_t i = 0; i < static_cast<std::size_t>(step.lit.points.size); ++i) {
     const Eigen::Vector3f position(from.x[i], from.y[i], from.z[i]);
     const Frame frame((light.position - position).normalized());
-    const Eigen::Vector2f place =
-        light_radius_ * on_disc(draw(step, *step.lit.legs[i], of_lights + light_index));
+    const PathLeg& leg = *step.lit.legs[i];
+    const Eigen::Vector2f square = mode_ == RenderMode::path
+                                       ? draw(step, leg, of_lights + light_index)
+                                       : draw_on_light(step, leg, light_index);
+    const Eigen::Vector2f place = light_radius_ * on_disc(square);
     const Eigen::Vector3f moved = frame.x * place.x() + frame.y * place.y();
     places.x[i] += moved.x();
     places.y[i] += moved.y();
@@ -249,12 +343,25 @@ Lanes3 ColorTracer::places_on_light(std::size_t light_index, const Step& step) c
   return places;
 }
 
-/// Returns two random numbers in [0, 1), other ones for each step and use of a path.
+/// Returns two random numbers in [0, 1) in mode `path`, other ones for each step and use of a path.
 Eigen::Vector2f ColorTracer::draw(const Step& step, const PathLeg& leg, std::size_t use) const {
   const std::size_t uses = of_lights + lights_.size();
   const auto purpose = static_cast<int>(static_cast<std::size_t>(step.index) * uses + use);
   const SampleId& id = step.packet.ids[leg.sample];
   const vo::RandomField field(step.packet.seed, kPaths, 0);
+  return scrambled_sobol(field.bits(id.pixel.x, id.pixel.y, purpose), id.sample);
+}
+
+/// Returns two random numbers in [0, 1) for a light in modes other than `path`, whose samples of a
+/// pixel have one light each in common and no other dimension.
+Eigen::Vector2f ColorTracer::draw_on_light(const Step& step, const PathLeg& leg,
+                                           std::size_t light_index) const {
+  constexpr std::size_t kFirst = 3;  // of a step's indices, which are drawn from by lights alone
+  const std::size_t indices = kFirst + lights_.size();
+  const auto purpose =
+      static_cast<int>(static_cast<std::size_t>(step.index) * indices + kFirst + light_index);
+  const SampleId& id = step.packet.ids[leg.sample];
+  const vo::RandomField field(step.packet.seed, kLights, 0);
   return even_square(field.bits(id.pixel.x, id.pixel.y, purpose), id.sample);
 }
 

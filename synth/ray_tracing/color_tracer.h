@@ -9,6 +9,7 @@
 #include <opencv2/core.hpp>
 
 #include "synth/ray_tracing/embree_scene.h"
+#include "synth/ray_tracing/emitters.h"
 #include "synth/ray_tracing/hit_cache.h"
 #include "synth/ray_tracing/occluder.h"
 #include "synth/rendering/renderer.h"
@@ -30,6 +31,7 @@ struct PathLeg {
   Eigen::Vector3f weight;  ///< linear RGB throughput of the path up to here
   int bounces;             ///< number of bounces before this segment
   float travelled;         ///< m, path length before the ray's origin
+  float density = 0;       ///< 1/sr, of its direction, which the last bounce drew
 };
 
 /// Path segments that are traced together.
@@ -49,7 +51,7 @@ struct ColorPacket {
 /// The triangle and the occluders met last, which the next rays are likely to meet again.
 struct ColorMemory {
   HitCache<SurfaceTriangle> seen;
-  std::vector<Occluder> blockers;  ///< last occluder of each light
+  std::vector<Occluder> blockers;  ///< last occluder of each light, and of emitters
 };
 
 using PacketColors = std::array<Eigen::Vector3f, kPacketSize>;
@@ -76,11 +78,21 @@ class ColorTracer {
                         Step& step) const;
   float coverage(const Material& material, float alpha, const PathLeg& leg, const Step& step) const;
   static void pass(const PathLegs& bundle, int lane, float hidden, Step& step);
+  float weight_of_emission(const PathLegs& bundle, int lane, const SurfaceTriangle& triangle,
+                           const SurfacePoint& point) const;
   void bounce(const PathLeg& leg, const SurfacePoint& point, Step& step) const;
   void add_lights(Step& step) const;
+  void add_emitters(Step& step) const;
+  void add_drawn(LightLanes& direct, const PacketColors& radiance, float reach, Occluder& occluder,
+                 Step& step) const;
   bool cast_shadows(ShadowPacket& shadows, float reach, Occluder& occluder) const;
   Lanes3 places_on_light(std::size_t light_index, const Step& step) const;
   Eigen::Vector2f draw(const Step& step, const PathLeg& leg, std::size_t use) const;
+  Eigen::Vector2f draw_on_light(const Step& step, const PathLeg& leg,
+                                std::size_t light_index) const;
+  bool bounces_at(const PathLeg& leg) const {
+    return mode_ == RenderMode::path && leg.bounces < bounces_;
+  }
 
   const WorldGeometry& world_;
   const EmbreeScene& embree_;
@@ -90,6 +102,7 @@ class ColorTracer {
   vo::InstructionSet instruction_set_ = vo::available_instruction_set();
   AmbientLight ambient_;
   std::vector<PlacedLight> lights_;
+  Emitters emitters_;  ///< drawn from where paths bounce
 };
 
 }  // namespace synth

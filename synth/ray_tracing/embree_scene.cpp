@@ -219,12 +219,12 @@ ShadowPacket shadow_rays(const LitLanes& lit) {
   return packet;
 }
 
-void aim_at_light(ShadowPacket& packet, const LightLanes& direct, const PlacedLight& light) {
+void aim_at_light(ShadowPacket& packet, const LightLanes& direct, float reach) {
   RTCRay16& rays = packet.lanes;
   std::copy(direct.to_light.x.begin(), direct.to_light.x.end(), rays.dir_x);
   std::copy(direct.to_light.y.begin(), direct.to_light.y.end(), rays.dir_y);
   std::copy(direct.to_light.z.begin(), direct.to_light.z.end(), rays.dir_z);
-  std::fill_n(rays.tfar, kPacketSize, shadow_reach(light));
+  std::fill_n(rays.tfar, kPacketSize, reach);
   std::transform(direct.share.begin(), direct.share.end(), packet.active.begin(),
                  [](float share) { return share > 0 ? -1 : 0; });
 }

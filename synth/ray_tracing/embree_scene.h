@@ -129,7 +129,8 @@ void aim_at_light(RTCRay& ray, const SurfacePoint& point, const DirectLight& dir
 ShadowPacket shadow_rays(const LitLanes& lit);
 
 /// Directs shadow rays to a light and activates those from the points that the light may reach.
-void aim_at_light(ShadowPacket& packet, const LightLanes& direct, const PlacedLight& light);
+/// `reach` is in lengths of LightLanes::to_light.
+void aim_at_light(ShadowPacket& packet, const LightLanes& direct, float reach);
 
 /// One of the equal squares of a pixel in which its colour is sampled.
 struct PixelCell {

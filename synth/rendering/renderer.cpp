@@ -7,7 +7,7 @@
 namespace synth {
 
 void RenderOptions::validate() const {
-  constexpr int kMaxSamples = 256;
+  constexpr int kMaxSamples = 65536;
   constexpr int kMaxBounces = 64;
   vo::require(samples >= 1 && samples <= kMaxSamples, "render: expected samples from 1 to ",
               kMaxSamples, ", got ", samples);

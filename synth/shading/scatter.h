@@ -22,10 +22,16 @@ Eigen::Vector2f on_disc(const Eigen::Vector2f& square);
 struct Scattered {
   Eigen::Vector3f direction;  ///< unit, from the surface towards the light
   Eigen::Vector3f weight;     ///< BRDF times cosine over density; zero: no light comes
+  float density = 0;          ///< 1/sr, `scatter_density` of the direction
 };
 
-/// Returns an importance-sampled direction: by the cosine for the diffuse lobe, by GGX's normals
-/// for the specular one. `lobe` and `square` are random in [0, 1).
+/// Returns an importance-sampled direction: by the cosine for the diffuse lobe, by the normals that
+/// the viewer sees of GGX's for the specular one (Heitz, Sampling the GGX distribution of visible
+/// normals, 2018). `lobe` and `square` are random in [0, 1).
 Scattered scatter(const SurfacePoint& point, float lobe, const Eigen::Vector2f& square);
+
+/// Returns the density, 1/sr, with which `scatter` returns a unit direction; zero behind the
+/// surface.
+float scatter_density(const SurfacePoint& point, const Eigen::Vector3f& direction);
 
 }  // namespace synth

@@ -111,6 +111,12 @@ Lanes3 same_place(const PlacedLight& light) {
   return places;
 }
 
+void LightLanes::set(std::size_t lane, const Eigen::Vector3f& to_light_of_lane,
+                     float share_of_lane) {
+  put(to_light, lane, to_light_of_lane);
+  share[lane] = share_of_lane;
+}
+
 void LightLanes::keep(const LaneMask& active) {
   for (std::size_t i = 0; i < kPacketSize; ++i) {
     share[i] = active[i] == 0 ? 0 : share[i];

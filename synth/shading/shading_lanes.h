@@ -31,6 +31,8 @@ struct LightLanes {
   Lanes3 to_light;  ///< DirectLight::to_light of each point
   Lanes share{};    ///< irradiance per intensity; zero behind the surface and beyond the last point
 
+  void set(std::size_t lane, const Eigen::Vector3f& to_light_of_lane, float share_of_lane);
+
   /// Sets the light to zero in inactive lanes.
   void keep(const LaneMask& active);
 };

@@ -155,6 +155,20 @@ float log2_footprint(const SurfaceRay& ray, float cosine) {
   return quick_log2(ray.footprint / std::max(kMinCosine, cosine));
 }
 
+/// Returns the cosine between ray and triangle normal.
+float slant_cosine(const SurfaceTriangle& triangle, const SurfaceRay& ray) {
+  return std::abs(triangle.normal.dot(ray.direction)) / ray.direction.norm();
+}
+
+Eigen::Vector3f emission_of(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights,
+                            float log2_width) {
+  Eigen::Vector3f emission = triangle.mesh->material->emission;
+  if (triangle.emissive.texture != nullptr) {
+    emission.array() *= triangle.emissive.color(weights, log2_width).head<3>().array();
+  }
+  return emission;
+}
+
 /// Sets a point's material values from the material's factors and textures.
 void read_maps(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights, float log2_width,
                SurfacePoint& point) {
@@ -162,13 +176,10 @@ void read_maps(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights, 
   const Eigen::Vector4f color = color_of(triangle, weights, log2_width);
   point.base_color = color.head<3>();
   point.alpha = color.w();
-  point.emission = material.emission;
+  point.emission = emission_of(triangle, weights, log2_width);
   point.metallic = material.metallic;
   point.roughness = material.roughness;
   point.specular = material.specular;
-  if (triangle.emissive.texture != nullptr) {
-    point.emission.array() *= triangle.emissive.color(weights, log2_width).head<3>().array();
-  }
   if (triangle.metallic_roughness.texture != nullptr) {
     const Eigen::Vector4f texel = triangle.metallic_roughness.color(weights, log2_width);
     point.roughness *= texel.y();
@@ -216,8 +227,11 @@ SurfaceTriangle::SurfaceTriangle(const WorldGeometry& world, int mesh_index, int
 }
 
 Eigen::Vector4f surface_color(const SurfaceTriangle& triangle, const SurfaceRay& ray) {
-  const float cosine = std::abs(triangle.normal.dot(ray.direction)) / ray.direction.norm();
-  return color_of(triangle, ray.weights, log2_footprint(ray, cosine));
+  return color_of(triangle, ray.weights, log2_footprint(ray, slant_cosine(triangle, ray)));
+}
+
+Eigen::Vector3f surface_emission(const SurfaceTriangle& triangle, const SurfaceRay& ray) {
+  return emission_of(triangle, ray.weights, log2_footprint(ray, slant_cosine(triangle, ray)));
 }
 
 SurfacePoint surface_point(const SurfaceTriangle& triangle, const SurfaceRay& ray) {

@@ -78,6 +78,9 @@ struct SurfaceRay {
 /// Returns the base colour at a hit, linear RGBA.
 Eigen::Vector4f surface_color(const SurfaceTriangle& triangle, const SurfaceRay& ray);
 
+/// Returns the radiance that the surface emits at a hit, linear RGB.
+Eigen::Vector3f surface_emission(const SurfaceTriangle& triangle, const SurfaceRay& ray);
+
 SurfacePoint surface_point(const SurfaceTriangle& triangle, const SurfaceRay& ray);
 SurfacePoint surface_point(const WorldGeometry& world, const SurfaceHit& hit,
                            const Eigen::Vector3f& view_direction, float footprint);

@@ -40,7 +40,8 @@ struct Stage {
     }
     ShadowPacket packet = shadow_rays(lit);
     constexpr auto kBaseline = vo::InstructionSet::baseline;
-    aim_at_light(packet, direct_light(light, same_place(light), lit, kBaseline), light);
+    aim_at_light(packet, direct_light(light, same_place(light), lit, kBaseline),
+                 shadow_reach(light));
     return packet;
   }
 };

@@ -28,17 +28,86 @@ Scene furnace(float albedo, float emission) {
   return scene;
 }
 
-TEST(Path, InAFurnaceEveryPixelIsTheGeometricSeries) {
+/// Returns the mean of an image's green channel.
+double mean_green(const cv::Mat_<cv::Vec3f>& image) {
+  return cv::mean(image)[1];
+}
+
+TEST(Path, AFurnaceIsTheGeometricSeries) {
   constexpr double kAlbedo = 0.6;
   for (const int bounces : {0, 1, 6}) {
     const RenderedFrame frame =
         render(furnace(static_cast<float>(kAlbedo), 0.25F),
-               {.mode = RenderMode::path, .samples = 4, .ambient = 0, .bounces = bounces});
+               {.mode = RenderMode::path, .samples = 64, .ambient = 0, .bounces = bounces});
     const double expected = 0.25 * (1 - std::pow(kAlbedo, bounces + 1)) / (1 - kAlbedo);
-    for (const cv::Vec3f& pixel : frame.radiance) {
-      ASSERT_NEAR(pixel[1], expected, 1e-5);
-    }
+    EXPECT_NEAR(mean_green(frame.radiance), expected, 1e-3 * expected);
   }
+}
+
+/// A wall 2 m before the camera and a lamp 1 m behind it; no other light, also no sky.
+Scene wall_before_lamp(float half_width, const Material& wall) {
+  Scene scene;
+  add(scene, square_at(2, 4), wall);
+  Material lamp = diffuse({0, 0, 0});
+  lamp.emission.setConstant(4);
+  add(scene, square_at(-1, half_width), lamp);
+  scene.lights.push_back(point_light({0, 0, 0}, {0, 0, 0}));
+  return scene;
+}
+
+/// Returns the share of a half space's cosine-weighted directions that a rectangle fills which
+/// faces the point, has a corner straight above it and the other corner at (a, b), in units of its
+/// distance.
+double share_of_view(double a, double b) {
+  const double x = std::sqrt(1 + a * a);
+  const double y = std::sqrt(1 + b * b);
+  return (a / x * std::atan(b / x) + b / y * std::atan(a / y)) / (2 * kPi);
+}
+
+TEST(Path, ALampsLightIsTheClosedFormWhateverItsSize) {
+  for (const float half_width : {0.01F, 0.3F, 3.0F, 30.0F}) {
+    const RenderedFrame frame =
+        render(wall_before_lamp(half_width, diffuse({0.5F, 0.5F, 0.5F})),
+               {.mode = RenderMode::path, .samples = 256, .ambient = 0, .bounces = 1});
+    const double expected = 0.5 * 4 * 4 * share_of_view(half_width / 3.0, half_width / 3.0);
+    const cv::Rect middle(kCentre - cv::Point(1, 1), cv::Size(3, 3));
+    EXPECT_NEAR(mean_green(frame.radiance(middle)), expected, 0.01 * expected) << half_width;
+  }
+}
+
+TEST(Path, AMirrorShowsTheLampAsBrightAsItIs) {
+  Material mirror = diffuse({1, 1, 1});
+  mirror.metallic = 1;
+  mirror.roughness = 0.05F;
+  const RenderedFrame frame =
+      render(wall_before_lamp(1, mirror),
+             {.mode = RenderMode::path, .samples = 256, .ambient = 0, .bounces = 1});
+  EXPECT_NEAR(frame.radiance(kCentre)[1], 4, 0.02);
+}
+
+TEST(Path, AMaskedLampShinesByItsShare) {
+  Scene half = wall_before_lamp(1, diffuse({1, 1, 1}));
+  half.materials[1].alpha_mode = AlphaMode::blend;
+  half.materials[1].base_color.w() = 0.25F;
+  const RenderOptions options{.mode = RenderMode::path, .samples = 256, .ambient = 0, .bounces = 1};
+  const double whole =
+      mean_green(render(wall_before_lamp(1, diffuse({1, 1, 1})), options).radiance);
+  EXPECT_NEAR(mean_green(render(half, options).radiance), whole / 4, 0.01 * whole);
+}
+
+TEST(Path, NoiseFallsAtLeastAsTheRootOfTheSamples) {
+  const auto noise = [](int samples) {
+    const RenderedFrame frame =
+        render(furnace(0.6F, 0.25F),
+               {.mode = RenderMode::path, .samples = samples, .ambient = 0, .bounces = 3});
+    cv::Scalar mean;
+    cv::Scalar deviation;
+    cv::meanStdDev(frame.radiance, mean, deviation);
+    return deviation[1];
+  };
+  const double of_few = noise(16);
+  EXPECT_GT(of_few, 1e-4);
+  EXPECT_LT(noise(256), of_few / 3.8);
 }
 
 TEST(Path, APlaneUnderTheOpenSkyIsTheClosedForm) {

@@ -20,9 +20,9 @@ TEST(RenderOptions, SamplesAreRoundedUpToASquareGrid) {
     EXPECT_NO_THROW(RenderOptions{.samples = samples}.validate());
     EXPECT_EQ(RenderOptions{.samples = samples}.samples_per_edge(), edge);
   }
-  for (const int samples : {-4, 0, 257}) {
+  for (const int samples : {-4, 0, 65537}) {
     EXPECT_THAT(error_text([&] { RenderOptions{.samples = samples}.validate(); }),
-                HasSubstr("expected samples from 1 to 256, got"));
+                HasSubstr("expected samples from 1 to 65536, got"));
   }
 }
 

@@ -218,5 +218,40 @@ TEST(Scatter, SendsBackOnAverageWhatTheReflectanceSumsTo) {
   }
 }
 
+TEST(Scatter, DrawsDirectionsWithTheDensityThatItStates) {
+  for (const SurfacePoint& point :
+       {shiny_point(0.5F, 0, 1), shiny_point(0.4F, 1, 1), shiny_point(1, 0.5F, 1)}) {
+    // Means of functions over drawn directions against integrals of these times the density.
+    constexpr int kSteps = 400;
+    constexpr int kDraws = 200 * 200;
+    Vector3d drawn = Vector3d::Zero();
+    Vector3d integrated = Vector3d::Zero();
+    const auto moments = [](const Vector3f& direction) {
+      return Vector3d(1, direction.x(), direction.z() * direction.z());
+    };
+    for (int i = 0; i < kDraws; ++i) {
+      const auto lobe = static_cast<float>(i * 0.6180339887 - std::floor(i * 0.6180339887));
+      const Vector2f square((static_cast<float>(i / 200) + 0.5F) / 200,
+                            (static_cast<float>(i % 200) + 0.5F) / 200);
+      const Scattered scattered = scatter(point, lobe, square);
+      drawn += scattered.density > 0 ? Vector3d(moments(scattered.direction) / kDraws)
+                                     : Vector3d::Zero();
+    }
+    for (int i = 0; i < kSteps; ++i) {
+      for (int k = 0; k < kSteps; ++k) {
+        const double z = (i + 0.5) / kSteps;
+        const double angle = 2 * kPi * (k + 0.5) / kSteps;
+        const double sine = std::sqrt(1 - z * z);
+        const Vector3f direction =
+            Vector3d(sine * std::cos(angle), sine * std::sin(angle), z).cast<float>();
+        integrated +=
+            moments(direction) * scatter_density(point, direction) * (2 * kPi / (kSteps * kSteps));
+      }
+    }
+    EXPECT_TRUE(drawn.isApprox(integrated, 2e-3))
+        << drawn.transpose() << " instead of " << integrated.transpose();
+  }
+}
+
 }  // namespace
 }  // namespace synth

@@ -1,0 +1,122 @@
+#include "synth/ray_tracing/emitters.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+namespace synth {
+namespace {
+
+/// Returns the area of a triangle, m^2.
+float area_of(const std::array<Eigen::Vector3f, 3>& corners) {
+  return 0.5F * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
+}
+
+/// Returns barycentric coordinates that are uniform over a triangle if `square` is over its own.
+Eigen::Vector3f even_weights(const Eigen::Vector2f& square) {
+  const float root = std::sqrt(square.x());
+  return {1 - root, root * (1 - square.y()), root * square.y()};
+}
+
+/// Returns how strongly a triangle shines, about: the emission of its middle, blurred over the
+/// triangle, and a tenth of the material's, since other parts may shine where the middle is dark.
+float strength_of(const SurfaceTriangle& triangle) {
+  const float width = std::sqrt(area_of(triangle.corners));
+  if (!(width > 0)) {
+    return 0;
+  }
+  constexpr float kRest = 0.1F;
+  const Eigen::Vector3f middle =
+      surface_emission(triangle, {Eigen::Vector3f::Constant(1.0F / 3), triangle.normal, width});
+  return middle.maxCoeff() + kRest * triangle.mesh->material->emission.maxCoeff();
+}
+
+/// Returns the share of a surface that shines at a point: 1, or as its alpha says.
+float shining_share(const WorldGeometry& world, const Material& material, const SurfaceHit& hit) {
+  if (material.alpha_mode == AlphaMode::opaque) {
+    return 1;
+  }
+  const float alpha = surface_alpha(world, hit);
+  if (material.alpha_mode == AlphaMode::mask) {
+    return alpha < material.alpha_cutoff ? 0.0F : 1.0F;
+  }
+  return std::clamp(alpha, 0.0F, 1.0F);
+}
+
+/// Returns the density, 1/sr, of directions towards a triangle of which points are drawn evenly.
+float per_solid_angle(float probability, float area, float distance2, float cosine) {
+  constexpr float kLeastCosine = 1e-6F;
+  return cosine > kLeastCosine && area > 0 ? probability / area * distance2 / cosine : 0;
+}
+
+}  // namespace
+
+Emitters::Emitters(const WorldGeometry& world) : world_(world), first_(world.meshes.size(), -1) {
+  for (std::size_t i = 0; i < world.meshes.size(); ++i) {
+    const Material& material = *world.meshes[i].material;
+    if (!material.unlit && material.emission.maxCoeff() > 0) {
+      add_mesh(static_cast<int>(i));
+    }
+  }
+  const double sum = triangles_.empty() ? 0 : triangles_.back().cumulative;
+  if (!(sum > 0)) {
+    triangles_.clear();
+    return;
+  }
+  for (Triangle& triangle : triangles_) {
+    triangle.probability = static_cast<float>(triangle.probability / sum);
+    triangle.cumulative /= sum;
+  }
+}
+
+/// Adds a mesh's triangles, for now with the power that each shines with as its probability.
+void Emitters::add_mesh(int mesh) {
+  const auto index = static_cast<std::size_t>(mesh);
+  first_[index] = static_cast<std::ptrdiff_t>(triangles_.size());
+  const auto count = static_cast<int>(world_.meshes[index].mesh->triangles.size());
+  for (int i = 0; i < count; ++i) {
+    const SurfaceTriangle triangle(world_, mesh, i);
+    const float power = area_of(triangle.corners) * strength_of(triangle);
+    const double before = triangles_.empty() ? 0 : triangles_.back().cumulative;
+    triangles_.push_back({mesh, i, power, before + power});
+  }
+}
+
+DrawnLight Emitters::draw(const EmitterDraw& draw) const {
+  const auto chosen = std::upper_bound(
+      triangles_.begin(), triangles_.end() - 1, static_cast<double>(draw.choice),
+      [](double choice, const Triangle& triangle) { return choice < triangle.cumulative; });
+  const SurfaceTriangle triangle(world_, chosen->mesh, chosen->index, draw.share);
+  const Eigen::Vector3f weights = even_weights(draw.square);
+  const Eigen::Vector3f place = triangle.corners[0] * weights[0] +
+                                triangle.corners[1] * weights[1] + triangle.corners[2] * weights[2];
+  const Eigen::Vector3f line = place - draw.from;
+  const float distance = line.norm();
+  const float slant = triangle.normal.dot(line) / distance;
+  DrawnLight light;
+  light.density = distance > 0 ? per_solid_angle(chosen->probability, area_of(triangle.corners),
+                                                 distance * distance, std::abs(slant))
+                               : 0;
+  if (light.density > 0) {
+    const Eigen::Vector3f facing = slant > 0 ? Eigen::Vector3f(-triangle.normal) : triangle.normal;
+    light.to_light = line + triangle.rounding * facing;
+    light.radiance =
+        shining_share(world_, *triangle.mesh->material, {chosen->mesh, chosen->index, weights}) *
+        surface_emission(triangle,
+                         {weights, line, draw.sample_width * (draw.travelled + distance)});
+  }
+  return light;
+}
+
+float Emitters::density(const SurfaceTriangle& triangle, std::size_t mesh, int index,
+                        const SurfacePoint& point, float distance) const {
+  if (first_[mesh] < 0 || triangles_.empty()) {
+    return 0;
+  }
+  const Triangle& drawn = triangles_[static_cast<std::size_t>(first_[mesh] + index)];
+  return per_solid_angle(drawn.probability, area_of(triangle.corners), distance * distance,
+                         std::abs(point.face_normal.dot(point.to_viewer)));
+}
+
+}  // namespace synth
