@@ -46,6 +46,10 @@ Scene load(const GltfFile& file, const GltfOptions& options, Notes* notes) {
 void GltfOptions::validate() const {
   vo::require(std::isfinite(scale) && scale > 0, "scene scale: is ", scale,
               ", expected a positive number");
+  vo::require(std::isfinite(environment_turn), "environment turn: is ", environment_turn,
+              ", expected degrees");
+  vo::require(std::isfinite(environment_strength) && environment_strength >= 0,
+              "environment strength: is ", environment_strength, ", expected 0 or more");
 }
 
 Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options, Notes* notes) {

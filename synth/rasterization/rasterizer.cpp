@@ -125,6 +125,8 @@ Rasterizer::Rasterizer(const Scene& scene, const RenderOptions& options)
       log2_cell_width_(-std::log2(static_cast<float>(options.samples_per_edge()))),
       context_(GlContext::make()),
       gl_([this](const char* name) { return context_->find_function(name); }) {
+  vo::require(scene.environment.empty(),
+              "rasterizer: cannot draw an environment, expected render.kind = ray_tracer");
   vo::require(lights_.size() <= kMaxLights, "rasterizer: the scene has ", lights_.size(),
               " lights, expected at most ", kMaxLights, " or render.kind = ray_tracer");
   const GlContext::Current current(*context_);

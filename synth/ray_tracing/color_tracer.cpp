@@ -24,6 +24,7 @@ enum Use : std::size_t {
   of_coverage,
   of_emitter,
   of_place_on_emitter,
+  of_place_in_environment,
   of_lights
 };
 
@@ -79,10 +80,12 @@ ColorTracer::ColorTracer(const WorldGeometry& world, const EmbreeScene& embree,
       light_radius_(static_cast<float>(options.light_radius)),
       ambient_(ambient_light(world, options.ambient)),
       lights_(place_lights(world)),
-      emitters_(world) {}
+      emitters_(world),
+      environment_(world.scene->environment.empty() ? EnvironmentLight()
+                                                    : EnvironmentLight(world.scene->environment)) {}
 
 ColorMemory ColorTracer::new_memory() const {
-  return {.seen = {}, .blockers = std::vector<Occluder>(lights_.size() + 1)};
+  return {.seen = {}, .blockers = std::vector<Occluder>(lights_.size() + 2)};
 }
 
 PacketColors ColorTracer::trace(ColorPacket& packet, ColorMemory& memory) const {
@@ -115,17 +118,32 @@ void ColorTracer::advance(PathLegs& bundle, Step& step) const {
   if (step.lit.points.size > 0) {
     add_lights(step);
   }
-  if (step.lit.points.size > 0 && mode_ == RenderMode::path && !emitters_.empty()) {
+  const bool is_path = step.lit.points.size > 0 && mode_ == RenderMode::path;
+  if (is_path && !emitters_.empty()) {
     add_emitters(step);
+  }
+  if (is_path && !environment_.empty()) {
+    add_environment(step);
   }
 }
 
-/// Ends a leg that hits nothing: a camera ray sees black, a reflected ray the ambient radiance.
 void ColorTracer::end_leg(const PathLegs& bundle, int lane, PacketColors& colors) const {
   const PathLeg& leg = bundle.legs[static_cast<std::size_t>(lane)];
-  if (leg.bounces > 0) {
-    colors[leg.sample] += leg.weight.cwiseProduct(ambient_.radiance(bundle.rays.direction(lane)));
+  colors[leg.sample] += leg.weight.cwiseProduct(light_from_afar(leg, bundle.rays.direction(lane)));
+}
+
+/// Returns what a leg that hits nothing brings: of an environment its radiance, weighted after a
+/// bounce, which `add_environment` draws beside; otherwise a camera ray sees black, a reflected ray
+/// the ambient radiance.
+Eigen::Vector3f ColorTracer::light_from_afar(const PathLeg& leg,
+                                             const Eigen::Vector3f& direction) const {
+  if (!environment_.empty()) {
+    const Eigen::Vector3f unit = direction.normalized();
+    const float weight =
+        leg.bounces == 0 ? 1 : sample_weight(leg.density, environment_.density(unit));
+    return weight * environment_.radiance(unit);
   }
+  return leg.bounces == 0 ? Eigen::Vector3f(Eigen::Vector3f::Zero()) : ambient_.radiance(direction);
 }
 
 void ColorTracer::meet_surface(const PathLegs& bundle, int lane, Step& step) const {
@@ -304,6 +322,21 @@ void ColorTracer::add_emitters(Step& step) const {
     direct.set(i, light.to_light, irradiance_share(point, light));
   }
   add_drawn(direct, radiance, kToEmitter, step.memory.blockers[lights_.size()], step);
+}
+
+/// Adds the light of one direction of the environment to each point where a path bounces.
+void ColorTracer::add_environment(Step& step) const {
+  LightLanes direct;
+  PacketColors radiance;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(step.lit.points.size); ++i) {
+    const PathLeg& leg = *step.lit.legs[i];
+    if (bounces_at(leg)) {
+      const DrawnLight light = environment_.draw(draw(step, leg, of_place_in_environment));
+      radiance[i] = light.radiance;
+      direct.set(i, light.to_light, irradiance_share(step.lit.surfaces[i], light));
+    }
+  }
+  add_drawn(direct, radiance, kUnlimited, step.memory.blockers[lights_.size() + 1], step);
 }
 
 /// Traces shadow rays and deactivates those that hit something. Returns whether any are left.

@@ -73,6 +73,7 @@ class ColorTracer {
 
   void advance(PathLegs& bundle, Step& step) const;
   void end_leg(const PathLegs& bundle, int lane, PacketColors& colors) const;
+  Eigen::Vector3f light_from_afar(const PathLeg& leg, const Eigen::Vector3f& direction) const;
   void meet_surface(const PathLegs& bundle, int lane, Step& step) const;
   void meet_lit_surface(const PathLegs& bundle, int lane, const SurfaceTriangle& triangle,
                         Step& step) const;
@@ -83,6 +84,7 @@ class ColorTracer {
   void bounce(const PathLeg& leg, const SurfacePoint& point, Step& step) const;
   void add_lights(Step& step) const;
   void add_emitters(Step& step) const;
+  void add_environment(Step& step) const;
   void add_drawn(LightLanes& direct, const PacketColors& radiance, float reach, Occluder& occluder,
                  Step& step) const;
   bool cast_shadows(ShadowPacket& shadows, float reach, Occluder& occluder) const;
@@ -102,7 +104,8 @@ class ColorTracer {
   vo::InstructionSet instruction_set_ = vo::available_instruction_set();
   AmbientLight ambient_;
   std::vector<PlacedLight> lights_;
-  Emitters emitters_;  ///< drawn from where paths bounce
+  Emitters emitters_;             ///< drawn from where paths bounce
+  EnvironmentLight environment_;  ///< likewise
 };
 
 }  // namespace synth

@@ -120,6 +120,15 @@ struct Light {
   double outer_cone = std::numbers::pi / 4;                ///< rad, half-angle where the light ends
 };
 
+/// Light from infinitely far as an equirectangular image, twice as wide as high: rows from straight
+/// up to straight down, columns clockwise as seen from above, the middle one towards -z.
+struct Environment {
+  cv::Mat_<cv::Vec3f> radiance;  ///< linear RGB; empty where there is none
+  double turn = 0;               ///< rad about +y, by which the image is turned
+
+  bool empty() const { return radiance.empty(); }
+};
+
 /// A viewpoint that the scene's file provides.
 struct SceneCamera {
   std::string name;
@@ -138,7 +147,8 @@ struct Scene {
   std::vector<TextureImage> images;
   std::vector<Light> lights;
   std::vector<SceneCamera> cameras;
-  SceneMotion motion;  ///< animations of the scene; empty if nothing moves
+  SceneMotion motion;       ///< animations of the scene; empty if nothing moves
+  Environment environment;  ///< light from infinitely far; none in most scenes
 };
 
 }  // namespace synth

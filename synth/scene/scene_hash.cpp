@@ -85,6 +85,15 @@ void add(vo::ContentHash& hash, const Light& light) {
   hash.add_values(std::span<const double>(shape));
 }
 
+void add(vo::ContentHash& hash, const Environment& environment) {
+  const cv::Mat_<cv::Vec3f>& pixels = environment.radiance;
+  add_numbers(hash, {pixels.cols, pixels.rows});
+  hash.add_values(std::span<const double>(&environment.turn, 1));
+  for (int v = 0; v < pixels.rows; ++v) {
+    hash.add({pixels.ptr<char>(v), static_cast<std::size_t>(pixels.cols) * pixels.elemSize()});
+  }
+}
+
 void add(vo::ContentHash& hash, const MotionNode& node) {
   add_numbers(hash, {node.parent});
   add_matrix(hash, node.T_parent_node.matrix());
@@ -152,6 +161,9 @@ std::string content_hash(const Scene& scene) {
   add_all(hash, scene.images);
   add_all(hash, scene.lights);
   add(hash, scene.motion);
+  if (!scene.environment.empty()) {
+    add(hash, scene.environment);
+  }
   return hash.hex();
 }
 

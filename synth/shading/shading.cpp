@@ -59,6 +59,9 @@ AmbientLight default_sky(double share) {
 }  // namespace
 
 Eigen::Vector3f AmbientLight::irradiance(const Eigen::Vector3f& normal) const {
+  if (environment) {
+    return (*environment)(normal);
+  }
   return uniform + sky * (0.5F + 0.5F * normal.dot(sky_axis));
 }
 
@@ -68,6 +71,11 @@ Eigen::Vector3f AmbientLight::radiance(const Eigen::Vector3f& direction) const {
 }
 
 AmbientLight ambient_light(const WorldGeometry& world, double share) {
+  if (!world.scene->environment.empty()) {
+    AmbientLight light;
+    light.environment.emplace(world.scene->environment);
+    return light;
+  }
   if (world.scene->lights.empty()) {
     return default_sky(share);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -10,25 +11,29 @@
 
 #include "synth/scene/scene.h"
 #include "synth/scene/world_geometry.h"
+#include "synth/shading/environment_light.h"
 #include "synth/shading/surface.h"
 #include "vo/core/instruction_set.h"
 
 namespace synth {
 
 /// Ambient light: a surface facing n receives the irradiance uniform + sky (1 + n . sky_axis) / 2,
-/// the second term being that of a uniform sky over one hemisphere.
+/// the second term being that of a uniform sky over one hemisphere, or that of an environment.
 struct AmbientLight {
   Eigen::Vector3f uniform = Eigen::Vector3f::Zero();  ///< lx, from all directions, linear RGB
   Eigen::Vector3f sky = Eigen::Vector3f::Zero();      ///< lx, facing the sky, linear RGB
   Eigen::Vector3f sky_axis = Eigen::Vector3f::UnitY();
+  std::optional<EnvironmentIrradiance> environment;  ///< in place of the two others
 
   Eigen::Vector3f irradiance(const Eigen::Vector3f& normal) const;
 
-  /// Returns the radiance from a direction that causes `irradiance` where nothing occludes it.
+  /// Returns the radiance from a direction that causes `irradiance` where nothing occludes it;
+  /// requires that there is no environment, whose EnvironmentLight returns it.
   Eigen::Vector3f radiance(const Eigen::Vector3f& direction) const;
 };
 
-/// Returns the scene's ambient light; `share` is RenderOptions::ambient.
+/// Returns the scene's ambient light: of its environment, if it has one, otherwise as RenderOptions
+/// says, whose `ambient` is `share`.
 AmbientLight ambient_light(const WorldGeometry& world, double share);
 
 /// Returns the radiance that a diffuse surface reflects of an irradiance.

@@ -23,6 +23,7 @@
 #include "vo/image_files/npy.h"
 #include "vo/image_files/png.h"
 #include "vo/image_files/pnm.h"
+#include "vo/image_files/rgbe.h"
 #include "vo/motion_files/imu_file.h"
 #include "vo/motion_files/trajectory_file.h"
 #include "vo/recordings/camera_message.h"
@@ -71,6 +72,10 @@ void add_images(Seeds& seeds) {
     seeds.push_back({folder + "/one", vo::encode_float_image(one, format)});
     seeds.push_back({folder + "/three", vo::encode_float_image(three, format)});
   }
+  seeds.push_back({"rgbe/pixels", vo::encode_rgbe({kHeight, kWidth, cv::Vec3f(1, 2, 3)})});
+  seeds.push_back({"rgbe/packed", std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 8\n"
+                                              "\x02\x02\x00\x08\x88\x01\x88\x02\x88\x03\x88\x81",
+                                              57)});
   const cv::Mat_<cv::Vec2f> flow(kHeight, kWidth, cv::Vec2f(1, 2));
   seeds.push_back({"flow/small", vo::encode_flow(flow)});
   for (const auto& [chroma, name] : enum_names(vo::ChromaSampling{})) {

@@ -10,7 +10,7 @@ const synth::SceneFile& SequenceJobs::scene_of(const DatasetSequence& sequence) 
     return open->second;
   }
   scenes_.clear();  // sequences are sorted by scene: the one before is not needed again
-  synth::GltfOptions parts = sequence.scenario.scene.parts;
+  synth::GltfOptions parts = sequence.scenario.resolved_parts();
   parts.needed = synth::needed_textures(
       {.render = sequence.scenario.render, .channels = {.channels = spec_.channels()}});
   return scenes_.emplace(sequence.scene, synth::SceneFile(sequence.scenario.scene_file(), parts))

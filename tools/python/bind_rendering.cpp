@@ -9,7 +9,7 @@
 
 #include "synth/camera/make_renderer.h"
 #include "synth/camera/metering.h"
-#include "synth/gltf/gltf.h"
+#include "synth/gltf/scene_file.h"
 #include "synth/rendering/renderer.h"
 #include "synth/sensor/sensor.h"
 #include "tools/python/arrays.h"
@@ -36,11 +36,15 @@ struct PyRenderer {
   std::unique_ptr<const synth::Renderer> renderer;
 };
 
-std::shared_ptr<PyScene> load_scene(const std::string& path) {
+std::shared_ptr<PyScene> load_scene(const std::string& path, const std::string& environment,
+                                    double environment_turn, double environment_strength) {
   const py::gil_scoped_release no_gil;
-  auto loaded = std::make_shared<PyScene>();
-  loaded->scene = synth::load_gltf(path, &loaded->notes);
-  return loaded;
+  synth::GltfOptions options;
+  options.environment = environment;
+  options.environment_turn = environment_turn;
+  options.environment_strength = environment_strength;
+  const synth::SceneFile file(path, options);
+  return std::make_shared<PyScene>(PyScene{file.scene(), file.notes()});
 }
 
 PyRenderer make_renderer(const std::shared_ptr<PyScene>& scene,
@@ -106,7 +110,9 @@ py::dict render(const PyRenderer& self, const vo::RgbdCamera& camera,
 
 void bind_rendering(py::module_& module) {
   py::class_<PyScene, std::shared_ptr<PyScene>>(module, "Scene", "A glTF 2.0 scene.")
-      .def(py::init(&load_scene), py::arg("path"))
+      .def(py::init(&load_scene), py::arg("path"), py::arg("environment") = "",
+           py::arg("environment_turn") = 0.0, py::arg("environment_strength") = 1.0,
+           "environment: equirectangular image of light from all sides (.hdr), turned in deg")
       .def_readonly("notes", &PyScene::notes, "what was left out of the file")
       .def_property_readonly("meshes", [](const PyScene& s) { return s.scene.meshes.size(); })
       .def_property_readonly(

@@ -99,7 +99,7 @@ std::vector<BoundCheck> check_bounds(const Metrics& metrics,
 }
 
 synth::RenderJob render_job(const Scenario& scenario) {
-  synth::GltfOptions parts = scenario.scene.parts;
+  synth::GltfOptions parts = scenario.resolved_parts();
   parts.needed = synth::needed_textures({.render = scenario.render});
   return render_job(scenario, synth::SceneFile(scenario.scene_file(), parts));
 }

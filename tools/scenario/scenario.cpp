@@ -205,6 +205,12 @@ synth::PathOptions Scenario::resolved_path() const {
   return result;
 }
 
+synth::GltfOptions Scenario::resolved_parts() const {
+  synth::GltfOptions result = scene.parts;
+  result.environment = resolved(result.environment, folder_of(file) / ".." / "assets").string();
+  return result;
+}
+
 Scenario make_scenario(const std::vector<vo::TomlValue>& values, const fs::path& file,
                        const Assignments& changes) {
   Scenario scenario;

@@ -186,9 +186,10 @@ struct Scenario {
   ScoreOptions score;
   std::map<std::string, Bound> expect;  ///< bounds by metric; empty if others judge
 
-  std::filesystem::path scene_file() const;  ///< relative to ../assets of the file's folder
-  void require_scene() const;                ///< throws vo::Error unless the scene's file exists
-  synth::PathOptions resolved_path() const;  ///< path with its file relative to the scenario's
+  std::filesystem::path scene_file() const;   ///< relative to ../assets of the file's folder
+  void require_scene() const;                 ///< throws vo::Error unless the scene's file exists
+  synth::PathOptions resolved_path() const;   ///< path with its file relative to the scenario's
+  synth::GltfOptions resolved_parts() const;  ///< scene.parts, its environment as the scene's file
 };
 
 /// Visits all fields of a scenario file except the bounds.

@@ -43,6 +43,9 @@ EntryPlaces places_of(const fs::path& cache, const std::string& key) {
 
 std::string key_of(const synth::RenderJob& job) {
   synth::GltfOptions parts = job.scene.options();
+  if (!parts.environment.empty()) {
+    parts.environment = vo::content_hash(vo::read_file(parts.environment));
+  }
   return vo::content_hash(vo::concat(generator_hash(), "\n", scene_files_hash(job.scene.path()),
                                      "\n", vo::format_toml(vo::fields_of(parts)), "\n",
                                      synth::format_recipe(job)));

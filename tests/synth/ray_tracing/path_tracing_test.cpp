@@ -95,6 +95,62 @@ TEST(Path, AMaskedLampShinesByItsShare) {
   EXPECT_NEAR(mean_green(render(half, options).radiance), whole / 4, 0.01 * whole);
 }
 
+/// A ball of this material in an environment of radiance 1 on all sides.
+Scene ball_in_white(const Material& material) {
+  Scene scene;
+  constexpr int kRows = 24;
+  Mesh ball;
+  for (int v = 0; v <= kRows; ++v) {
+    for (int u = 0; u <= 2 * kRows; ++u) {
+      const double colatitude = kPi * v / kRows;
+      const double longitude = kPi * u / kRows;
+      ball.normals.emplace_back(Vector3d(std::sin(colatitude) * std::cos(longitude),
+                                         std::cos(colatitude),
+                                         std::sin(colatitude) * std::sin(longitude))
+                                    .cast<float>());
+      ball.positions.emplace_back(0.5F * ball.normals.back() + Vector3f(0, 0, 2));
+    }
+  }
+  for (int v = 0; v < kRows; ++v) {
+    for (int u = 0; u < 2 * kRows; ++u) {
+      const int a = v * (2 * kRows + 1) + u;
+      const int b = a + 2 * kRows + 1;
+      ball.triangles.insert(ball.triangles.end(), {{a, a + 1, b}, {a + 1, b + 1, b}});
+    }
+  }
+  add(scene, ball, material);
+  scene.environment.radiance.create(16, 32);
+  scene.environment.radiance = cv::Vec3f(1, 1, 1);
+  return scene;
+}
+
+TEST(Environment, AWhiteBallCannotBeSeenBeforeAWhiteSky) {
+  const RenderedFrame frame =
+      render(ball_in_white(diffuse({1, 1, 1})),
+             {.mode = RenderMode::path, .samples = 256, .ambient = 0, .bounces = 8});
+  EXPECT_EQ(frame.radiance(0, 0), cv::Vec3f(1, 1, 1));
+  const cv::Rect inside(kCentre - cv::Point(5, 5), cv::Size(11, 11));
+  EXPECT_NEAR(mean_green(frame.radiance(inside)), 1, 1e-3);
+}
+
+TEST(Environment, InDirectLightABallShowsItsBaseColour) {
+  const RenderedFrame frame = render(ball_in_white(diffuse({0.25F, 0.5F, 1})), {});
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(frame.radiance(kCentre)[i], 0.25 * std::pow(2, i), 3e-3);
+  }
+}
+
+TEST(Environment, OfHalfASkyHalfArrives) {
+  Scene scene;
+  add(scene, square_at(2, 4), diffuse({1, 1, 1}));  // faces +z, behind the camera
+  scene.environment.radiance.create(64, 128);
+  scene.environment.radiance = cv::Vec3f(0, 0, 0);
+  scene.environment.radiance.rowRange(0, 32) = cv::Vec3f(1, 1, 1);
+  const RenderedFrame frame =
+      render(scene, {.mode = RenderMode::path, .samples = 1024, .ambient = 0, .bounces = 1});
+  EXPECT_NEAR(frame.radiance(kCentre)[1], 0.5, 0.005);
+}
+
 TEST(Path, NoiseFallsAtLeastAsTheRootOfTheSamples) {
   const auto noise = [](int samples) {
     const RenderedFrame frame =

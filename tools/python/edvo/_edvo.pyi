@@ -212,7 +212,13 @@ class Sequence:
     def __iter__(self) -> Iterator[Frame]: ...
 
 class Scene:
-    def __init__(self, path: str) -> None: ...
+    def __init__(
+        self,
+        path: str,
+        environment: str = "",
+        environment_turn: float = 0.0,
+        environment_strength: float = 1.0,
+    ) -> None: ...
     @property
     def notes(self) -> list[str]: ...
     @property
