@@ -95,6 +95,22 @@ Eigen::Vector3f read_emission(const tinygltf::Material& source) {
   return emission;
 }
 
+/// Returns the strength of dielectric reflection, 1 without KHR_materials_specular.
+float read_specular(const tinygltf::Material& source, Notes& notes) {
+  const auto extension = source.extensions.find("KHR_materials_specular");
+  if (extension == source.extensions.end()) {
+    return 1;
+  }
+  for (const char* name : {"specularTexture", "specularColorFactor", "specularColorTexture"}) {
+    if (extension->second.Has(name)) {
+      add_note(notes, std::string(name) + " of KHR_materials_specular is left out");
+    }
+  }
+  return extension->second.Has("specularFactor")
+             ? static_cast<float>(extension->second.Get("specularFactor").GetNumberAsDouble())
+             : 1;
+}
+
 }  // namespace
 
 MaterialReader::MaterialReader(GltfReading& reading, Scene& scene, NeededTextures needed)
@@ -143,7 +159,7 @@ void MaterialReader::read_surface(const tinygltf::Material& source, Material& ma
            is_opaque ? NeededTextures::base_color : NeededTextures::alpha);
   material.metallic = static_cast<float>(pbr.metallicFactor);
   material.roughness = static_cast<float>(pbr.roughnessFactor);
-  material.specular = 1;
+  material.specular = read_specular(source, reading_.notes);
 }
 
 /// Reads what only a lit material has: emission and all textures but the base colour's.

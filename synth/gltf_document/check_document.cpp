@@ -25,10 +25,9 @@ namespace {
 using vo::require;
 
 constexpr std::array kSupportedExtensions = {
-    "EXT_mesh_gpu_instancing",         "EXT_meshopt_compression",
-    "KHR_draco_mesh_compression",      "KHR_lights_punctual",
-    "KHR_materials_emissive_strength", "KHR_materials_unlit",
-    "KHR_mesh_quantization",           "KHR_texture_transform"};
+    "EXT_mesh_gpu_instancing", "EXT_meshopt_compression",         "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",     "KHR_materials_emissive_strength", "KHR_materials_specular",
+    "KHR_materials_unlit",     "KHR_mesh_quantization",           "KHR_texture_transform"};
 
 /// Unsupported extensions with the glTF Transform command that writes a file without each.
 constexpr std::array<std::pair<const char*, const char*>, 5> kConversions = {
@@ -156,6 +155,11 @@ void check_material(const JsonObject& material, std::size_t textures) {
   if (const auto strength = material.extension("KHR_materials_emissive_strength")) {
     require(strength->number("emissiveStrength").value_or(1) >= 0, strength->place(),
             ": emissiveStrength is negative, expected 0 or more");
+  }
+  if (const auto specular = material.extension("KHR_materials_specular")) {
+    const double factor = specular->number("specularFactor").value_or(1);
+    require(factor >= 0 && factor <= 1, specular->place(), ": specularFactor is ", factor,
+            ", expected 0 to 1");
   }
 }
 

@@ -75,6 +75,17 @@ TEST(MaterialReader, MultipliesEmissionByItsStrengthAndKeepsItsTexture) {
   EXPECT_EQ(material.emissive_texture.texcoord_set, 1);
 }
 
+TEST(MaterialReader, ReadsHowStrongADielectricReflectsAndNotesItsColour) {
+  GltfDocument document = textured_document();
+  document.json["materials"][0] = {
+      {"extensions",
+       {{"KHR_materials_specular",
+         {{"specularFactor", 0.25}, {"specularColorFactor", {1, 0, 0}}}}}}};
+  Notes notes;
+  EXPECT_EQ(load(document, kRed, {}, &notes).materials.at(0).specular, 0.25F);
+  EXPECT_THAT(notes, testing::Contains(testing::HasSubstr("specularColorFactor")));
+}
+
 TEST(MaterialReader, ReadsTheSurfaceAndItsMaps) {
   GltfDocument document = textured_document();
   document.json["materials"][0] = {{"name", "brass"},

@@ -165,6 +165,8 @@ TEST(BadLayout, ReferencesOfExtensionsThatAreIgnoredMustHold) {
               HasSubstr("sheenColorTexture: index is 0, expected none"));
   EXPECT_THAT(material({{"KHR_materials_emissive_strength", {{"emissiveStrength", -1}}}}),
               HasSubstr("emissiveStrength is negative"));
+  EXPECT_THAT(material({{"KHR_materials_specular", {{"specularFactor", 1.5}}}}),
+              HasSubstr("specularFactor is 1.5, expected 0 to 1"));
   EXPECT_THAT(error_with("/meshes/0/primitives/0/extensions",
                          {{"KHR_materials_variants", {{"mappings", {{{"material", 0}}}}}}}),
               HasSubstr("material is 0, expected none"));

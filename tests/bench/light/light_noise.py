@@ -1,0 +1,115 @@
+#!/usr/bin/env python3
+"""light_noise.py OUT [--samples 4,16,64,256] [--reference 4096]: noise of path tracing against its time.
+
+Renders a box with a lamp by `edvo` (its Python module, e.g. PYTHONPATH=build/release/python) and, where Blender is
+installed, by Cycles, one thread each, and prints for each number of samples the CPU time and the noise: the
+root-mean-square difference from the same renderer's picture of --reference samples, over its mean, in pixels
+below the lamp's brightness. Writes OUT/noise.json and, where matplotlib is installed, OUT/noise.svg."""
+
+import argparse
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import time
+
+import numpy as np
+
+import edvo
+from lamp_box import lamp_box
+
+WIDTH, HEIGHT, FOCAL, EYE = 80, 60, 60, (0, 0, 1.8)  # px, px, px, m
+REFLECTIONS = 8
+LAMP = 6  # radiance; what is brighter is the lamp or shows it
+
+
+def render_by_edvo(scene, samples):
+    options = edvo.RenderOptions()
+    options.mode, options.samples, options.ambient, options.bounces = "path", samples, 0, REFLECTIONS
+    camera = edvo.Camera(width=WIDTH, height=HEIGHT, fx=FOCAL, fy=FOCAL, cx=(WIDTH - 1) / 2, cy=(HEIGHT - 1) / 2)
+    pose = np.diag([1.0, -1.0, -1.0, 1.0])
+    pose[:3, 3] = EYE
+    renderer = edvo.Renderer(edvo.Scene(str(scene)), options, exposure=1)
+    begun = time.process_time()
+    picture = np.array(renderer.render(camera, pose, ["image"])["radiance"])
+    return picture, time.process_time() - begun
+
+
+def render_by_cycles(scene, samples):
+    script = pathlib.Path(__file__).with_name("render_by_cycles.py")
+    out = scene.with_name("cycles.npy")
+    command = ["blender", "-b", "-P", script, "--", scene, out, str(samples), str(REFLECTIONS)]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    seconds = [float(line.split()[1]) for line in done.stdout.splitlines() if line.startswith("CPU ")]
+    picture = np.load(out)
+    os.remove(out)
+    return picture, seconds[0]
+
+
+def curve_of(render, scene, samples, reference):
+    """Return the converged picture and a list of samples, CPU seconds and noise."""
+    converged, _ = render(scene, reference)
+    is_lit = converged.max(axis=-1) < LAMP
+    curve = []
+    for count in samples:
+        picture, seconds = render(scene, count)
+        error = (picture - converged)[is_lit]
+        noise = float(np.sqrt((error**2).mean()) / converged[is_lit].mean())
+        curve.append({"samples": count, "cpu_s": seconds, "noise": noise})
+    return converged, curve
+
+
+def plot(curves, path):
+    import matplotlib
+
+    matplotlib.use("svg")
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(figsize=(5, 3.5))
+    for name, curve in curves.items():
+        axes.loglog([p["cpu_s"] for p in curve], [p["noise"] for p in curve], "o-", label=name)
+    axes.set_xlabel("CPU time [s]")
+    axes.set_ylabel("noise, rms over mean")
+    axes.grid(True, which="both", alpha=0.3)
+    axes.legend()
+    figure.tight_layout()
+    figure.savefig(path, metadata={"Date": None})
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("out", type=pathlib.Path)
+    parser.add_argument("--samples", default="4,16,64,256")
+    parser.add_argument("--reference", type=int, default=4096)
+    arguments = parser.parse_args()
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    scene = arguments.out.resolve() / "lamp_box.gltf"
+    scene.write_text(lamp_box())
+    samples = [int(count) for count in arguments.samples.split(",")]
+    renderers = {"edvo": render_by_edvo}
+    if shutil.which("blender"):
+        renderers["Cycles"] = render_by_cycles
+    curves, converged = {}, {}
+    print("renderer  samples   CPU s   noise")
+    for name, render in renderers.items():
+        converged[name], curves[name] = curve_of(render, scene, samples, arguments.reference)
+        for point in curves[name]:
+            print(f"{name:8} {point['samples']:8} {point['cpu_s']:7.2f} {point['noise']:7.4f}")
+    result = {"curves": curves}
+    if len(converged) == 2:
+        ours, theirs = converged["edvo"], converged["Cycles"]
+        is_lit = (ours.max(axis=-1) < LAMP) & (theirs.max(axis=-1) < LAMP)
+        result["mean_ratio"] = float(ours[is_lit].mean() / theirs[is_lit].mean())
+        result["median_difference"] = float(np.median(np.abs(ours - theirs)[is_lit]) / theirs[is_lit].mean())
+        print(f"mean of edvo's over mean of Cycles': {result['mean_ratio']:.4f}; "
+              f"median difference {result['median_difference']:.4f} of the mean")
+    (arguments.out / "noise.json").write_text(json.dumps(result, indent=1) + "\n")
+    try:
+        plot(curves, arguments.out / "noise.svg")
+    except ImportError:
+        print("no plot: matplotlib is not installed")
+
+
+if __name__ == "__main__":
+    main()
