@@ -66,7 +66,8 @@ struct ColorTracer::Step {
   const ColorPacket& packet;
   ColorMemory& memory;
   PacketColors& colors;
-  int index = 0;  ///< number of steps before this one
+  int index = 0;                                  ///< number of steps before this one
+  std::array<std::uint64_t, kPacketSize> bits{};  ///< random in mode `path`, of each sample's pixel
   LitPoints lit;
   PathLegs next;
 };
@@ -95,6 +96,12 @@ PacketColors ColorTracer::trace(ColorPacket& packet, ColorMemory& memory) const 
     packet.start.legs[i] = {i, Eigen::Vector3f::Ones(), 0, 0};
   }
   Step step(packet, memory, colors);
+  if (mode_ == RenderMode::path) {
+    const vo::RandomField field(packet.seed, kPaths, 0);
+    std::transform(packet.ids.begin(), packet.ids.begin() + packet.start.rays.size,
+                   step.bits.begin(),
+                   [&](const SampleId& id) { return field.bits(id.pixel.x, id.pixel.y); });
+  }
   advance(packet.start, step);
   while (step.next.rays.size > 0 && step.index < bounces_ + kMaxLayers) {
     PathLegs legs = step.next;
@@ -379,10 +386,9 @@ Lanes3 ColorTracer::places_on_light(std::size_t light_index, const Step& step) c
 /// Returns two random numbers in [0, 1) in mode `path`, other ones for each step and use of a path.
 Eigen::Vector2f ColorTracer::draw(const Step& step, const PathLeg& leg, std::size_t use) const {
   const std::size_t uses = of_lights + lights_.size();
-  const auto purpose = static_cast<int>(static_cast<std::size_t>(step.index) * uses + use);
-  const SampleId& id = step.packet.ids[leg.sample];
-  const vo::RandomField field(step.packet.seed, kPaths, 0);
-  return scrambled_sobol(field.bits(id.pixel.x, id.pixel.y, purpose), id.sample);
+  const std::uint64_t purpose = static_cast<std::size_t>(step.index) * uses + use;
+  return scrambled_sobol(vo::mixed(step.bits[leg.sample] + purpose),
+                         step.packet.ids[leg.sample].sample);
 }
 
 /// Returns two random numbers in [0, 1) for a light in modes other than `path`, whose samples of a

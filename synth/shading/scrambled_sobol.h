@@ -51,13 +51,12 @@ constexpr SobolTable sobol_table() {
 inline constexpr SobolTable kSobolTable = sobol_table();
 
 /// Returns the n-th point of Sobol's sequence in [0, 1) x [0, 1), scrambled and taken in an order
-/// that `bits` encode. Of the first 2^m points every box of 2^-a x 2^-(m - a) holds one. Sequences
-/// of different bits are independent of each other, so that several span more dimensions.
+/// that random `bits` encode. Of the first 2^m points every box of 2^-a x 2^-(m - a) holds one.
+/// Sequences of different bits are independent of each other, so that several span more dimensions.
 inline Eigen::Vector2f scrambled_sobol(std::uint64_t bits, int n) {
-  const std::uint64_t order_and_first = vo::mixed(bits);
-  const auto of_order = static_cast<std::uint32_t>(order_and_first >> 32U);
-  const auto of_first = static_cast<std::uint32_t>(order_and_first);
-  const auto of_second = static_cast<std::uint32_t>(vo::mixed(order_and_first));
+  const auto of_order = static_cast<std::uint32_t>(bits >> 32U);
+  const auto of_first = static_cast<std::uint32_t>(bits);
+  const auto of_second = static_cast<std::uint32_t>(vo::mixed(bits));
   const std::uint32_t index =
       reversed_bits(flipped_upwards(reversed_bits(static_cast<std::uint32_t>(n)), of_order));
   const std::uint32_t second = kSobolTable[0][index & 0xffU] ^ kSobolTable[1][index >> 8U & 0xffU] ^

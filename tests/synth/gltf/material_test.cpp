@@ -82,8 +82,8 @@ TEST(MaterialReader, ReadsHowStrongADielectricReflectsAndNotesItsColour) {
        {{"KHR_materials_specular",
          {{"specularFactor", 0.25}, {"specularColorFactor", {1, 0, 0}}}}}}};
   Notes notes;
-  EXPECT_EQ(load(document, kRed, {}, &notes).materials.at(0).specular, 0.25F);
-  EXPECT_THAT(notes, testing::Contains(testing::HasSubstr("specularColorFactor")));
+  EXPECT_EQ(load(document, kRed, &notes).materials.at(0).specular, 0.25F);
+  EXPECT_THAT(notes, Contains(HasSubstr("specularColorFactor")));
 }
 
 TEST(MaterialReader, ReadsTheSurfaceAndItsMaps) {

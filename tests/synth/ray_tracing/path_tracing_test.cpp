@@ -95,7 +95,7 @@ TEST(Path, AMaskedLampShinesByItsShare) {
   EXPECT_NEAR(mean_green(render(half, options).radiance), whole / 4, 0.01 * whole);
 }
 
-/// A ball of this material in an environment of radiance 1 on all sides.
+/// A ball of flat triangles and this material in an environment of radiance 1 on all sides.
 Scene ball_in_white(const Material& material) {
   Scene scene;
   constexpr int kRows = 24;
@@ -104,11 +104,9 @@ Scene ball_in_white(const Material& material) {
     for (int u = 0; u <= 2 * kRows; ++u) {
       const double colatitude = kPi * v / kRows;
       const double longitude = kPi * u / kRows;
-      ball.normals.emplace_back(Vector3d(std::sin(colatitude) * std::cos(longitude),
-                                         std::cos(colatitude),
-                                         std::sin(colatitude) * std::sin(longitude))
-                                    .cast<float>());
-      ball.positions.emplace_back(0.5F * ball.normals.back() + Vector3f(0, 0, 2));
+      const Vector3d out(std::sin(colatitude) * std::cos(longitude), std::cos(colatitude),
+                         std::sin(colatitude) * std::sin(longitude));
+      ball.positions.push_back((0.5 * out + Vector3d(0, 0, 2)).cast<float>());
     }
   }
   for (int v = 0; v < kRows; ++v) {

@@ -89,7 +89,7 @@ TEST(EnvironmentLight, DrawnLightOverItsDensitySumsToAllOfIt) {
   Vector3d drawn = Vector3d::Zero();
   constexpr int kDraws = 1 << 14;
   for (int i = 0; i < kDraws; ++i) {
-    const DrawnLight sample = light.draw(scrambled_sobol(3, i));
+    const DrawnLight sample = light.draw(scrambled_sobol(vo::mixed(3), i));
     ASSERT_GT(sample.density, 0);
     EXPECT_NEAR(sample.to_light.norm(), 1, 1e-5);
     drawn += (sample.radiance / sample.density).cast<double>() / kDraws;

@@ -28,7 +28,8 @@ TEST(ScrambledSobol, SequencesOfOtherBitsAreIndependent) {
   constexpr int kCount = 4096;
   double sum = 0;
   for (int n = 0; n < kCount; ++n) {
-    sum += (scrambled_sobol(7, n).x() - 0.5) * (scrambled_sobol(8, n).x() - 0.5);
+    sum +=
+        (scrambled_sobol(vo::mixed(7), n).x() - 0.5) * (scrambled_sobol(vo::mixed(8), n).x() - 0.5);
   }
   EXPECT_NEAR(sum / kCount, 0, 4.0 / 12 / 64);  // 4 sigma of independent numbers, each of 1/12
 }
