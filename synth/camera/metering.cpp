@@ -71,7 +71,8 @@ Metering meter(const Renderer& renderer, const vo::PinholeCamera& camera,
 
 double meter_exposure(const Scene& scene, const RenderersOverTime& renderers,
                       const vo::PinholeCamera& camera, const vo::Trajectory& trajectory) {
-  if (scene.lights.empty() || !has_lit_surface(scene) || trajectory.empty()) {
+  const bool has_default_sky = scene.lights.empty() && scene.environment.empty();
+  if (has_default_sky || !has_lit_surface(scene) || trajectory.empty()) {
     return 1;
   }
   const vo::PinholeCamera small = metering_camera(camera);

@@ -24,7 +24,7 @@ struct GltfOptions {
   std::string animation;  ///< "" = all but those that move what an earlier one does; "none"; or one
   bool loop = false;      ///< animations restart at their end instead of holding their last pose
   double scale = 1;       ///< factor of all lengths, for a file whose unit is not the metre
-  std::string environment;          ///< file of Scene::environment (.hdr), read by SceneFile
+  std::string environment;          ///< of Scene::environment, as SceneFile reads it
   double environment_turn = 0;      ///< deg about +y, of that image
   double environment_strength = 1;  ///< factor of its light
   NeededTextures needed = NeededTextures::all;
@@ -38,7 +38,8 @@ void visit_fields(Visitor& visit, GltfOptions& options) {
   visit("animation", options.animation, "animation that plays, name or number, or none [all]");
   visit("loop", options.loop, "animations start again at their end instead of holding still");
   visit("scale", options.scale, "factor of the whole scene, 0.001 for a file in millimetres");
-  visit("environment", options.environment, "light from all sides, an equirectangular FILE.hdr");
+  visit("environment", options.environment,
+        "light from all sides: FILE.hdr, or sky:ELEVATION[,TURBIDITY], deg");
   visit("environment_turn", options.environment_turn, "of the environment about the vertical, deg");
   visit("environment_strength", options.environment_strength, "factor of the environment's light");
 }

@@ -44,15 +44,19 @@ float height_of_edge(int row, int rows) {
   return std::cos(pi_v<float> * static_cast<float>(row) / static_cast<float>(rows));
 }
 
-/// Returns the brightest channel around a pixel: radiance is interpolated between neighbours.
-float brightness_around(const cv::Mat_<cv::Vec3f>& image, int v, int u) {
+/// Returns the mean over a pixel of its brightest channel, where radiance is interpolated between
+/// neighbours: three quarters of it is the pixel's own along each axis, an eighth each neighbour's.
+float mean_brightness(const cv::Mat_<cv::Vec3f>& image, int v, int u) {
+  constexpr std::array<float, 3> kShares = {0.125F, 0.75F, 0.125F};
   float sum = 0;
   for (int dv = -1; dv <= 1; ++dv) {
     for (int du = -1; du <= 1; ++du) {
-      sum += at_pixel(image, v + dv, u + du).maxCoeff();
+      sum += kShares.at(static_cast<std::size_t>(dv + 1)) *
+             kShares.at(static_cast<std::size_t>(du + 1)) *
+             at_pixel(image, v + dv, u + du).maxCoeff();
     }
   }
-  return sum / 9;
+  return sum;
 }
 
 /// Returns the index of the first sum above a random number's share of the last one, 1, and moves
@@ -114,7 +118,7 @@ EnvironmentLight::EnvironmentLight(const Environment& environment)
   std::vector<double> of_columns(static_cast<std::size_t>(image.cols));
   for (int v = 0; v < image.rows; ++v) {
     for (int u = 0; u < image.cols; ++u) {
-      of_columns[static_cast<std::size_t>(u)] = brightness_around(image, v, u);
+      of_columns[static_cast<std::size_t>(u)] = mean_brightness(image, v, u);
     }
     of_rows[static_cast<std::size_t>(v)] =
         normalise(&columns_[column_begin(v)], of_columns) * solid_angle(v);

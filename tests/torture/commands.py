@@ -30,7 +30,24 @@ MONO = """[odometry]
 mode = "mono"
 mono.bootstrap = "rgbd"
 """
-SCENARIOS = {"rgbd.toml": SCENARIO, "mono.toml": SCENARIO + MONO}
+DATASET = """name = "torture"
+seeds = 1
+part_frames = 3
+[camera]
+width = 64
+height = 48
+[render]
+samples = 1
+[path]
+rate = 10
+duration = 0.5
+[scenes.box]
+gltf = "{assets}/plane_and_box/plane_and_box.gltf"
+[paths.orbit]
+kind = "orbit"
+orbit.radius = 2.0
+"""
+SCENARIOS = {"rgbd.toml": SCENARIO, "mono.toml": SCENARIO + MONO, "dataset.toml": DATASET}
 
 # Made once: the inputs of the commands below.
 INPUTS = [
@@ -56,6 +73,9 @@ COMMANDS = [
     Command("shards", [f"{RENDER} --shard 1/2 --out out", f"{RENDER} --shard 2/2 --out out"]),
     Command("unsynced", [f"{RENDER} --no-sync --out out"]),
     Command("force", [f"{RENDER} --ambient 0.5 --force --out out"], [f"{RENDER} --out out"]),
+    Command("path", [f"{RENDER} --mode path --environment sky:30 --out out"]),
+    Command("dataset", ["dataset render {inputs}/dataset.toml --out out --quiet",
+                        "dataset merge {inputs}/dataset.toml --out out --quiet"]),
     Command("run", ["run {inputs}/rgbd.toml --debug-images 3 --quiet --out out"]),
     Command("run_mono", ["run {inputs}/mono.toml --debug-images 3 --quiet --out out"]),
     Command("test", ["test {inputs}/rgbd.toml --cache cache --quiet --junit junit.xml --json results.json "
@@ -74,6 +94,7 @@ COMMANDS = [
     Command("kitti_odometry", ["convert {inputs}/sequence out --format kitti --quiet"]),
     Command("colmap", ["convert {inputs}/sequence out --format colmap --quiet"]),
     Command("transforms_json", ["convert {inputs}/sequence out --format transforms-json --quiet"]),
+    Command("video", ["convert {inputs}/sequence out.avi --format video --quiet"]),
     Command("tum", ["convert {inputs}/sequence out --format tum --quiet"]),
     Command("ablate", ["ablate {inputs}/sequence --study levels --max-frames 4 --seeds 1 --quiet --out out"]),
     Command("sweep", ["sweep {inputs}/rgbd.toml --set odometry.tracker.pyramid.levels=2,3 --cache cache --quiet "

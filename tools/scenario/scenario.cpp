@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "synth/gltf/environment.h"
 #include "synth/sensor/preset.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
@@ -207,7 +208,9 @@ synth::PathOptions Scenario::resolved_path() const {
 
 synth::GltfOptions Scenario::resolved_parts() const {
   synth::GltfOptions result = scene.parts;
-  result.environment = resolved(result.environment, folder_of(file) / ".." / "assets").string();
+  if (synth::is_environment_file(result.environment)) {
+    result.environment = resolved(result.environment, folder_of(file) / ".." / "assets").string();
+  }
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "synth/gltf/environment.h"
 #include "synth/gltf/gltf.h"
 #include "tools/sequence_cache/folder_hash.h"
 #include "tools/sequence_cache/generator_hash.h"
@@ -43,7 +44,7 @@ EntryPlaces places_of(const fs::path& cache, const std::string& key) {
 
 std::string key_of(const synth::RenderJob& job) {
   synth::GltfOptions parts = job.scene.options();
-  if (!parts.environment.empty()) {
+  if (synth::is_environment_file(parts.environment)) {
     parts.environment = vo::content_hash(vo::read_file(parts.environment));
   }
   return vo::content_hash(vo::concat(generator_hash(), "\n", scene_files_hash(job.scene.path()),
