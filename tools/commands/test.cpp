@@ -15,6 +15,7 @@
 #include "tools/cli/task_share.h"
 #include "tools/cli/watched_run.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/trial_arguments.h"
 #include "tools/json/document.h"
 #include "tools/laboratory/baseline.h"
 #include "tools/laboratory/comparison.h"
@@ -102,10 +103,7 @@ struct TestArguments {
   std::string baseline;
   bool update_baseline = false;
   std::string save_baseline;
-  std::string shard;       ///< K/N
-  std::size_t shards = 0;  ///< 0 = not given
-  std::string trials;      ///< folder that a share's trials are written into
-  std::string collect;     ///< folder that all trials are read from
+  ShareArguments shares;
   RunSettings run;
   ComparisonOptions comparison;
 };
@@ -135,25 +133,17 @@ void complete_judges(TestArguments& arguments) {
   }
 }
 
-/// Checks the options of shares, of which --trials runs some and --collect takes all.
+/// Checks the options of shares, which are not judged before all are collected.
 void check_shares(const TestArguments& arguments) {
-  const auto expect = [](bool holds, const char* what) {
-    if (!holds) {
-      vo::fail_as(vo::ErrorKind::usage, what);
-    }
-  };
-  const bool runs = !arguments.trials.empty();
-  const bool collects = !arguments.collect.empty();
-  expect(!runs || !collects, "--trials: expected no --collect with it");
-  expect(runs || arguments.shard.empty(), "--shard: expected --trials DIR with it");
-  expect(runs || collects || arguments.shards == 0,
-         "--shards: expected --trials DIR or --collect DIR with it");
+  arguments.shares.check();
   for (const std::string& judging :
        {arguments.junit, arguments.json, arguments.report, arguments.bounds, arguments.baseline,
         arguments.save_baseline}) {
-    expect(!runs || judging.empty(),
-           "--trials: expected no --junit, --json, --report, --bounds or baseline with it; "
-           "--collect takes them");
+    if (arguments.shares.runs_share() && !judging.empty()) {
+      vo::fail_as(vo::ErrorKind::usage,
+                  "--trials: expected no --junit, --json, --report, --bounds or baseline with it; "
+                  "--collect takes them");
+    }
   }
 }
 
@@ -238,12 +228,6 @@ std::optional<TestResults> read_baseline(const TestArguments& arguments) {
   return read_results(arguments.baseline);
 }
 
-void print_notes(const std::vector<std::string>& notes, const Session& session) {
-  for (const std::string& note : notes) {
-    std::cerr << session.err.paint(Tone::caution, "edvo:") << " " << note << "\n";
-  }
-}
-
 std::vector<Change> changes_from(const TestResults& baseline, const TestResults& results,
                                  const ComparisonOptions& options, const Session& session) {
   print_notes(baseline_notes(baseline, results), session);
@@ -281,52 +265,39 @@ int judge(const TestArguments& arguments, const TestResults& results,
 /// Runs the trials of a share, which are judged when all are collected.
 int test_share(const TestArguments& arguments, const std::vector<fs::path>& files, ProgressBar& bar,
                const Session& session) {
-  const TaskShare task = chosen_share(arguments.shard, arguments.shards);
-  const std::string name = vo::concat("share ", task.task, "/", task.tasks);
+  const TaskShare task = chosen_share(arguments.shares.shard, arguments.shares.shards);
   const std::size_t trials = files.size() * static_cast<std::size_t>(arguments.run.seeds);
-  WatchedTrials watched(arguments.live, name, trials / task.tasks + 1);
+  WatchedTrials watched(arguments.live, share_name(task), trials / task.tasks + 1);
   const ShareOutcome outcome = run_share(
-      files, {{task.task, task.tasks}, {arguments.trials, policy_of(arguments).durability}},
+      load_scenarios(files, BoundsSource::none),
+      {{task.task, task.tasks}, {arguments.shares.trials, policy_of(arguments).durability}},
       arguments.run, watched.progress(bar.callback()), throw_if_interrupted,
       [&](const TrialJob& job, const TrialResult& trial) {
         watched.tell(trial_name(job), trial_word(job, trial, arguments.run), trial_figures(trial));
       });
   bar.erase();
-  print_notes(outcome.unusable, session);
-  print_notes(outcome.temporary, session);
-  const std::string text =
-      vo::concat(name, ": ", outcome.trials, " trials, of which ", outcome.kept, " were there");
-  std::cout << text << "\n";
+  const std::string text = share_text(task, outcome);
+  const int code = print_share(text, outcome, session);
   watched.finish(text);
-  return !outcome.temporary.empty()  ? exit_code::kTemporary
-         : !outcome.unusable.empty() ? exit_code::kUnusableInput
-                                     : exit_code::kOk;
-}
-
-/// Says which trials are missing, and on stdout, unless a document goes there, which shares to run
-/// for them. Where nobody says how many shares there are, each trial is one.
-int report_missing(const TestArguments& arguments, const CollectedTrials& collected,
-                   const Session& session) {
-  const std::size_t shares = arguments.shards > 0 ? arguments.shards : collected.trials;
-  const std::string array = array_text(collected.missing_shares(shares));
-  std::cerr << error_line(
-      session.err, vo::concat(arguments.collect, ": ", collected.missing.size(), " of ",
-                              collected.trials, " trials are missing, shares ", array, " of ",
-                              shares, ": ", collected.names_of_missing()));
-  const std::set<std::string> outputs{arguments.json, arguments.junit, arguments.report};
-  if (!outputs.contains(vo::kStdoutPath)) {
-    std::cout << array << "\n";
-  }
-  return exit_code::kMissing;
+  return code;
 }
 
 int collect(const TestArguments& arguments, const std::vector<fs::path>& files,
             const std::optional<TestResults>& baseline, ProgressBar& bar, const Session& session) {
-  const CollectedTrials collected =
-      collect_trials(files, arguments.collect, arguments.run, bar.callback("collecting"));
+  std::vector<LoadedScenario> scenarios = load_scenarios(files, arguments.run.bounds);
+  CollectedTrials collected = collect_trials(scenarios, arguments.shares.collect, arguments.run,
+                                             bar.callback("collecting"));
   bar.erase();
-  return collected.missing.empty() ? judge(arguments, collected.results, baseline, session)
-                                   : report_missing(arguments, collected, session);
+  if (!collected.missing.empty()) {
+    const std::set<std::string> outputs{arguments.json, arguments.junit, arguments.report};
+    return print_missing(arguments.shares, collected,
+                         outputs.contains(vo::kStdoutPath) ? MissingShares::with_message
+                                                           : MissingShares::also_on_stdout,
+                         session);
+  }
+  return judge(arguments,
+               judge_trials(std::move(scenarios), std::move(collected.trials), arguments.run),
+               baseline, session);
 }
 
 int test(TestArguments& arguments, const Session& session) {
@@ -338,13 +309,14 @@ int test(TestArguments& arguments, const Session& session) {
   const std::vector<fs::path> files =
       find_scenarios({arguments.paths.begin(), arguments.paths.end()},
                      arguments.slow ? SlowScenarios::include : SlowScenarios::leave_out);
-  if (!arguments.report.empty() || !arguments.trials.empty() || !arguments.collect.empty()) {
+  const ShareArguments& shares = arguments.shares;
+  if (!arguments.report.empty() || shares.runs_share() || shares.collects()) {
     arguments.run.trial.pictures = pictures_of_each(files.size());
   }
-  if (!arguments.trials.empty()) {
+  if (shares.runs_share()) {
     return test_share(arguments, files, bar, session);
   }
-  if (!arguments.collect.empty()) {
+  if (shares.collects()) {
     return collect(arguments, files, baseline, bar, session);
   }
   WatchedTrials watched(arguments.live, vo::concat(files.size(), " scenarios"),
@@ -358,23 +330,6 @@ int test(TestArguments& arguments, const Session& session) {
   const int code = judge(arguments, results, baseline, session);
   watched.finish(passed_scenarios(results));
   return code;
-}
-
-void add_share_options(CLI::App& command, TestArguments& arguments) {
-  constexpr const char* kGroup = "Shares";
-  command
-      .add_option("--trials", arguments.trials, "write each trial into this folder, judge nothing")
-      ->group(kGroup);
-  command
-      .add_option("--shard", arguments.shard, "K/N, only every N-th trial from the K-th, K from 1")
-      ->group(kGroup);
-  command
-      .add_option("--shards", arguments.shards,
-                  "--shard K/N with K from SLURM_ARRAY_TASK_ID, SGE_TASK_ID, PBS_ARRAY_INDEX")
-      ->check(CLI::PositiveNumber)
-      ->group(kGroup);
-  command.add_option("--collect", arguments.collect, "judge the trials that are in this folder")
-      ->group(kGroup);
 }
 
 void add_run_options(CLI::App& command, TestArguments& arguments) {
@@ -413,7 +368,7 @@ void add_test_command(CLI::App& program, Session& session) {
                      "put the results into this baseline, beside other scenarios' in it");
   command.add_flag("--update-baseline", arguments->update_baseline,
                    "--save-baseline to the file of --baseline, without comparing");
-  add_share_options(command, *arguments);
+  add_share_options(command, arguments->shares);
   add_field_options(command, vo::fields_of(arguments->comparison), "Baseline");
   add_field_options(command, vo::fields_of(arguments->limits), "Limits of --tracker");
   take_streams(command, {.inputs = {"PATHS", "--baseline"},

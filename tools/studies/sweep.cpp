@@ -91,24 +91,17 @@ std::vector<Assignments> combine(const std::vector<SweptOption>& options) {
   return combinations;
 }
 
-std::vector<Combination> measure(const std::vector<fs::path>& scenarios,
-                                 const SweepSettings& settings, const vo::Progress& progress,
-                                 const vo::WaitObserver& waiting) {
+std::vector<Combination> rows_of(const std::vector<LoadedScenario>& scenarios,
+                                 const std::vector<TrialResult>& trials,
+                                 const SweepSettings& settings) {
+  const std::vector<Assignments> combinations = combine(settings.options);
   std::vector<Combination> rows;
-  std::vector<TrialJob> jobs;
-  for (const fs::path& file : scenarios) {
-    for (const Assignments& values : combine(settings.options)) {
-      const Scenario scenario = load_scenario(file, values);
-      rows.push_back({values, scenario.score, {.name = scenario.name, .why = scenario.why}});
-      for (int seed = 0; seed < settings.run.seeds; ++seed) {
-        jobs.push_back({scenario, seed});
-      }
-    }
-  }
-  std::vector<TrialResult> trials = run_trials(jobs, settings.run, progress, waiting);
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    rows[i / static_cast<std::size_t>(settings.run.seeds)].result.trials.push_back(
-        std::move(trials[i]));
+  auto next = trials.begin();
+  for (const LoadedScenario& loaded : scenarios) {
+    const Assignments& values = combinations[rows.size() % combinations.size()];
+    rows.push_back({values, loaded.scenario->score, loaded.result});
+    rows.back().result.trials.assign(next, next + settings.run.seeds);
+    next += settings.run.seeds;
   }
   return rows;
 }
@@ -264,7 +257,6 @@ std::vector<std::string> medians_of(const std::vector<Combination>& rows,
   return sentences;
 }
 
-/// Throws vo::Error where a trial may succeed later, so that no table is kept that lacks it.
 void require_no_temporary_problem(const std::vector<Combination>& rows) {
   for (const Combination& row : rows) {
     for (const TrialResult& trial : row.result.trials) {
@@ -278,9 +270,24 @@ void require_no_temporary_problem(const std::vector<Combination>& rows) {
 
 }  // namespace
 
-StudyReport sweep(const std::vector<fs::path>& scenarios, const SweepSettings& settings,
-                  const vo::Progress& progress, const vo::WaitObserver& waiting) {
-  const std::vector<Combination> rows = measure(scenarios, settings, progress, waiting);
+std::vector<LoadedScenario> swept_scenarios(const std::vector<fs::path>& files,
+                                            const std::vector<SweptOption>& options) {
+  const std::vector<Assignments> combinations = combine(options);
+  std::vector<LoadedScenario> scenarios;
+  for (const fs::path& file : files) {
+    for (const Assignments& values : combinations) {
+      Scenario scenario = load_scenario(file, values);
+      scenario.require_scene();
+      scenarios.push_back(
+          {.result = {.name = scenario.name, .why = scenario.why}, .scenario = scenario});
+    }
+  }
+  return scenarios;
+}
+
+StudyReport sweep_report(const std::vector<LoadedScenario>& scenarios,
+                         const std::vector<TrialResult>& trials, const SweepSettings& settings) {
+  const std::vector<Combination> rows = rows_of(scenarios, trials, settings);
   require_no_temporary_problem(rows);
   std::string title = "Sweep:";
   for (const auto& [key, values] : settings.options) {
@@ -292,7 +299,7 @@ StudyReport sweep(const std::vector<fs::path>& scenarios, const SweepSettings& s
         draw_panel(rows, settings.options.front(), kSweptMetrics.at(panels.size()), axis));
   }
   std::vector<std::string> findings = problems_of(rows);
-  if (scenarios.size() * static_cast<std::size_t>(settings.run.seeds) > 1) {
+  if (trials.size() > combine(settings.options).size()) {
     const std::vector<std::string> medians = medians_of(rows, settings);
     findings.insert(findings.end(), medians.begin(), medians.end());
   }

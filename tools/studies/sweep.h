@@ -18,11 +18,16 @@ struct SweepSettings {
   std::vector<SweptOption> options;  ///< options whose values are combined in every way
 };
 
-/// Measures every scenario with every combination of values: a row each with the means over the
-/// seeds and half the 95 % confidence interval. Throws vo::Error when an option or a value does not
-/// exist; a failed trial becomes a row without numbers and a finding.
-StudyReport sweep(const std::vector<std::filesystem::path>& scenarios,
-                  const SweepSettings& settings, const vo::Progress& progress,
-                  const vo::WaitObserver& waiting);
+/// Returns every scenario with every combination of values; those of the last option change
+/// fastest. Throws vo::Error when an option, a value or a scene does not exist.
+std::vector<LoadedScenario> swept_scenarios(const std::vector<std::filesystem::path>& files,
+                                            const std::vector<SweptOption>& options);
+
+/// Returns a row for each of the `swept_scenarios` with the means over the seeds and half the 95 %
+/// confidence interval. `trials` are those of all seeds of each, in order; a failed one becomes a
+/// row without numbers and a finding. Throws vo::Error of kind temporary where one may succeed
+/// later, so that no table is kept that lacks it.
+StudyReport sweep_report(const std::vector<LoadedScenario>& scenarios,
+                         const std::vector<TrialResult>& trials, const SweepSettings& settings);
 
 }  // namespace tools

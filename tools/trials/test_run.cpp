@@ -133,6 +133,16 @@ TestResults judge_trials(std::vector<LoadedScenario> scenarios, std::vector<Tria
   return results;
 }
 
+std::vector<TrialJob> trial_jobs(const std::vector<LoadedScenario>& scenarios, int seeds) {
+  std::vector<TrialJob> jobs;
+  for (const LoadedScenario& loaded : scenarios) {
+    for (int seed = 0; loaded.scenario && seed < seeds; ++seed) {
+      jobs.push_back({*loaded.scenario, seed});
+    }
+  }
+  return jobs;
+}
+
 std::vector<TrialResult> run_trials(const std::vector<TrialJob>& jobs, const RunSettings& settings,
                                     const vo::Progress& progress, const vo::WaitObserver& waiting,
                                     const TrialObserver& observe) {
@@ -161,13 +171,8 @@ TestResults run_tests(const std::vector<fs::path>& files, const RunSettings& set
                       const vo::Progress& progress, const vo::WaitObserver& waiting,
                       const TrialObserver& observe) {
   std::vector<LoadedScenario> scenarios = load_scenarios(files, settings.bounds);
-  std::vector<TrialJob> jobs;
-  for (const LoadedScenario& loaded : scenarios) {
-    for (int seed = 0; loaded.scenario && seed < settings.seeds; ++seed) {
-      jobs.push_back({*loaded.scenario, seed});
-    }
-  }
-  std::vector<TrialResult> trials = run_trials(jobs, settings, progress, waiting, observe);
+  std::vector<TrialResult> trials =
+      run_trials(trial_jobs(scenarios, settings.seeds), settings, progress, waiting, observe);
   return judge_trials(std::move(scenarios), std::move(trials), settings);
 }
 

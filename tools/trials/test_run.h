@@ -50,6 +50,9 @@ struct TrialJob {
   std::size_t number = 0;  ///< by which its giver knows it again
 };
 
+/// Returns a job for each usable scenario and seed, in order.
+std::vector<TrialJob> trial_jobs(const std::vector<LoadedScenario>& scenarios, int seeds);
+
 /// Called with each trial when it has ended, in this process.
 using TrialObserver = std::function<void(const TrialJob& job, const TrialResult& result)>;
 

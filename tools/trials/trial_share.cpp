@@ -27,22 +27,22 @@ struct PlannedTrial {
 
 /// Returns the folder of each scenario's trials: named after it, and after its place among those of
 /// the same name if it is not the first.
-std::vector<fs::path> scenario_folders(const std::vector<fs::path>& files) {
+std::vector<fs::path> scenario_folders(const std::vector<LoadedScenario>& scenarios) {
   std::map<std::string, int> times;
   std::vector<fs::path> folders;
-  for (const fs::path& file : files) {
-    const std::string name = file.stem().string();
+  for (const LoadedScenario& loaded : scenarios) {
+    const std::string& name = loaded.result.name;
     const int time = ++times[name];
     folders.emplace_back(time == 1 ? name : vo::concat(name, "~", time));
   }
   return folders;
 }
 
-std::vector<PlannedTrial> plan_trials(const std::vector<fs::path>& files, const fs::path& folder,
-                                      int seeds) {
-  const std::vector<fs::path> folders = scenario_folders(files);
+std::vector<PlannedTrial> plan_trials(const std::vector<LoadedScenario>& scenarios,
+                                      const fs::path& folder, int seeds) {
+  const std::vector<fs::path> folders = scenario_folders(scenarios);
   std::vector<PlannedTrial> trials;
-  for (std::size_t i = 0; i < files.size(); ++i) {
+  for (std::size_t i = 0; i < scenarios.size(); ++i) {
     for (int seed = 0; seed < seeds; ++seed) {
       trials.push_back({.number = trials.size(),
                         .scenario = i,
@@ -167,13 +167,12 @@ std::optional<TrialResult> collected(const PlannedTrial& planned, const TrialKey
 
 }  // namespace
 
-ShareOutcome run_share(const std::vector<fs::path>& files, const TrialTask& task,
+ShareOutcome run_share(const std::vector<LoadedScenario>& scenarios, const TrialTask& task,
                        const RunSettings& settings, const vo::Progress& progress,
                        const vo::WaitObserver& waiting, const TrialObserver& observe) {
-  const std::vector<LoadedScenario> scenarios = load_scenarios(files, BoundsSource::none);
   TrialKeys keys(settings.trial);
   ShareWork work;
-  for (const PlannedTrial& planned : plan_trials(files, task.folder.path, settings.seeds)) {
+  for (const PlannedTrial& planned : plan_trials(scenarios, task.folder.path, settings.seeds)) {
     if (task.share.takes(planned.number)) {
       add_trial(planned, scenarios[planned.scenario], settings.trial.measure_again, keys, work);
     }
@@ -181,7 +180,9 @@ ShareOutcome run_share(const std::vector<fs::path>& files, const TrialTask& task
   run_trials(work.jobs, settings, progress, waiting,
              [&](const TrialJob& job, const TrialResult& trial) {
                keep_trial(job, trial, task.folder.durability, work);
-               observe(job, trial);
+               if (observe) {
+                 observe(job, trial);
+               }
              });
   return std::move(work.outcome);
 }
@@ -205,13 +206,11 @@ std::string CollectedTrials::names_of_missing() const {
              : vo::concat(names, " and ", missing.size() - kMostNamed, " more");
 }
 
-CollectedTrials collect_trials(const std::vector<fs::path>& files, const fs::path& folder,
+CollectedTrials collect_trials(const std::vector<LoadedScenario>& scenarios, const fs::path& folder,
                                const RunSettings& settings, const vo::Progress& progress) {
-  std::vector<LoadedScenario> scenarios = load_scenarios(files, settings.bounds);
-  const std::vector<PlannedTrial> plan = plan_trials(files, folder, settings.seeds);
+  const std::vector<PlannedTrial> plan = plan_trials(scenarios, folder, settings.seeds);
   TrialKeys keys(settings.trial);
-  CollectedTrials all{.results = {}, .missing = {}, .trials = plan.size()};
-  std::vector<TrialResult> trials;
+  CollectedTrials all{.trials = {}, .missing = {}, .expected = plan.size()};
   for (const PlannedTrial& planned : plan) {
     const LoadedScenario& loaded = scenarios[planned.scenario];
     progress(planned.number + 1, plan.size());
@@ -222,14 +221,11 @@ CollectedTrials collect_trials(const std::vector<fs::path>& files, const fs::pat
     std::string problem;
     if (std::optional<TrialResult> trial = collected(planned, key, problem)) {
       repeat_from_here(*loaded.scenario, settings, *trial);
-      trials.push_back(std::move(*trial));
+      all.trials.push_back(std::move(*trial));
     } else {
       all.missing.push_back(
           {planned.number, vo::concat(loaded.result.name, " seed ", planned.seed, problem)});
     }
-  }
-  if (all.missing.empty()) {
-    all.results = judge_trials(std::move(scenarios), std::move(trials), settings);
   }
   return all;
 }

@@ -11,7 +11,7 @@
 
 namespace tools {
 
-/// Which of a test's trials one of several tasks runs: every `shares`-th, so that the seeds of a
+/// Which of many trials one of several tasks runs: every `shares`-th, so that the seeds of a
 /// scenario that takes long go to different tasks. Trials are numbered by scenario, then by seed;
 /// an unusable scenario has numbers, too, since it may be unusable on one machine alone.
 struct TrialShare {
@@ -21,7 +21,7 @@ struct TrialShare {
   bool takes(std::size_t trial) const { return trial % shares + 1 == share; }
 };
 
-/// A folder that holds a file for each trial of a test, SCENARIO/seed-K.jsonl, written by any
+/// A folder that holds a file for each trial of scenarios, SCENARIO/seed-K.jsonl, written by any
 /// number of tasks on any number of machines (`trial_file.h`).
 struct TrialFolder {
   std::filesystem::path path;
@@ -42,12 +42,13 @@ struct ShareOutcome {
   std::vector<std::string> temporary;  ///< a sentence for each trial to be run again
 };
 
-/// Runs the trials of a share and writes each into the folder when it has ended, unless its file is
-/// there with the same key. A trial with a temporary problem is not written; an unusable one is,
-/// and run again by the next run of the share, for its machine may lack something. Nothing is
-/// judged. Throws vo::Error of kind output_exists, before anything is run, for a file with another
-/// key, unless the settings say to measure again.
-ShareOutcome run_share(const std::vector<std::filesystem::path>& files, const TrialTask& task,
+/// Runs the trials of a share, of scenarios in the order that numbers them, and writes each into
+/// the folder when it has ended, unless its file is there with the same key. A trial with a
+/// temporary problem is not written; an unusable one is, and run again by the next run of the
+/// share, for its machine may lack something. Nothing is judged. Throws vo::Error of kind
+/// output_exists, before anything is run, for a file with another key, unless the settings say to
+/// measure again.
+ShareOutcome run_share(const std::vector<LoadedScenario>& scenarios, const TrialTask& task,
                        const RunSettings& settings, const vo::Progress& progress,
                        const vo::WaitObserver& waiting, const TrialObserver& observe);
 
@@ -57,11 +58,11 @@ struct MissingTrial {
   std::string name;        ///< scenario, seed and what is wrong with its file
 };
 
-/// A test's results from a folder of trials.
+/// The trials of scenarios from a folder.
 struct CollectedTrials {
-  TestResults results;                ///< those of `run_tests`; empty if trials are missing
+  std::vector<TrialResult> trials;    ///< of the usable scenarios, in the order of their numbers
   std::vector<MissingTrial> missing;  ///< in order
-  std::size_t trials = 0;             ///< number of the test's trials
+  std::size_t expected = 0;           ///< number of all trials
 
   /// Returns the shares, of so many, that a missing trial belongs to, ascending.
   std::vector<std::size_t> missing_shares(std::size_t shares) const;
@@ -70,9 +71,10 @@ struct CollectedTrials {
   std::string names_of_missing() const;
 };
 
-/// Reads the trials that tasks have left in a folder, and judges them as `run_tests` does. Throws
-/// vo::Error of kind output_exists, which names what differs, for a file with another key.
-CollectedTrials collect_trials(const std::vector<std::filesystem::path>& files,
+/// Reads the trials that tasks have left in a folder, as `run_trials` returns them where none is
+/// missing. Throws vo::Error of kind output_exists, which names what differs, for a file with
+/// another key.
+CollectedTrials collect_trials(const std::vector<LoadedScenario>& scenarios,
                                const std::filesystem::path& folder, const RunSettings& settings,
                                const vo::Progress& progress);
 

@@ -26,13 +26,17 @@ void add_laboratory_options(CLI::App& command, LaboratoryArguments& arguments) {
 void deliver_study(const StudyReport& report, const std::string& command, const std::string& folder,
                    const CommonOptions& common) {
   vo::write_results(folder, study_files(report, command), common.output_policy());
-  if (common.json) {
-    std::cout << json_text(json_document({"study"}, as_json(report)));
-    return;
+  print_study(report, common);
+  if (!common.json) {
+    const std::string stem = folder + "/" + report.name;
+    std::cout << "\nreport   " << stem << ".md\nplot     " << stem << ".svg\ntable    " << stem
+              << ".csv\n";
   }
-  const std::string stem = folder + "/" + report.name;
-  std::cout << as_text(report) << "\nreport   " << stem << ".md\nplot     " << stem
-            << ".svg\ntable    " << stem << ".csv\n";
+}
+
+void print_study(const StudyReport& report, const CommonOptions& common) {
+  std::cout << (common.json ? json_text(json_document({"study"}, as_json(report)))
+                            : as_text(report));
 }
 
 }  // namespace tools

@@ -27,4 +27,7 @@ void add_laboratory_options(CLI::App& command, LaboratoryArguments& arguments);
 void deliver_study(const StudyReport& report, const std::string& command, const std::string& folder,
                    const CommonOptions& common);
 
+/// Prints a study's table, or its JSON with --json.
+void print_study(const StudyReport& report, const CommonOptions& common);
+
 }  // namespace tools
