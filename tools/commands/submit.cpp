@@ -11,12 +11,13 @@
 #include "tools/cli/progress_bar.h"
 #include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/trial_arguments.h"
 #include "tools/processes/shell_words.h"
 #include "tools/submit/dataset_work.h"
 #include "tools/submit/own_program.h"
 #include "tools/submit/run_submission.h"
 #include "tools/submit/shares.h"
-#include "tools/submit/test_work.h"
+#include "tools/submit/trials_work.h"
 #include "tools/trials/test_run.h"
 #include "vo/core/error.h"
 #include "vo/files/output_lock.h"
@@ -27,9 +28,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSubmitHelp =
-    "Hands a data set (edvo dataset), or scenarios to test (--test, edvo test), to what makes it "
-    "in\n"
-    "shares. The engines:\n"
+    "Hands a data set (edvo dataset), or scenarios to test (--test, edvo test) or to sweep "
+    "(--sweep,\n"
+    "edvo sweep), to what makes it in shares. The engines:\n"
     "  slurm     arrays of jobs, and a job that puts together what they made, when all have "
     "ended,\n"
     "            however they did. A task that Slurm interrupts goes on when it is queued again;\n"
@@ -47,15 +48,18 @@ constexpr const char* kSubmitFooter =
     "  edvo submit rooms.toml --out rooms --resume\n"
     "  edvo submit rooms.toml --out rooms --sbatch-option='--partition=cpu --account=vision'\n"
     "  edvo submit rooms.toml --out rooms --engine local\n"
-    "  edvo submit --test scenarios --seeds 20 --out night\n\n"
+    "  edvo submit --test scenarios --seeds 20 --out night\n"
+    "  edvo submit --sweep scenarios/a.toml --set path.rate=10,15,30 --seeds 20 --out rates\n\n"
     "Exit codes: 0 submitted, or made (parallel, local); 3 unusable input, or an engine that is "
     "not\n"
     "here; 6 jobs of it are queued or running, or OUT is there; parallel and local end as edvo\n"
-    "dataset merge and edvo test do.";
+    "dataset merge, edvo test and edvo sweep do.";
 
 struct SubmitArguments {
   std::string spec;
-  std::vector<std::string> scenarios;
+  std::vector<std::string> tested;       ///< scenarios
+  std::vector<std::string> swept;        ///< scenarios
+  std::vector<std::string> assignments;  ///< of the sweep, key=value,value
   std::string out;
   std::string engine = "slurm";
   std::size_t shards = 0;  ///< 0 = not given
@@ -70,6 +74,7 @@ struct SubmitArguments {
   std::string cache;
 
   SubmitEngine chosen_engine() const { return vo::parse_enum<SubmitEngine>(engine); }
+  const std::vector<std::string>& scenarios() const { return swept.empty() ? tested : swept; }
 };
 
 /// The work of a submission, and those of its shares that are to be made.
@@ -79,8 +84,12 @@ struct OpenWork {
 };
 
 void complete_submit(SubmitArguments& arguments) {
-  if (arguments.spec.empty() == arguments.scenarios.empty()) {
-    vo::fail_as(vo::ErrorKind::usage, "expected either SPEC or --test SCENARIOS");
+  const std::size_t kinds = std::size_t{!arguments.spec.empty()} +
+                            std::size_t{!arguments.tested.empty()} +
+                            std::size_t{!arguments.swept.empty()};
+  if (kinds != 1) {
+    vo::fail_as(vo::ErrorKind::usage,
+                "expected one of SPEC, --test SCENARIOS and --sweep SCENARIOS");
   }
   if (arguments.jobs > 0) {
     arguments.batch.cpus = arguments.jobs;
@@ -132,15 +141,21 @@ OpenWork open_dataset(const SubmitArguments& arguments, const std::optional<JobR
 std::size_t shares_of_trials(const SubmitArguments& arguments) {
   constexpr std::size_t kTrialsOfShare = 8;
   const std::vector<fs::path> scenarios =
-      find_scenarios({arguments.scenarios.begin(), arguments.scenarios.end()},
+      find_scenarios({arguments.scenarios().begin(), arguments.scenarios().end()},
                      arguments.slow ? SlowScenarios::include : SlowScenarios::leave_out);
-  const std::size_t trials = scenarios.size() * static_cast<std::size_t>(arguments.seeds);
+  std::size_t trials = scenarios.size() * static_cast<std::size_t>(arguments.seeds);
+  for (const auto& [key, values] : swept_options(arguments.assignments)) {
+    trials *= values.size();
+  }
   return (trials + kTrialsOfShare - 1) / kTrialsOfShare;
 }
 
-/// Returns the options that every call of `edvo test` has.
-std::vector<std::string> test_options(const SubmitArguments& arguments) {
+/// Returns the options that every call of `edvo test` or `edvo sweep` has.
+std::vector<std::string> trials_options(const SubmitArguments& arguments) {
   std::vector<std::string> options{"--seeds", std::to_string(arguments.seeds)};
+  for (const std::string& assignment : arguments.assignments) {
+    options.insert(options.end(), {"--set", assignment});
+  }
   if (arguments.slow) {
     options.emplace_back("--slow");
   }
@@ -153,24 +168,25 @@ std::vector<std::string> test_options(const SubmitArguments& arguments) {
   return options;
 }
 
-OpenWork open_tests(const SubmitArguments& arguments, const std::optional<JobRecord>& earlier) {
+OpenWork open_trials(const SubmitArguments& arguments, const std::optional<JobRecord>& earlier) {
   const std::size_t by_trials = shares_of_trials(arguments);
-  TestJob job{.program = own_program(),
-              .out = vo::resolved_output(arguments.out),
-              .folder = fs::current_path(),
-              .options = test_options(arguments),
-              .task_jobs = arguments.batch.cpus,
-              .local_jobs = arguments.jobs};
-  for (const std::string& scenario : arguments.scenarios) {
+  TrialsJob job{.program = own_program(),
+                .command = arguments.swept.empty() ? TrialsCommand::test : TrialsCommand::sweep,
+                .out = vo::resolved_output(arguments.out),
+                .folder = fs::current_path(),
+                .options = trials_options(arguments),
+                .task_jobs = arguments.batch.cpus,
+                .local_jobs = arguments.jobs};
+  for (const std::string& scenario : arguments.scenarios()) {
     job.scenarios.push_back(fs::absolute(scenario));
   }
   if (!arguments.dry_run) {
     fs::create_directories(job.out);
   }
   const std::size_t shares = number_of_shares(arguments, earlier, [&] { return by_trials; });
-  return {test_work(job, shares), arguments.resume
-                                      ? missing_shares(job, shares, throw_if_interrupted)
-                                      : all_shares(shares)};
+  return {trials_work(job, shares), arguments.resume
+                                        ? missing_shares(job, shares, throw_if_interrupted)
+                                        : all_shares(shares)};
 }
 
 /// Submits to Slurm, or prints what would be submitted.
@@ -249,7 +265,7 @@ int submit(SubmitArguments& arguments) {
     require_none_queued(*earlier, *queue);
   }
   const OpenWork open =
-      arguments.spec.empty() ? open_tests(arguments, earlier) : open_dataset(arguments, earlier);
+      arguments.spec.empty() ? open_trials(arguments, earlier) : open_dataset(arguments, earlier);
   if (is_slurm) {
     to_slurm(arguments, open, folder, queue);
     return exit_code::kOk;
@@ -276,14 +292,26 @@ void add_batch_options(CLI::App& command, SubmitArguments& arguments) {
       ->group(group);
 }
 
-void add_test_options(CLI::App& command, SubmitArguments& arguments) {
+void add_trials_options(CLI::App& command, SubmitArguments& arguments) {
+  const char* group = "With --test or --sweep, as of edvo test and edvo sweep";
+  command
+      .add_option("--set", arguments.assignments,
+                  "with --sweep: key=a,b,c of the scenario, repeatable")
+      ->allow_extra_args(false)
+      ->needs("--sweep");
+  command.get_option("--sweep")->needs("--set");
   command.add_option("--seeds", arguments.seeds, "with so many random numbers each [1]")
       ->check(CLI::PositiveNumber);
-  command.add_flag("--slow", arguments.slow, "also those marked slow");
-  command.add_option("--tracker", arguments.tracker, "test this program");
   command.add_option("--cache", arguments.cache, "folder of the cache, which all machines see");
-  for (const char* name : {"--seeds", "--slow", "--tracker", "--cache"}) {
-    command.get_option(name)->needs("--test")->group("With --test, as of edvo test");
+  command.add_flag("--slow", arguments.slow, "with --test: also those marked slow")
+      ->needs("--test");
+  command.add_option("--tracker", arguments.tracker, "with --test: test this program")
+      ->needs("--test");
+  for (const char* name : {"--set", "--seeds", "--cache", "--slow", "--tracker"}) {
+    command.get_option(name)->group(group);
+  }
+  for (const char* name : {"--seeds", "--cache"}) {
+    command.get_option(name)->excludes("SPEC");
   }
 }
 
@@ -294,8 +322,10 @@ void add_submit_command(CLI::App& program, Session& session) {
   const auto arguments = std::make_shared<SubmitArguments>();
   command.footer(kSubmitFooter);
   command.add_option("SPEC", arguments->spec, "file that describes a data set, .toml");
-  command.add_option("--test", arguments->scenarios,
-                     "scenario files or folders, in place of SPEC; results are in OUT");
+  command.add_option("--test", arguments->tested,
+                     "scenario files or folders to test, in place of SPEC; results are in OUT");
+  command.add_option("--sweep", arguments->swept,
+                     "scenario files or folders to sweep, likewise; the table is in OUT");
   command.add_option("--out", arguments->out, "folder that is made")->required();
   command.add_option("--engine", arguments->engine, "slurm, parallel or local [slurm]")
       ->check(is_name_of<SubmitEngine>());
@@ -311,8 +341,8 @@ void add_submit_command(CLI::App& program, Session& session) {
                    "print scripts and commands; write and submit nothing");
   command.add_flag("--resume", arguments->resume, "only the shares of which something is missing");
   add_batch_options(command, *arguments);
-  add_test_options(command, *arguments);
-  take_streams(command, {.others = {"SPEC", "--test", "--out", "--cache"}});
+  add_trials_options(command, *arguments);
+  take_streams(command, {.others = {"SPEC", "--test", "--sweep", "--out", "--cache"}});
   command.callback([arguments, &session] { session.status = submit(*arguments); });
 }
 

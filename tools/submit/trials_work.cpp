@@ -1,4 +1,4 @@
-#include "tools/submit/test_work.h"
+#include "tools/submit/trials_work.h"
 
 #include <utility>
 
@@ -11,9 +11,13 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// Returns `edvo test SCENARIOS... OPTIONS... OTHERS...`.
-Words test_words(const TestJob& job, const Words& others) {
-  Words words{job.program.string(), "test"};
+const char* name_of(TrialsCommand command) {
+  return command == TrialsCommand::test ? "test" : "sweep";
+}
+
+/// Returns `edvo COMMAND SCENARIOS... OPTIONS... OTHERS...`.
+Words trial_words(const TrialsJob& job, const Words& others) {
+  Words words{job.program.string(), name_of(job.command)};
   for (const std::filesystem::path& scenario : job.scenarios) {
     words.push_back(scenario.string());
   }
@@ -23,46 +27,50 @@ Words test_words(const TestJob& job, const Words& others) {
 }
 
 /// Returns the options that write the results, after `before`.
-Words with_results(Words before, const std::filesystem::path& out) {
+Words with_results(Words before, const TrialsJob& job) {
+  if (job.command == TrialsCommand::sweep) {
+    before.insert(before.end(), {"--force", "--out", job.out.string()});
+    return before;
+  }
   for (const auto& [option, file] : {std::pair{"--json", "results.json"},
                                      {"--junit", "junit.xml"},
                                      {"--report", "report.html"}}) {
     before.emplace_back(option);
-    before.push_back((out / file).string());
+    before.push_back((job.out / file).string());
   }
   return before;
 }
 
-Words collect_words(const TestJob& job, std::size_t shares) {
+Words collect_words(const TrialsJob& job, std::size_t shares) {
   return {"--quiet", "--collect", (job.out / "trials").string(), "--shards",
           std::to_string(shares)};
 }
 
 }  // namespace
 
-SharedWork test_work(const TestJob& job, std::size_t shares) {
+SharedWork trials_work(const TrialsJob& job, std::size_t shares) {
   Words local;
   if (job.local_jobs > 0) {
     local = {"--jobs", std::to_string(job.local_jobs)};
   }
   return {.name = job.out.filename().string(),
           .folder = job.folder,
-          .share_name = "test",
-          .share = test_words(job, {"--quiet", "--jobs", std::to_string(job.task_jobs), "--trials",
-                                    (job.out / "trials").string()}),
+          .share_name = name_of(job.command),
+          .share = trial_words(job, {"--quiet", "--jobs", std::to_string(job.task_jobs), "--trials",
+                                     (job.out / "trials").string()}),
           .finish_name = "collect",
-          .finish = test_words(job, with_results(collect_words(job, shares), job.out)),
-          .local = {test_words(job, with_results(local, job.out))},
+          .finish = trial_words(job, with_results(collect_words(job, shares), job)),
+          .local = {trial_words(job, with_results(local, job))},
           .shares = shares};
 }
 
-std::vector<std::size_t> missing_shares(const TestJob& job, std::size_t shares,
+std::vector<std::size_t> missing_shares(const TrialsJob& job, std::size_t shares,
                                         const vo::WaitObserver& waiting) {
   if (!std::filesystem::exists(job.out / "trials")) {
     return all_shares(shares);
   }
   const Printed printed = ask_program(
-      {.words = test_words(job, collect_words(job, shares)), .folder = job.folder},
+      {.words = trial_words(job, collect_words(job, shares)), .folder = job.folder},
       {exit_code::kOk, exit_code::kInternalError, exit_code::kBoundViolated, exit_code::kMissing},
       waiting);
   return printed.exit_code == exit_code::kMissing ? parse_shares(printed.out)

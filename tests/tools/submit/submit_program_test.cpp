@@ -1,0 +1,88 @@
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/program_test.h"
+#include "tests/tools/submit/stand_ins.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using support::ProgramResult;
+using support::run_program;
+using support::StandIns;
+using testing::HasSubstr;
+
+/// A sweep of two scenarios with two values of one option and two of another, each with two seeds:
+/// 16 trials.
+class SubmittedSweep : public support::ProgramTest {
+ protected:
+  SubmittedSweep() {
+    write_scenario("a", "0.5\n[sensor]\npreset = \"kinect-v1\"");
+    write_scenario("b", "0.5");
+  }
+
+  std::string matrix() const {
+    return path("scenarios") +
+           " --set 'sensor.noise.full_well=[6000,6000,6000],[900,900,900]' "
+           "--set odometry.preset=paper,default --seeds 2 --cache " +
+           path("cache");
+  }
+
+  ProgramResult submit(const std::string& rest) const {
+    return run_program("submit --sweep " + matrix() + " " + rest);
+  }
+};
+
+TEST_F(SubmittedSweep, IsMadeByAnyEngineAsByOneProcess) {
+  const StandIns programs;
+  programs.add("parallel",
+               "while read -r share; do sh share.sh \"$share\"; done < shares.txt; exit 0");
+  ASSERT_EQ(run_program("sweep --quiet " + matrix() + " --out " + path("one")).exit_code, 0);
+  const ProgramResult parallel =
+      submit("--out " + path("parallel") + " --engine parallel --shards 3");
+  EXPECT_EQ(parallel.exit_code, 0) << parallel.err;
+  EXPECT_THAT(programs.calls("parallel"), HasSubstr("--arg-file|shares.txt|"));
+  const ProgramResult local = submit("--out " + path("local") + " --engine local");
+  EXPECT_EQ(local.exit_code, 0) << local.err;
+  for (const char* name : {"sweep.csv", "sweep.md", "sweep.svg"}) {
+    const std::string expected = read(std::string("one/") + name);
+    EXPECT_EQ(read(std::string("parallel/") + name), expected) << name;
+    EXPECT_EQ(read(std::string("local/") + name), expected) << name;
+  }
+}
+
+TEST_F(SubmittedSweep, IsResumedWhereATrialIsMissing) {
+  const StandIns programs;
+  programs.add_slurm();
+  ASSERT_EQ(submit("--out " + path("rates")).exit_code, 0);
+  EXPECT_THAT(read("rates.submit/jobs.json"), HasSubstr("\"shares\": 2")) << "of eight trials each";
+  ASSERT_EQ(
+      run_program("sweep --quiet " + matrix() + " --trials " + path("rates/trials")).exit_code, 0);
+  fs::remove(file("rates/trials/b~4/seed-1.jsonl"));
+  ASSERT_EQ(submit("--resume --out " + path("rates")).exit_code, 0);
+  EXPECT_THAT(read("rates.submit/jobs.json"), HasSubstr("\"shares\": \"2\""));
+  EXPECT_THAT(read("rates.submit/sweep-1.sbatch"), HasSubstr("#SBATCH --array=2\n"));
+  EXPECT_THAT(read("rates.submit/collect.sbatch"), HasSubstr(" --collect "));
+}
+
+TEST_F(SubmittedSweep, IsTheOnlyWorkOfItsSubmit) {
+  const std::string out = " --dry-run --out " + path("out");
+  const std::string set = " --set odometry.preset=paper";
+  const std::vector<std::string> refused{"submit --sweep " + path("scenarios"),
+                                         "submit --test " + path("scenarios") + set,
+                                         "submit spec.toml" + set,
+                                         "submit spec.toml --sweep " + path("scenarios") + set,
+                                         "submit spec.toml --seeds 3",
+                                         "submit --sweep " + path("scenarios") + set + " --slow",
+                                         "submit"};
+  for (const std::string& words : refused) {
+    EXPECT_EQ(run_program(words + out).exit_code, 2) << words;
+  }
+}
+
+}  // namespace
