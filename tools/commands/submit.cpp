@@ -83,6 +83,24 @@ struct OpenWork {
   std::vector<std::size_t> shares;
 };
 
+/// Throws where an option is given that the engine has no use for.
+void refuse_ignored(const CLI::App& command, SubmitEngine engine) {
+  std::vector<const char*> ignored;
+  if (engine != SubmitEngine::slurm) {
+    ignored = {"--throttle", "--max-array", "--time-min", "--memory", "--sbatch-option"};
+  }
+  if (engine == SubmitEngine::local) {
+    ignored.push_back("--shards");
+  }
+  for (const char* option : ignored) {
+    if (command.count(option) > 0) {
+      vo::fail_as(vo::ErrorKind::usage, option, ": the engine ", vo::to_string(engine),
+                  " has no use for it; expected it with --engine ",
+                  option == std::string("--shards") ? "slurm or parallel" : "slurm", " alone");
+    }
+  }
+}
+
 void complete_submit(SubmitArguments& arguments) {
   const std::size_t kinds = std::size_t{!arguments.spec.empty()} +
                             std::size_t{!arguments.tested.empty()} +
@@ -343,7 +361,10 @@ void add_submit_command(CLI::App& program, Session& session) {
   add_batch_options(command, *arguments);
   add_trials_options(command, *arguments);
   take_streams(command, {.others = {"SPEC", "--test", "--sweep", "--out", "--cache"}});
-  command.callback([arguments, &session] { session.status = submit(*arguments); });
+  command.callback([arguments, &command, &session] {
+    refuse_ignored(command, arguments->chosen_engine());
+    session.status = submit(*arguments);
+  });
 }
 
 }  // namespace tools

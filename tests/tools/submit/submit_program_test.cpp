@@ -70,6 +70,24 @@ TEST_F(SubmittedSweep, IsResumedWhereATrialIsMissing) {
   EXPECT_THAT(read("rates.submit/collect.sbatch"), HasSubstr(" --collect "));
 }
 
+TEST_F(SubmittedSweep, IsRefusedWithOptionsThatTheEngineHasNoUseFor) {
+  const StandIns programs;
+  programs.add_slurm();
+  const std::string engine_of = "--dry-run --out " + path("out") + " --engine ";
+  for (const std::string option : {"--throttle 2", "--max-array 9", "--time-min 5", "--memory 900",
+                                   "--sbatch-option=--hold"}) {
+    for (const std::string engine : {"parallel", "local"}) {
+      const ProgramResult result = submit(engine_of + engine + " " + option);
+      EXPECT_EQ(result.exit_code, 2) << option;
+      EXPECT_THAT(result.err, HasSubstr(option.substr(0, option.find_first_of(" =")) +
+                                        ": the engine " + engine + " has no use for it"));
+    }
+    EXPECT_EQ(submit(engine_of + "slurm " + option).exit_code, 0) << option;
+  }
+  EXPECT_EQ(submit(engine_of + "local --shards 3").exit_code, 2);
+  EXPECT_EQ(submit(engine_of + "parallel --shards 3").exit_code, 0);
+}
+
 TEST_F(SubmittedSweep, IsTheOnlyWorkOfItsSubmit) {
   const std::string out = " --dry-run --out " + path("out");
   const std::string set = " --set odometry.preset=paper";
