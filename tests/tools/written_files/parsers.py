@@ -49,13 +49,15 @@ def parse_json(path):
     return load_json(path.read_text(encoding="utf-8"))
 
 
-def parse_json_lines(path):
-    """A line for each document: a head that names its schema, then what it heads."""
+def load_json_lines(path):
+    """The members of a head, which names the schema, and of what it heads, a line each, together."""
     text = path.read_text(encoding="utf-8")
     require(text.endswith("\n"), "the last line does not end")
     head, *rest = [load_json(line) for line in text.splitlines()]
     require({"schema", "schema_version", "hash"} == set(head), f"the head has {list(head)}")
-    require(len(rest) > 0, "nothing but a head")
+    require(len(rest) == 1, f"{len(rest)} lines after the head, expected one")
+    require(not set(head) & set(rest[0]), "a member is in the head and below it")
+    return {**head, **rest[0]}
 
 
 def parse_toml(path):
@@ -365,7 +367,7 @@ def parse_script(path):
     require(done.returncode == 0, done.stderr)
 
 
-PARSERS = {".json": parse_json, ".jsonl": parse_json_lines, ".toml": parse_toml, ".csv": parse_csv, ".svg": parse_svg,
+PARSERS = {".json": parse_json, ".jsonl": load_json_lines, ".toml": parse_toml, ".csv": parse_csv, ".svg": parse_svg,
            ".xml": parse_junit, ".html": parse_html, ".md": parse_markdown,
            ".ply": parse_ply, ".pcd": parse_pcd, ".zip": parse_zip, ".mcap": parse_mcap,
            ".avi": parse_avi, ".tar": parse_tar, ".sha256": parse_checksums, ".webp": parse_webp,

@@ -39,6 +39,7 @@ def evo_archive(rmse=5.0, stamps=(1.0, 2.0)):
 
 GOOD = {
     "a.json": '{"x": [1, null]}',
+    "a.jsonl": '{"schema": "s", "schema_version": 1, "hash": "h"}\n{"key": {}}\n',
     "a.toml": 'a.b = 1\na.c = "x"\n',
     "a.csv": "name,value\nx,1\ny,\n",
     "a.svg": SVG.format("<text>m</text>"),
@@ -52,6 +53,9 @@ FAULTS = {
     "infinite.json": '{"x": -Infinity}',
     "twice.json": '{"x": 1, "x": 2}',
     "bytes.json": b'{"x": "\xff"}',
+    "headless.jsonl": '{"key": {}}\n{"key": {}}\n',
+    "cut.jsonl": '{"schema": "s", "schema_version": 1, "hash": "h"}\n',
+    "open.jsonl": '{"schema": "s", "schema_version": 1, "hash": "h"}\n{"key": {}}',
     "twice.toml": 'hash.imu = "1"\nhash.imu = "2"\n',
     "fields.csv": "name,value\nx,1,2\n",
     "headless.csv": "1,2\n3,4\n",

@@ -1,10 +1,25 @@
 """The JSON documents of the program against the schemas in docs/schemas."""
 
 import json
+import re
 
 import jsonschema
 
 from parsers import require
+
+
+def with_definitions(schema, folder):
+    """The schema with what it refers to in another one, `results.json#/$defs/trial`, among its own definitions."""
+    text = json.dumps(schema)
+    for other in sorted(set(re.findall(r'"\$ref": "([^"#]+\.json)#/\$defs/', text))):
+        text = text.replace(f'"{other}#/$defs/', '"#/$defs/')
+        definitions = json.loads((folder / other).read_text(encoding="utf-8"))["$defs"]
+        both = set(definitions) & set(schema.get("$defs", {}))
+        require(not both, f"defined here and in {other}: {sorted(both)}")
+        schema = json.loads(text)
+        schema["$defs"] = {**definitions, **schema.get("$defs", {})}
+        text = json.dumps(schema)
+    return json.loads(text)
 
 
 class Schemas:
@@ -19,7 +34,7 @@ class Schemas:
             require(schema["properties"]["schema"] == {**schema["properties"]["schema"], "const": name},
                     f"{path.name}: its schema is not {name}")
             self.require_complete(schema, path.name)
-            self.validators[name] = jsonschema.Draft202012Validator(schema)
+            self.validators[name] = jsonschema.Draft202012Validator(with_definitions(schema, folder))
         self.used = set()
 
     def require_complete(self, node, place):

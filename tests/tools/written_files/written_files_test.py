@@ -81,6 +81,8 @@ class Check:
             if is_ours and "cache" not in path.parts and self.work / "assets" not in path.parents:
                 self.attempt(path.relative_to(self.work),
                              lambda: self.schemas.validate(parsers.load_json(path.read_text("utf-8"))))
+        for path in sorted(self.work.glob("**/*.jsonl")):
+            self.attempt(path.relative_to(self.work), lambda: self.schemas.validate(parsers.load_json_lines(path)))
         print(f"{count} files read")
 
     def read_pictures(self, docs):
