@@ -30,8 +30,7 @@ MONO = """[odometry]
 mode = "mono"
 mono.bootstrap = "rgbd"
 """
-DATASET = """name = "torture"
-seeds = 1
+DATASET = """name = "set"
 part_frames = 3
 [camera]
 width = 64
@@ -39,15 +38,15 @@ height = 48
 [render]
 samples = 1
 [path]
-rate = 10
-duration = 0.5
+rate = 15.0
+duration = 0.4
 [scenes.box]
 gltf = "{assets}/plane_and_box/plane_and_box.gltf"
 [paths.orbit]
 kind = "orbit"
 orbit.radius = 2.0
 """
-SCENARIOS = {"rgbd.toml": SCENARIO, "mono.toml": SCENARIO + MONO, "dataset.toml": DATASET}
+FILES = {"rgbd.toml": SCENARIO, "mono.toml": SCENARIO + MONO, "set.toml": DATASET}
 
 # Made once: the inputs of the commands below.
 INPUTS = [
@@ -74,8 +73,6 @@ COMMANDS = [
     Command("unsynced", [f"{RENDER} --no-sync --out out"]),
     Command("force", [f"{RENDER} --ambient 0.5 --force --out out"], [f"{RENDER} --out out"]),
     Command("path", [f"{RENDER} --mode path --environment sky:30 --out out"]),
-    Command("dataset", ["dataset render {inputs}/dataset.toml --out out --quiet",
-                        "dataset merge {inputs}/dataset.toml --out out --quiet"]),
     Command("run", ["run {inputs}/rgbd.toml --debug-images 3 --quiet --out out"]),
     Command("run_mono", ["run {inputs}/mono.toml --debug-images 3 --quiet --out out"]),
     Command("test", ["test {inputs}/rgbd.toml --cache cache --quiet --junit junit.xml --json results.json "
@@ -99,6 +96,10 @@ COMMANDS = [
     Command("ablate", ["ablate {inputs}/sequence --study levels --max-frames 4 --seeds 1 --quiet --out out"]),
     Command("sweep", ["sweep {inputs}/rgbd.toml --set odometry.tracker.pyramid.levels=2,3 --cache cache --quiet "
                       "--out out"]),
+    Command("dataset_render", ["dataset render {inputs}/set.toml --out set --quiet"],
+            ["dataset plan {inputs}/set.toml --out set --quiet"]),
+    Command("dataset_merge", ["dataset merge {inputs}/set.toml --out set --quiet"],
+            ["dataset render {inputs}/set.toml --out set --quiet"]),
     Command("kitti", ["convert {inputs}/track.txt kitti.txt --format kitti"]),
     Command("evo_ape", ["evaluate {inputs}/sequence/groundtruth.txt {inputs}/track.txt --evo-ape ape.zip --json"]),
     Command("evaluate", ["evaluate {inputs}/sequence/groundtruth.txt {inputs}/track.txt --json"]),

@@ -108,7 +108,7 @@ class Torture:
 
     def prepare(self, chosen):
         self.inputs.mkdir(parents=True)
-        for name, text in commands.SCENARIOS.items():
+        for name, text in commands.FILES.items():
             (self.inputs / name).write_text(text.format(assets=self.assets))
         self.run_all(commands.INPUTS, self.work, (0,))
         for command in chosen:

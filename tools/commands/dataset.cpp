@@ -268,19 +268,17 @@ void merge(const DatasetArguments& arguments, Session& session) {
   bar.announce("reading " + arguments.spec);
   const DatasetSpec spec = load_dataset_spec(arguments.spec);
   const DatasetLayout layout(arguments.out);
+  const std::optional<vo::OutputLock> alone = lock_merge(layout, throw_if_interrupted);
   const DatasetPlan plan = known_plan(spec, layout, bar);
-  const bool was_there = is_merged(spec, plan, layout);
-  const MergeOutcome outcome =
-      was_there ? MergeOutcome{}
-                : merge_dataset(spec, plan, layout, arguments.common.output_policy().durability,
-                                bar.callback("verifying"));
+  const MergeOutcome outcome = merge_dataset(
+      spec, plan, layout, arguments.common.output_policy().durability, bar.callback("verifying"));
   bar.erase();
   for (const std::string& damage : outcome.damaged) {
     std::cerr << session.err.paint(Tone::caution, "removed") << ": " << damage << "\n";
   }
   if (arguments.common.json) {
     print_json("dataset_merge", {{"dataset", arguments.out},
-                                 {"was_there", was_there},
+                                 {"was_there", outcome.was_there},
                                  {"missing", outcome.missing.size()},
                                  {"damaged", outcome.damaged},
                                  {"files", outcome.files},
@@ -291,7 +289,7 @@ void merge(const DatasetArguments& arguments, Session& session) {
   } else {
     std::cout << arguments.out << ": " << plan.sequence_count() << " sequences, "
               << plan.frame_count() << " frames"
-              << (was_there
+              << (outcome.was_there
                       ? ", there already\n"
                       : vo::concat(", ", outcome.files, " files, ",
                                    format_decimals(

@@ -249,6 +249,22 @@ def check_filter():
     assert left_out and kept and len(left_out) + len(kept) == len(flows) and not left_out & kept, (left_out, kept, flows)
 
 
+def check_merges():
+    """Merges at the same time make one data set, and what one leaves that was killed at its very end goes with the next."""
+    edvo("render", "small.toml", "--out", "crowd")
+    crowd = [subprocess.Popen([EDVO, "dataset", "merge", "small.toml", "--out", "crowd", "--quiet"], cwd=SCRATCH,
+                              stdout=subprocess.DEVNULL) for _ in range(4)]
+    assert [run.wait() for run in crowd] == [0, 0, 0, 0]
+    require_same("one", "crowd")
+    left = SCRATCH / "crowd.part/parts/000/box_orbit_plain_0-000"
+    left.mkdir(parents=True)
+    (left / "part.json").write_text("{}")
+    assert "there already" in edvo("merge", "small.toml", "--out", "crowd")
+    assert not (SCRATCH / "crowd.part").exists() and not list(SCRATCH.glob(".*lock*"))
+    require_same("one", "crowd")
+    shutil.rmtree(SCRATCH / "crowd")
+
+
 def check_bad_input():
     for change, message in (
             (("kind = \"explore\"", "kind = \"explorer\""), "bad.toml:24: path.kind"),
@@ -278,11 +294,12 @@ def check_bad_input():
 def main():
     shutil.rmtree(SCRATCH, ignore_errors=True)
     SCRATCH.mkdir(parents=True)
-    for check in (check_shares, check_checksums, check_index, check_as_rendered, check_damage, check_kills, check_archives,
+    for check in (check_shares, check_checksums, check_index, check_as_rendered, check_damage, check_kills, check_merges, check_archives,
                   check_formats_and_channels, check_filter, check_bad_input):
         check()
         print(check.__name__, "ok", flush=True)
     shutil.rmtree(SCRATCH)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -211,9 +211,25 @@ bool is_merged(const DatasetSpec& spec, const DatasetPlan& plan, const DatasetLa
   return true;
 }
 
+std::optional<vo::OutputLock> lock_merge(const DatasetLayout& layout,
+                                         const vo::WaitObserver& waiting) {
+  try {
+    return vo::OutputLock(layout.out, vo::LockKind::exclusive, waiting);
+  } catch (const vo::Error& error) {
+    if (error.kind() != vo::ErrorKind::input) {
+      throw;
+    }
+    return {};
+  }
+}
+
 MergeOutcome merge_dataset(const DatasetSpec& spec, const DatasetPlan& plan,
                            const DatasetLayout& layout, vo::Durability durability,
                            const vo::Progress& progress) {
+  if (is_merged(spec, plan, layout)) {
+    vo::remove_tree(layout.staging);
+    return {.was_there = true};
+  }
   MergeOutcome outcome{.missing = missing_parts(spec, plan, layout)};
   Merge merge(spec, plan, layout, durability);
   if (outcome.missing.empty()) {
