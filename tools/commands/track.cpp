@@ -1,17 +1,15 @@
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <iostream>
+#include <functional>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
 #include <opencv2/core/utility.hpp>
 
-#include "tools/cli/exit_code.h"
+#include "tools/cameras/live_camera.h"
+#include "tools/cameras/newest_frames.h"
 #include "tools/cli/interrupt.h"
 #include "tools/cli/options.h"
 #include "tools/cli/progress_bar.h"
@@ -21,18 +19,15 @@
 #include "tools/cli/watched_run.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/track_arguments.h"
+#include "tools/commands/track_outcome.h"
 #include "tools/depth/mono_run.h"
-#include "tools/json/document.h"
 #include "tools/pictures/panel_writer.h"
 #include "tools/point_cloud/keyframe_cloud.h"
-#include "tools/point_cloud/point_cloud.h"
-#include "tools/report/report.h"
 #include "tools/report/trajectory_plot.h"
 #include "vo/core/error.h"
 #include "vo/dataset/camera_file.h"
-#include "vo/evaluation/evaluate.h"
 #include "vo/files/output.h"
-#include "vo/motion_files/trajectory_file.h"
+#include "vo/sequence_odometry/track_frames.h"
 #include "vo/sequence_odometry/track_mono.h"
 #include "vo/sequence_odometry/track_sequence.h"
 
@@ -51,6 +46,11 @@ constexpr const char* kTrackHelp =
     "Frames that are lost have no pose in the file; frames that are uncertain have one that must\n"
     "not be relied on (the frame log says why). The exit code is then 5, as it is where\n"
     "--mode mono knows a pose's rotation alone.\n"
+    "A camera that runs (openni2, openni2:URI, or with --mode mono v4l2, v4l2:DEVICE and its "
+    "--camera,\n"
+    "as of edvo record) is tracked until Ctrl-C, which ends it well. Frames that come while "
+    "others\n"
+    "are tracked are dropped and counted.\n"
     "All options that a trajectory was tracked with are written beside it (e_config.toml for\n"
     "e.txt); --config reads them.";
 
@@ -62,6 +62,8 @@ std::string track_examples() {
       "  edvo track sequence --debug-images 30 --out e.txt   # pictures in e_panels/\n"
       "  edvo track sequence --mode mono --bootstrap auto --out e.txt --frame-log e.csv\n"
       "  edvo track walk.mp4 --mode mono --camera my_camera.toml --out e.txt\n"
+      "  edvo track openni2 --live --out e.txt\n"
+      "  edvo track v4l2 --mode mono --camera my_camera.toml --live --out e.txt\n"
       "  edvo track robot.mcap --rgb-topic /front/color/image_raw --out e.txt\n\n"
       "Camera presets:\n";
   for (const vo::CameraPreset& preset : vo::camera_presets()) {
@@ -96,138 +98,11 @@ vo::MonoOptions chosen_mono_options(const TrackArguments& arguments, const Colou
   return options;
 }
 
-/// A sequence that was tracked in either mode.
-struct Tracked {
-  vo::SequenceResult result;
-  std::vector<vo::Field> options;
-  std::string log;                               ///< CSV with a line per frame
-  const vo::MonoSequenceResult* mono = nullptr;  ///< result of mode mono
-  std::string note;                              ///< what a user of the trajectory must know
-  std::vector<std::string> sequence_notes;       ///< what in the sequence's files was mended
-
-  bool is_complete() const {
-    return result.tracked_fraction() == 1 && result.uncertain() == 0 &&
-           (mono == nullptr || mono->oriented_poses + mono->scale_uncertain_poses == 0);
-  }
-};
-
-void write_results(const TrackArguments& arguments, const Tracked& tracked) {
-  vo::write_file(arguments.out, vo::format_trajectory(tracked.result.trajectory),
-                 arguments.common.output_policy());
-  write_config(arguments, tracked.options);
-  if (!arguments.frame_log.empty()) {
-    vo::write_file(arguments.frame_log, tracked.log, arguments.common.output_policy());
-  }
-}
-
-void write_map(const TrackArguments& arguments, KeyframeCloud& cloud) {
-  if (!arguments.save_map.empty()) {
-    vo::write_file(arguments.save_map, encode(cloud.finish(), cloud_format_of(arguments.save_map)),
-                   arguments.common.output_policy());
-  }
-}
-
-/// Returns what is known of the scale at each keyframe of a monocular run.
-nlohmann::ordered_json scales_json(const vo::MonoSequenceResult& mono) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const vo::MonoResult& frame : mono.frames) {
-    if (frame.tracking.is_keyframe) {
-      json.push_back({{"timestamp", frame.tracking.timestamp},
-                      {"scale_drift", frame.scale.drift},
-                      {"scale_sigma", frame.scale.sigma},
-                      {"joins_maps", frame.joins_maps}});
-    }
-  }
-  return json;
-}
-
-/// Returns how many frames are lost or uncertain for each reason.
-nlohmann::ordered_json reasons_json(const vo::SequenceResult& result) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  for (const auto& [reason, frames] : result.reasons()) {
-    json[std::string(vo::to_string(reason))] = frames;
-  }
-  return json;
-}
-
-/// Returns how sure the last pose is, relative to the first frame; null without a pose.
-nlohmann::ordered_json last_pose_json(const vo::SequenceResult& result) {
-  const auto last = std::find_if(result.frames.rbegin(), result.frames.rend(), [](const auto& f) {
-    return f.status != vo::TrackingStatus::lost;
-  });
-  if (last == result.frames.rend()) {
-    return nullptr;
-  }
-  const vo::Vector6d variance = last->absolute_covariance.diagonal();
-  constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
-  return {{"timestamp", last->timestamp},
-          {"sigma_m", std::sqrt(variance.head<3>().sum())},
-          {"sigma_deg", kDegreesPerRadian * std::sqrt(variance.tail<3>().sum())}};
-}
-
-nlohmann::ordered_json summary(const TrackArguments& arguments, const Tracked& tracked) {
-  nlohmann::ordered_json json = {{"sequence", arguments.sequence}, {"estimate", arguments.out}};
-  if (tracked.mono != nullptr) {
-    json["mode"] = arguments.mode;
-  }
-  json["frames"] = tracked.result.frames.size();
-  json["tracked_fraction"] = tracked.result.tracked_fraction();
-  json["uncertain"] = tracked.result.uncertain();
-  json["reasons"] = reasons_json(tracked.result);
-  json["keyframes"] = tracked.result.keyframes();
-  json["ms_per_frame"] = time_json(vo::summarize(tracked.result.times));
-  if (tracked.mono != nullptr) {
-    json["mapping_ms"] = tracked.mono->mapping_ms();
-    json["oriented_poses"] = tracked.mono->oriented_poses;
-    json["scale_uncertain_poses"] = tracked.mono->scale_uncertain_poses;
-    json["keyframe_scales"] = scales_json(*tracked.mono);
-  } else {
-    json["preset"] = arguments.preset;
-    json["moving_fraction"] = tracked.result.moving_fraction();
-    json["last_pose"] = last_pose_json(tracked.result);
-    json["typical_depth_m"] = tracked.result.typical_depth_m();
-  }
-  json["note"] = tracked.note;
-  json["sequence_notes"] = tracked.sequence_notes;
-  json["options"] = fields_json(tracked.options);
-  return json;
-}
-
-/// Returns how many frames have a pose, and how many of those are uncertain, for people.
-std::string describe_status(const vo::SequenceResult& result, const Colours& colours) {
-  const std::string counts =
-      vo::concat(result.trajectory.size(), " of ", result.frames.size(), " frames tracked");
-  const bool is_lost = result.trajectory.size() < result.frames.size();
-  const std::string uncertain =
-      result.uncertain() > 0 ? vo::concat(result.uncertain(), " of them uncertain") : "";
-  return (is_lost ? colours.paint(Tone::bad, counts) : counts) + ", " +
-         colours.paint(Tone::caution, uncertain) + (uncertain.empty() ? "" : ", ");
-}
-
-/// Prints the result, its note last, and returns the exit code.
-int print(const TrackArguments& arguments, const Tracked& tracked, const Session& session) {
-  const auto [out, colours] = speech_beside(
-      session,
-      {vo::is_stream(arguments.out) ? vo::kStdoutPath : arguments.out, arguments.frame_log});
-  const vo::SequenceResult& result = tracked.result;
-  if (arguments.common.json) {
-    out << json_text(json_document({"track"}, summary(arguments, tracked)));
-  } else {
-    const vo::TimeSummary times = vo::summarize(result.times);
-    out << arguments.out << ": " << describe_status(result, colours) << result.keyframes()
-        << " keyframes, " << times.median_ms << " ms per frame (median; pyramid "
-        << times.pyramid_ms << ", edges " << times.edges_ms << ", alignment " << times.alignment_ms
-        << (tracked.mono != nullptr ? vo::concat(", mapping ", tracked.mono->mapping_ms()) : "")
-        << ")\n"
-        << (result.trajectory.empty() || tracked.note.empty()
-                ? ""
-                : colours.paint(Tone::caution, tracked.note) + "\n");
-    out << note_lines(tracked.sequence_notes, colours);
-  }
-  if (result.trajectory.empty() && !tracked.note.empty()) {
-    std::cerr << error_line(session.err, tracked.note);
-  }
-  return tracked.is_complete() ? exit_code::kOk : exit_code::kTrackingLost;
+Tracked tracked_rgbd(vo::SequenceResult result, vo::TrackerOptions& options) {
+  Tracked tracked{.result = std::move(result), .options = vo::fields_of(options)};
+  tracked.log = vo::format_frame_log(tracked.result.frames);
+  tracked.note = vo::note_on(tracked.result);
+  return tracked;
 }
 
 void write_pictures(const TrackArguments& arguments, const vo::SequenceReader& sequence,
@@ -236,6 +111,14 @@ void write_pictures(const TrackArguments& arguments, const vo::SequenceReader& s
       beside(arguments.out, "_trajectory.svg"),
       draw_trajectory(sequence.ground_truth(), result.trajectory, vo::TrajectoryAlignment::se3),
       arguments.common.output_policy());
+}
+
+/// Prints what was tracked, and says on the page how it went; returns the exit code.
+int tell(const TrackArguments& arguments, const Tracked& tracked, WatchedRun& watched,
+         const Session& session) {
+  const int status = print_tracked(arguments, tracked, session);
+  watched.finish(tracked.text());
+  return status;
 }
 
 int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera,
@@ -251,23 +134,17 @@ int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCame
   const vo::FrameObserver observer =
       arguments.save_map.empty() ? panels.observer() : cloud.observer(panels.observer());
   watched.begin(tracking_stage(sequence, arguments.sequence, {}));
-  Tracked tracked{.result = vo::track_sequence(sequence, options, {}, watched.observer(observer),
-                                               bar.callback()),
-                  .options = vo::fields_of(options)};
-  tracked.log = vo::format_frame_log(tracked.result.frames);
-  tracked.note = vo::note_on(tracked.result);
+  Tracked tracked = tracked_rgbd(
+      vo::track_sequence(sequence, options, {}, watched.observer(observer), bar.callback()),
+      options);
   tracked.sequence_notes = sequence.notes();
-  write_results(arguments, tracked);
-  write_map(arguments, cloud);
+  write_tracked(arguments, tracked, cloud);
   if (arguments.debug_images > 0) {
     panels.commit();
     write_pictures(arguments, sequence, tracked.result);
   }
   bar.erase();
-  const int status = print(arguments, tracked, session);
-  watched.finish(vo::concat(tracked.result.trajectory.size(), " of ", tracked.result.frames.size(),
-                            " frames tracked"));
-  return status;
+  return tell(arguments, tracked, watched, session);
 }
 
 /// Returns what a user must know of a monocular trajectory to use it.
@@ -290,6 +167,16 @@ std::string note_on(const vo::MonoSequenceResult& result, vo::MonoBootstrap boot
   return note;
 }
 
+Tracked tracked_mono(const vo::MonoSequenceResult& result, vo::MonoOptions& options) {
+  return {.result = result.tracking(),
+          .options = vo::fields_of(options),
+          .log = vo::format_mono_log(result.frames),
+          .mono = &result,
+          .note = note_on(result, options.bootstrap),
+          .sequence_notes = result.sequence_notes,
+          .camera = {}};
+}
+
 int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera,
                ProgressBar& bar, WatchedRun& watched, const Session& session) {
   vo::require(arguments.debug_images == 0,
@@ -309,23 +196,143 @@ int track_mono(const TrackArguments& arguments, const std::optional<vo::RgbdCame
       watched.mono_observer(arguments.save_map.empty() ? vo::MonoObserver()
                                                        : cloud.mono_observer()),
       bar.callback());
-  const Tracked tracked{.result = result.tracking(),
-                        .options = vo::fields_of(options),
-                        .log = vo::format_mono_log(result.frames),
-                        .mono = &result,
-                        .note = note_on(result, options.bootstrap),
-                        .sequence_notes = result.sequence_notes};
-  write_results(arguments, tracked);
-  write_map(arguments, cloud);
+  const Tracked tracked = tracked_mono(result, options);
+  write_tracked(arguments, tracked, cloud);
   bar.erase();
-  const int status = print(arguments, tracked, session);
-  watched.finish(vo::concat(tracked.result.trajectory.size(), " of ", tracked.result.frames.size(),
-                            " frames tracked"));
-  return status;
+  return tell(arguments, tracked, watched, session);
+}
+
+/// Returns an observer that an interrupt of the user's does not end: the frames end then.
+template <typename... Arguments>
+std::function<void(Arguments...)> through_interrupts(std::function<void(Arguments...)> observer) {
+  if (!observer) {
+    return observer;
+  }
+  return [observer = std::move(observer)](Arguments... arguments) {
+    try {
+      observer(arguments...);
+    } catch (const vo::Error&) {
+      if (!is_interrupted()) {
+        throw;
+      }
+    }
+  };
+}
+
+WatchedStage camera_stage(const LiveCamera& camera) {
+  return {.name = "tracking",
+          .title = camera.device,
+          .frames = 0,
+          .camera = camera.camera.pinhole,
+          .truth = {},
+          .path = {}};
+}
+
+vo::Progress camera_progress(const LiveCamera& camera, ProgressBar& bar) {
+  return [&](std::size_t frames, std::size_t /*total*/) {
+    bar.announce(vo::concat("tracking ", camera.device, ", ", frames, " frames"));
+  };
+}
+
+/// Ends a camera and tells of it.
+void end_camera(const LiveCamera& camera, NewestFrames& frames, Tracked& tracked) {
+  const NewestFrames::End end = frames.finish();
+  tracked.camera = {camera.device, end.dropped};
+  tracked.sequence_notes = camera.notes;
+  if (!end.failure.empty()) {
+    tracked.sequence_notes.push_back("what the camera gave before it failed is tracked: " +
+                                     end.failure);
+  }
+}
+
+int track_rgbd_camera(const TrackArguments& arguments, const LiveCamera& camera, ProgressBar& bar,
+                      WatchedRun& watched, const Session& session) {
+  vo::require(camera.has_depth, arguments.sequence, ": has no depth, expected --mode mono");
+  const vo::TrackerOptions chosen = chosen_options(arguments, session.err);
+  cv::setNumThreads(chosen.align.threads);
+  vo::TrackerOptions options = chosen.starting_from(camera.camera);
+  KeyframeCloud cloud;
+  watched.begin(camera_stage(camera));
+  NewestFrames frames(camera, arguments.frames, is_interrupted);
+  Tracked tracked = tracked_rgbd(
+      vo::track_frames(
+          {.camera = camera.camera, .next = [&] { return frames.next(); }}, options, {},
+          through_interrupts(watched.observer(arguments.save_map.empty() ? vo::FrameObserver()
+                                                                         : cloud.observer({}))),
+          camera_progress(camera, bar)),
+      options);
+  end_camera(camera, frames, tracked);
+  write_tracked(arguments, tracked, cloud);
+  bar.erase();
+  return tell(arguments, tracked, watched, session);
+}
+
+int track_mono_camera(const TrackArguments& arguments, const LiveCamera& camera, ProgressBar& bar,
+                      WatchedRun& watched, const Session& session) {
+  vo::MonoOptions options = chosen_mono_options(arguments, session.err);
+  const bool takes_depth = options.bootstrap == vo::MonoBootstrap::rgbd;
+  vo::require(!takes_depth || camera.has_depth, arguments.sequence,
+              ": has no depth, which --bootstrap rgbd needs");
+  vo::MonoOptions started = options;
+  started.tracker = options.tracker.starting_from(camera.camera);
+  NewestFrames frames(camera, arguments.frames, is_interrupted);
+  bool is_first = true;
+  const auto next = [&] {
+    std::optional<vo::RgbdFrame> frame = frames.next();
+    if (frame && !(takes_depth && std::exchange(is_first, false))) {
+      frame->depth = {};
+    }
+    return frame;
+  };
+  KeyframeCloud cloud;
+  watched.begin(camera_stage(camera));
+  const vo::MonoSequenceResult result = vo::track_mono_images(
+      {.camera = camera.camera.pinhole, .T_world_first = {}, .next = next}, started,
+      through_interrupts(watched.mono_observer(arguments.save_map.empty() ? vo::MonoObserver()
+                                                                          : cloud.mono_observer())),
+      camera_progress(camera, bar));
+  Tracked tracked = tracked_mono(result, options);
+  end_camera(camera, frames, tracked);
+  write_tracked(arguments, tracked, cloud);
+  bar.erase();
+  return tell(arguments, tracked, watched, session);
+}
+
+/// Throws where options contradict the source of the frames.
+void check_source(const TrackArguments& arguments) {
+  const auto refuse = [&](bool is_given, const char* option, const char* expected) {
+    if (is_given) {
+      vo::fail_as(vo::ErrorKind::usage, option, ": expected ", expected, ", not ",
+                  arguments.sequence);
+    }
+  };
+  if (is_live_camera(arguments.sequence)) {
+    const char* expected = "a sequence (edvo record makes one of a camera)";
+    refuse(arguments.debug_images > 0, "--debug-images", expected);
+    refuse(!arguments.depth_file.empty(), "--depth-file", expected);
+    refuse(!arguments.topics.are_free(), "--rgb-topic and the like", expected);
+  } else {
+    refuse(arguments.frames > 0, "--frames", "a camera (openni2, v4l2)");
+    refuse(!arguments.size.empty(), "--size", "a camera (openni2, v4l2)");
+  }
+}
+
+int track_camera(const TrackArguments& arguments, const std::optional<vo::RgbdCamera>& camera,
+                 ProgressBar& bar, WatchedRun& watched, const Session& session) {
+  LiveCameraSettings settings{.camera = camera,
+                              .max_time_difference = arguments.max_time_difference};
+  if (!arguments.size.empty()) {
+    settings.size = parse_size(arguments.size);
+  }
+  const LiveCamera live = open_live_camera(arguments.sequence, settings);
+  return vo::parse_enum<TrackMode>(arguments.mode) == TrackMode::mono
+             ? track_mono_camera(arguments, live, bar, watched, session)
+             : track_rgbd_camera(arguments, live, bar, watched, session);
 }
 
 int track(TrackArguments& arguments, const Session& session) {
   read_config(arguments);
+  check_source(arguments);
   const std::optional<vo::RgbdCamera> camera = given_camera(arguments.camera);
   vo::require_writable(arguments.out);
   if (!arguments.frame_log.empty()) {
@@ -342,6 +349,10 @@ int track(TrackArguments& arguments, const Session& session) {
   }
   WatchedRun watched(arguments.live);
   ProgressBar bar("tracking", arguments.common.verbosity());
+  if (is_live_camera(arguments.sequence)) {
+    bar.announce("opening " + arguments.sequence);
+    return track_camera(arguments, camera, bar, watched, session);
+  }
   bar.announce("reading " + arguments.sequence);
   return vo::parse_enum<TrackMode>(arguments.mode) == TrackMode::mono
              ? track_mono(arguments, camera, bar, watched, session)
@@ -354,7 +365,9 @@ void add_track_command(CLI::App& program, Session& session) {
   CLI::App& command = *program.add_subcommand("track", kTrackHelp);
   const auto arguments = std::make_shared<TrackArguments>();
   command.footer(track_examples());
-  command.add_option("SEQUENCE", arguments->sequence, "folder of a sequence, recording or video")
+  command
+      .add_option("SEQUENCE", arguments->sequence,
+                  "folder of a sequence, recording, video, or camera (openni2, v4l2)")
       ->required();
   command.add_option("--out", arguments->out, "trajectory to write")->required();
   add_camera_option(command, arguments->camera);
@@ -382,6 +395,9 @@ void add_track_command(CLI::App& program, Session& session) {
       ->check(CLI::PositiveNumber);
   command.add_option("--max-time-difference", arguments->max_time_difference,
                      "between the stamps of colour and depth, s [0.02]");
+  command.add_option("--frames", arguments->frames,
+                     "of a camera: at most so many; 0 is until Ctrl-C [0]");
+  command.add_option("--size", arguments->size, "of a camera: WxH, px, as of edvo record");
   add_topic_options(command, arguments->topics);
   add_live_options(command, arguments->live);
   add_common_options(command, arguments->common);

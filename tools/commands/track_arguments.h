@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -37,6 +38,8 @@ struct TrackArguments {
   std::string frame_log;
   std::string save_map;  ///< .ply or .pcd for the keyframes' points; empty without one
   int debug_images = 0;
+  std::size_t frames = 0;                  ///< of a camera, at most; 0 = any number
+  std::string size;                        ///< of a camera's images, WxH, px; empty = its own
   double max_time_difference = 0.02;       ///< s
   vo::SequenceTopics topics;               ///< of a recording
   std::vector<vo::TomlValue> config_keys;  ///< of the configuration, without mode and preset

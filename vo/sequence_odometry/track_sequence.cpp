@@ -8,6 +8,7 @@
 #include "vo/core/fields.h"
 #include "vo/core/median.h"
 #include "vo/motion_files/timestamp.h"
+#include "vo/sequence_odometry/track_frames.h"
 
 namespace vo {
 namespace {
@@ -139,11 +140,18 @@ std::string note_on(const SequenceResult& result) {
 SequenceResult track_sequence(const SequenceReader& sequence, const TrackerOptions& options,
                               const SE3& T_world_first, const FrameObserver& observe,
                               const Progress& progress) {
-  RgbdOdometry odometry(sequence.camera().pinhole, options.starting_from(sequence.camera()),
-                        T_world_first);
   FrameStream stream(sequence);
+  return track_frames(
+      {.camera = sequence.camera(), .size = sequence.size(), .next = [&] { return stream.next(); }},
+      options, T_world_first, observe, progress);
+}
+
+SequenceResult track_frames(const RgbdFrames& frames, const TrackerOptions& options,
+                            const SE3& T_world_first, const FrameObserver& observe,
+                            const Progress& progress) {
+  RgbdOdometry odometry(frames.camera.pinhole, options.starting_from(frames.camera), T_world_first);
   SequenceResult result;
-  while (const std::optional<RgbdFrame> frame = stream.next()) {
+  while (const std::optional<RgbdFrame> frame = frames.next()) {
     result.frames.push_back(odometry.track(*frame));
     result.times.push_back(odometry.stage_times());
     if (const float depth = median_depth(frame->depth); has_depth(depth)) {
@@ -153,7 +161,7 @@ SequenceResult track_sequence(const SequenceReader& sequence, const TrackerOptio
       observe(*frame, odometry.current(), odometry.tracker(), result.frames.back(),
               odometry.stage_times());
     }
-    progress(result.frames.size(), sequence.size());
+    progress(result.frames.size(), frames.size);
   }
   result.trajectory = odometry.trajectory();
   return result;
