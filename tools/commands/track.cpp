@@ -60,6 +60,8 @@ std::string track_examples() {
       "  edvo track rgbd_dataset_freiburg1_xyz --camera tum-fr1 --preset paper --out estimate.txt\n"
       "  edvo track sequence --set keyframes.every=5 --set edges.percentile=90 --out e.txt --json\n"
       "  edvo track sequence --debug-images 30 --out e.txt   # pictures in e_panels/\n"
+      "  edvo track sequence --out e.txt --frame-log e.csv --time-log e_times.csv   # edvo view "
+      "e.txt\n"
       "  edvo track sequence --mode mono --bootstrap auto --out e.txt --frame-log e.csv\n"
       "  edvo track walk.mp4 --mode mono --camera my_camera.toml --out e.txt\n"
       "  edvo track openni2 --live --out e.txt\n"
@@ -335,8 +337,10 @@ int track(TrackArguments& arguments, const Session& session) {
   check_source(arguments);
   const std::optional<vo::RgbdCamera> camera = given_camera(arguments.camera);
   vo::require_writable(arguments.out);
-  if (!arguments.frame_log.empty()) {
-    vo::require_writable(arguments.frame_log);
+  for (const std::string& log : {arguments.frame_log, arguments.time_log}) {
+    if (!log.empty()) {
+      vo::require_writable(log);
+    }
   }
   if (!arguments.save_map.empty()) {
     cloud_format_of(arguments.save_map);
@@ -387,6 +391,8 @@ void add_track_command(CLI::App& program, Session& session) {
       ->allow_extra_args(false);
   command.add_option("--frame-log", arguments->frame_log,
                      "CSV: status, termination, points, cost and covariances of every frame");
+  command.add_option("--time-log", arguments->time_log,
+                     "CSV: time of each stage of every frame, ms");
   command.add_option("--save-map", arguments->save_map,
                      "points of all keyframes with the sigma of each inverse depth, .ply or .pcd");
   command
@@ -402,7 +408,7 @@ void add_track_command(CLI::App& program, Session& session) {
   add_live_options(command, arguments->live);
   add_common_options(command, arguments->common);
   take_streams(command, {.inputs = {"--camera", "--config", "--depth-file"},
-                         .outputs = {"--out", "--frame-log"},
+                         .outputs = {"--out", "--frame-log", "--time-log"},
                          .others = {"SEQUENCE", "--save-map"}});
   command.callback([arguments, &session] { session.status = track(*arguments, session); });
 }

@@ -36,6 +36,7 @@ struct TrackArguments {
   std::vector<std::string> assignments;  ///< key=value, applied after the configuration
   std::string out;
   std::string frame_log;
+  std::string time_log;
   std::string save_map;  ///< .ply or .pcd for the keyframes' points; empty without one
   int debug_images = 0;
   std::size_t frames = 0;                  ///< of a camera, at most; 0 = any number

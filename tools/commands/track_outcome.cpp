@@ -16,6 +16,7 @@
 #include "vo/core/error.h"
 #include "vo/files/output.h"
 #include "vo/motion_files/trajectory_file.h"
+#include "vo/sequence_odometry/time_log.h"
 
 namespace tools {
 namespace {
@@ -115,6 +116,10 @@ void write_tracked(const TrackArguments& arguments, const Tracked& tracked, Keyf
   if (!arguments.frame_log.empty()) {
     vo::write_file(arguments.frame_log, tracked.log, arguments.common.output_policy());
   }
+  if (!arguments.time_log.empty()) {
+    vo::write_file(arguments.time_log, vo::format_time_log(tracked.result),
+                   arguments.common.output_policy());
+  }
   if (!arguments.save_map.empty()) {
     vo::write_file(arguments.save_map, encode(cloud.finish(), cloud_format_of(arguments.save_map)),
                    arguments.common.output_policy());
@@ -122,9 +127,9 @@ void write_tracked(const TrackArguments& arguments, const Tracked& tracked, Keyf
 }
 
 int print_tracked(const TrackArguments& arguments, const Tracked& tracked, const Session& session) {
-  const auto [out, colours] = speech_beside(
-      session,
-      {vo::is_stream(arguments.out) ? vo::kStdoutPath : arguments.out, arguments.frame_log});
+  const auto [out, colours] =
+      speech_beside(session, {vo::is_stream(arguments.out) ? vo::kStdoutPath : arguments.out,
+                              arguments.frame_log, arguments.time_log});
   const vo::SequenceResult& result = tracked.result;
   if (arguments.common.json) {
     out << json_text(json_document({"track"}, summary(arguments, tracked)));

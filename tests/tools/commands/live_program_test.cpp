@@ -82,7 +82,27 @@ TEST_F(LiveProgram, RunsAndTestsAScenarioToTheSameResult) {
   EXPECT_THAT(live.err, HasSubstr("live at http://127.0.0.1:"));
 }
 
-TEST_F(LiveProgram, ViewsReportsAlone) {
+TEST_F(LiveProgram, ViewsATrackUntilCtrlC) {
+  for (const std::string mode : {"rgbd --debug-images 4", "mono --bootstrap rgbd"}) {
+    ASSERT_EQ(track("seen", "--force --mode " + mode + " --time-log " + path("seen_times.csv"))
+                      .exit_code %
+                  5,
+              0);
+    const ProgramResult viewed =
+        run_program("view " + path("seen.txt"), "timeout --preserve-status -s INT 3 ");
+    EXPECT_EQ(viewed.exit_code, 130) << viewed.err;
+    EXPECT_THAT(viewed.err, MatchesRegex("http://127.0.0.1:[0-9]+/.token=[0-9a-f]+\n"));
+  }
+  const ProgramResult other =
+      run_program("view " + path("seen.txt") + " --frame-log " + path("sequence/rgb.txt"));
+  EXPECT_EQ(other.exit_code, 3);
+  EXPECT_THAT(other.err, HasSubstr("rgb.txt: is no log of frames"));
+}
+
+TEST_F(LiveProgram, ViewsReportsAndTrajectoriesAlone) {
+  write("bad.txt", "no trajectory\n");
+  EXPECT_EQ(run_program("view " + path("bad.txt")).exit_code, 3);
+  EXPECT_EQ(run_program("view " + path("r.html") + " --frame-log " + path("bad.txt")).exit_code, 2);
   write("other.html", "<html></html>");
   std::filesystem::create_directory(file("empty"));
   for (const char* name : {"other.html", "empty", "none"}) {

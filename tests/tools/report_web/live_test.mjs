@@ -108,6 +108,24 @@ test('the page shows every frame, its pictures, path and times, and stays until 
   assert.equal(await run.ended, 0, 'the code of the run, which was over');
 });
 
+test('a track that is done is shown with its pictures and times, and can be scrubbed', async () => {
+  const done = spawnSync(edvo, ['track', sequence, '--out', estimate('done.txt'), '--quiet', '--force',
+    '--frame-log', estimate('done.csv'), '--time-log', estimate('done_times.csv'), '--debug-images', '6']);
+  assert.equal(done.status, 0);
+  run = await start('view', estimate('done.txt'));
+  await open(run.url);
+  await badge('done').waitFor();
+  assert.equal(await slider().getAttribute('max'), String(kFrames - 1));
+  assert.match(await page.locator('.stage-times').textContent(), /pyramid.*edges.*alignment.*total/);
+  await page.waitForSelector('.live figure img[src]');
+  await page.keyboard.press('ArrowLeft');
+  assert.equal(await frame(), kFrames - 2);
+  assert.match(await page.locator('.pictures .which').textContent(), /frame 24/);
+  assert.deepEqual(complaints, []);
+  run.child.kill('SIGINT');
+  assert.equal(await run.ended, 130);
+});
+
 test('a viewer pauses, steps and lets go on, and the trajectory is the same', async () => {
   spawnSync(edvo, ['track', sequence, '--out', estimate('alone.txt'), '--quiet', '--force']);
   run = await track('paused.txt', '--live-paused');

@@ -92,7 +92,7 @@ RUNS = [
     Run("convert sequence kitti --format kitti --json", "convert"),
     Run("convert sequence colmap --format colmap --json", "convert"),
     Run("convert sequence nerf --format transforms-json --json", "convert"),
-    Run("track sequence --out track.txt --frame-log track.csv --debug-images 6 --save-map map.ply --json", "track"),
+    Run("track sequence --out track.txt --frame-log track.csv --time-log track_times.csv --debug-images 6 --save-map map.ply --json", "track"),
     Run("record openni2 recorded --frames 3 --json", "record", camera=True),
     Run("track openni2 --frames 3 --out camera.txt --frame-log camera.csv --json", "track", (0, 5), camera=True),
     Run("track sequence --out again.txt --save-map map.pcd --quiet"),
