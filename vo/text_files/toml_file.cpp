@@ -64,6 +64,10 @@ class ValueReader {
   std::string place_;
 };
 
+std::string place_of(const toml::node& node, const Path& path) {
+  return concat(path.string(), ":", node.source().begin.line);
+}
+
 void flatten(const toml::table& table, const std::string& prefix, const Path& path,
              std::vector<TomlValue>& values) {
   for (const auto& [name, node] : table) {
@@ -71,8 +75,7 @@ void flatten(const toml::table& table, const std::string& prefix, const Path& pa
     if (const auto* nested = node.as_table()) {
       flatten(*nested, key + ".", path, values);
     } else {
-      values.push_back(
-          ValueReader(key, concat(path.string(), ":", node.source().begin.line)).read(node));
+      values.push_back(ValueReader(key, place_of(node, path)).read(node));
     }
   }
 }
@@ -94,7 +97,7 @@ void list_tables(const toml::table& table, const std::string& prefix, const Path
   for (const auto& [name, node] : table) {
     if (const auto* nested = node.as_table()) {
       const std::string key = prefix + std::string(name.str());
-      tables.push_back({key, concat(path.string(), ":", node.source().begin.line)});
+      tables.push_back({key, place_of(node, path)});
       list_tables(*nested, key + ".", path, tables);
     }
   }
@@ -134,9 +137,8 @@ std::string escaped_toml(std::string_view character) {
   return code.data();
 }
 
-std::string toml_text(const Field& field) {
-  std::string value = field.get();
-  switch (field.type) {
+std::string toml_text(const std::string& value, FieldType type) {
+  switch (type) {
     case FieldType::text:
       return quoted_toml(value);
     case FieldType::reals:
@@ -166,6 +168,23 @@ std::vector<TomlValue> read_toml(const Path& path) {
   return values;
 }
 
+TomlRecords read_toml_records(const Path& path, const std::string& name) {
+  toml::table document = parsed(path);
+  TomlRecords result;
+  if (const toml::node* node = document.get(name)) {
+    const toml::array* array = node->as_array();
+    require(array != nullptr && array->is_homogeneous<toml::table>(), place_of(*node, path), ": ",
+            name, ": expected tables [[", name, "]]");
+    for (const toml::node& element : *array) {
+      result.records.push_back({place_of(element, path), {}});
+      flatten(*element.as_table(), "", path, result.records.back().values);
+    }
+    document.erase(name);
+  }
+  flatten(document, "", path, result.others);
+  return result;
+}
+
 std::vector<TomlTable> toml_tables(const Path& path) {
   std::vector<TomlTable> tables;
   list_tables(parsed(path), "", path, tables);
@@ -189,9 +208,13 @@ void assign_fields(const std::vector<TomlValue>& values, std::vector<Field>& fie
 std::string format_toml(const std::vector<Field>& fields) {
   std::string text;
   for (const Field& field : fields) {
-    text += concat(field.key, " = ", toml_text(field), "\n");
+    text += concat(field.key, " = ", toml_text(field.get(), field.type), "\n");
   }
   return text;
+}
+
+std::string format_toml(const TomlValue& value) {
+  return concat(value.key, " = ", toml_text(value.text, value.type), "\n");
 }
 
 }  // namespace vo

@@ -22,6 +22,22 @@ struct TomlValue {
 /// column for what is not TOML.
 std::vector<TomlValue> read_toml(const std::filesystem::path& path);
 
+/// One table of an array of tables, `[[camera]]`, its keys without the array's name.
+struct TomlRecord {
+  std::string place;  ///< `file:line`, for messages
+  std::vector<TomlValue> values;
+};
+
+/// The values of a TOML file in which the tables of one array stand apart.
+struct TomlRecords {
+  std::vector<TomlValue> others;
+  std::vector<TomlRecord> records;  ///< in the file's order; none where there is no such array
+};
+
+/// Returns the values of a TOML file with an array of tables of this name. Throws as `read_toml`
+/// does, and where the name is that of something else.
+TomlRecords read_toml_records(const std::filesystem::path& path, const std::string& name);
+
 /// A table of a TOML file.
 struct TomlTable {
   std::string key;    ///< dotted, from the outermost table
@@ -39,6 +55,9 @@ void assign_fields(const std::vector<TomlValue>& values, std::vector<Field>& fie
 /// Returns the text as a TOML string: quotes, backslashes and control characters are escaped, bytes
 /// that are not UTF-8 become U+FFFD.
 std::string quoted_toml(std::string_view text);
+
+/// Returns a value as TOML that reads back to an equal one.
+std::string format_toml(const TomlValue& value);
 
 /// Returns the fields as TOML that reads back to equal values.
 std::string format_toml(const std::vector<Field>& fields);

@@ -1,0 +1,147 @@
+#include "vo/rigs/rig_file.h"
+
+#include <cmath>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/error_text.h"
+#include "tests/support/temp_folder.h"
+#include "vo/core/fields.h"
+
+namespace {
+
+using support::error_text;
+using support::TempFolder;
+using testing::HasSubstr;
+
+constexpr const char* kImage =
+    "width = 64\nheight = 48\nfx = 50.0\nfy = 51.0\ncx = 31.5\ncy = 23.5\n";
+
+std::string camera(const std::string& name, const std::string& rest = "") {
+  return "[[camera]]\nname = \"" + name + "\"\n" + kImage + rest + "\n";
+}
+
+vo::Rig read(const std::string& text) {
+  const TempFolder folder;
+  return vo::read_rig(folder.write("rig.toml", text));
+}
+
+std::string refusal(const std::string& text) {
+  return error_text([&] { read(text); });
+}
+
+/// Returns the greatest difference of two poses' matrices.
+double difference(const vo::SE3& a, const vo::SE3& b) {
+  return std::max((a.rotation_matrix() - b.rotation_matrix()).cwiseAbs().maxCoeff(),
+                  (a.translation() - b.translation()).cwiseAbs().maxCoeff());
+}
+
+TEST(RigFile, MatrixAndQuaternionAreOnePose) {
+  const vo::Rig rig = read(
+      camera("a", "T_body_camera = [[0, 0, 1, 0.5], [-1, 0, 0, -2], [0, -1, 0, 3], [0, 0, 0, 1]]") +
+      camera("b", "position = [0.5, -2, 3]\norientation = [-0.5, 0.5, -0.5, 0.5]"));
+  ASSERT_EQ(rig.cameras.size(), 2U);
+  EXPECT_LT(difference(rig.cameras[0].T_body_camera, rig.cameras[1].T_body_camera), 1e-15);
+  // The camera's z axis, forward, is the body's x.
+  EXPECT_LT((rig.cameras[0].T_body_camera.rotation() * Eigen::Vector3d::UnitZ() -
+             Eigen::Vector3d::UnitX())
+                .norm(),
+            1e-15);
+}
+
+TEST(RigFile, ReadsWhatIsWrittenOfARig) {
+  const vo::Rig rig =
+      read("[imu]\nposition = [0.1, 0.2, 0.3]\norientation = [0, 0.6, 0, 0.8]\n" +
+           camera("left",
+                  "stereo = \"right\"\ntime_offset = 0.002\nsensor.preset = \"kinect-v1\"\n"
+                  "sensor.depth.offset = [0.025, 0, 0]\nposition = [0, 0, 1e-3]") +
+           camera("right", "time_offset = 0.002\nposition = [0.1, 0, 1e-3]") +
+           camera("fish", "distortion.model = \"kannala_brandt\"\ndistortion.k1 = -0.013"));
+  const vo::Rig again = read(vo::format_rig(rig));
+  EXPECT_LT(difference(again.T_body_imu, rig.T_body_imu), 1e-15);
+  ASSERT_EQ(again.cameras.size(), 3U);
+  for (std::size_t i = 0; i < again.cameras.size(); ++i) {
+    vo::RigCamera a = rig.cameras[i];
+    vo::RigCamera b = again.cameras[i];
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_EQ(a.stereo, b.stereo);
+    EXPECT_EQ(a.time_offset, b.time_offset);
+    EXPECT_LT(difference(a.T_body_camera, b.T_body_camera), 1e-15);
+    const std::vector<vo::Field> before = vo::fields_of(a.camera);
+    const std::vector<vo::Field> after = vo::fields_of(b.camera);
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      EXPECT_EQ(before[k].get(), after[k].get()) << before[k].key;
+    }
+    ASSERT_EQ(a.sensor.size(), b.sensor.size());
+    for (std::size_t k = 0; k < a.sensor.size(); ++k) {
+      EXPECT_EQ(a.sensor[k].key + a.sensor[k].text, b.sensor[k].key + b.sensor[k].text);
+    }
+  }
+  EXPECT_EQ(vo::format_rig(again), vo::format_rig(read(vo::format_rig(again))));
+}
+
+TEST(RigFile, TheBaselineIsTheDistanceOfARectifiedPairHoweverItIsTurned) {
+  const std::string turned = "\norientation = [0, 0, 0.6, 0.8]";  // x is (0.28, 0.96, 0)
+  const vo::Rig rig = read(camera("l", "stereo = \"r\"\nposition = [1, 2, 3]" + turned) +
+                           camera("r", "position = [1.028, 2.096, 3]" + turned));
+  EXPECT_NEAR(vo::stereo_baseline(rig, rig.cameras[0]), 0.1, 1e-12);
+}
+
+TEST(RigFile, RefusesNamesThatAreNotFoldersOfTheirOwn) {
+  EXPECT_THAT(refusal(camera("a") + camera("a")),
+              HasSubstr("rig.toml:10: camera 'a': expected a name of its own"));
+  EXPECT_THAT(refusal(camera("../a")), HasSubstr("camera '../a': expected a name of letters"));
+  EXPECT_THAT(refusal(camera("truth")), HasSubstr("other than truth"));
+  EXPECT_THAT(refusal(std::string("[[camera]]\n") + kImage), HasSubstr(":1: [[camera]]: expected"));
+  EXPECT_THAT(refusal(""), HasSubstr("expected a table [[camera]] for each camera"));
+  EXPECT_THAT(refusal("camera = 3"), HasSubstr("expected tables [[camera]]"));
+}
+
+TEST(RigFile, RefusesKeysAndValuesThatItDoesNotKnow) {
+  EXPECT_THAT(refusal(camera("a", "focal = 3.0")), HasSubstr("rig.toml:9: "));
+  EXPECT_THAT(refusal(camera("a", "T_body_cam = [0]")), HasSubstr("T_body_camera"));
+  EXPECT_THAT(refusal("body = 1\n" + camera("a")), HasSubstr("rig.toml:1: "));
+  EXPECT_THAT(refusal(camera("a", "distortion.model = \"fisheye\"")), HasSubstr("kannala_brandt"));
+  EXPECT_THAT(refusal(camera("a", "time_offset = 2.0")), HasSubstr("camera 'a': time_offset"));
+  EXPECT_THAT(refusal("[[camera]]\nname = \"a\"\nwidth = 64\n"), HasSubstr("camera 'a': "));
+}
+
+TEST(RigFile, RefusesPosesThatAreNone) {
+  EXPECT_THAT(refusal(camera("a", "T_body_camera = [1,0,0,0, 0,1,0,0, 0,0,2,0, 0,0,0,1]")),
+              HasSubstr("camera 'a': T_body_camera: expected a rotation"));
+  EXPECT_THAT(refusal(camera("a", "T_body_camera = [1,0,0,0, 0,1,0,0, 0,0,-1,0, 0,0,0,1]")),
+              HasSubstr("camera 'a': T_body_camera: expected a rotation"));
+  EXPECT_THAT(refusal(camera("a", "T_body_camera = [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,1,1]")),
+              HasSubstr("expected 0, 0, 0, 1 as the fourth row"));
+  EXPECT_THAT(refusal(camera("a", "orientation = [0, 0, 0, 2]")),
+              HasSubstr("camera 'a': expected a quaternion of length 1"));
+  EXPECT_THAT(refusal(camera("a", "position = [0, 0]")), HasSubstr("position"));
+  EXPECT_THAT(refusal(camera("a",
+                             "position = [0, 0, 0]\nT_body_camera = [1,0,0,0, 0,1,0,0, "
+                             "0,0,1,0, 0,0,0,1]")),
+              HasSubstr("not both"));
+  EXPECT_THAT(refusal("[imu]\norientation = [0, 0, 0, 0]\n" + camera("a")), HasSubstr(": imu: "));
+}
+
+TEST(RigFile, RefusesPairsThatAreNotRectified) {
+  const auto pair = [](const std::string& right, const std::string& left = "") {
+    return refusal(camera("l", "stereo = \"r\"\n" + left) + camera("r", right));
+  };
+  EXPECT_THAT(pair("position = [-0.1, 0, 0]"),
+              HasSubstr("camera 'l': stereo = \"r\": expected a partner to the right, at a "
+                        "positive baseline"));
+  EXPECT_THAT(pair("position = [0, 0, 0]"), HasSubstr("at a positive baseline"));
+  EXPECT_THAT(pair("position = [0.1, 0.001, 0]"), HasSubstr("whose baseline is along x"));
+  EXPECT_THAT(pair("position = [0.1, 0, 0]\norientation = [0, 0.001, 0, 0.9999995]"),
+              HasSubstr("whose axes are parallel"));
+  EXPECT_THAT(pair("position = [0.1, 0, 0]\ntime_offset = 0.01"), HasSubstr("time_offset"));
+  EXPECT_THAT(pair("position = [0.1, 0, 0]\ndistortion.k1 = 0.1"), HasSubstr("distortion.k1"));
+  EXPECT_THAT(pair("position = [0.1, 0, 0]\ndistortion.k1 = 0.1", "distortion.k1 = 0.1"),
+              HasSubstr("have no distortion"));
+  EXPECT_THAT(refusal(camera("l", "stereo = \"x\"")), HasSubstr("the name of another camera"));
+  EXPECT_THAT(refusal(camera("l", "stereo = \"l\"")), HasSubstr("baseline above 0"));
+}
+
+}  // namespace
