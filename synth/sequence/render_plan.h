@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "synth/sequence/render_sequence.h"
+#include "synth/sequence/share_renderer.h"
 
 namespace synth {
 
@@ -20,5 +21,11 @@ struct RenderPlan {
 /// Estimates a job's cost from up to three of its missing frames, which it renders without writing.
 /// With an empty `folder` all frames of the share are missing.
 RenderPlan plan_sequence(const RenderJob& job, const std::filesystem::path& folder);
+
+/// Estimates the cost of a share likewise, a frame for each part, without that of loading a scene.
+RenderPlan plan_share(const ShareJob& job, const std::filesystem::path& folder);
+
+/// Loads a scene and returns the processor time, s, of that.
+double load_scene(const SceneFile& scene);
 
 }  // namespace synth

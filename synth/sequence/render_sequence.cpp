@@ -1,5 +1,8 @@
 #include "synth/sequence/render_sequence.h"
 
+#include <algorithm>
+#include <memory>
+
 #include "synth/scene/scene_hash.h"
 #include "synth/sequence/depth_coverage.h"
 #include "synth/sequence/share_renderer.h"
@@ -7,11 +10,9 @@
 #include "vo/core/fields.h"
 #include "vo/core/version.h"
 #include "vo/dataset/camera_file.h"
-#include "vo/files/input.h"
 #include "vo/frames/depth_units.h"
 #include "vo/hashing/content_hash.h"
 #include "vo/motion_files/trajectory_file.h"
-#include "vo/output_folders/part_records.h"
 #include "vo/output_folders/staged_folder.h"
 #include "vo/text_files/toml_file.h"
 
@@ -106,61 +107,6 @@ std::vector<std::size_t> share_of(const RenderJob& job) {
   return frames_of(job.share, job.recipe.truth.size());
 }
 
-bool is_of(const fs::path& folder, const std::string& manifest) {
-  return fs::is_regular_file(folder / kManifest) && vo::read_file(folder / kManifest) == manifest;
-}
-
-/// Renders the job's share of the frames and completes the sequence if no frame is missing then.
-/// Frames whose files are not as they were recorded are rendered again, whoever made them.
-void render_share(const RenderJob& job, ShareRenderer& renderer, vo::StagedFolder& staged,
-                  RenderOutcome& outcome) {
-  for (std::vector<std::size_t> share = share_of(job); !share.empty();) {
-    renderer.render(share);
-    outcome.rendered = renderer.rendered();
-    outcome.depth_beyond_16_bit = renderer.depth_beyond_16_bit();
-    outcome.missing = renderer.missing(all_frames(job)).size();
-    share = outcome.missing == 0 ? staged.finish() : std::vector<std::size_t>();
-  }
-}
-
-/// Returns the error's message, for a stopped run with advice on where its finished frames are.
-std::string with_advice(const vo::Error& error, const fs::path& staging) {
-  const bool is_stopped =
-      error.kind() == vo::ErrorKind::temporary || error.kind() == vo::ErrorKind::interrupted;
-  return is_stopped ? vo::concat(error.what(), "; finished frames are kept in ", staging.string(),
-                                 ", the same command continues there")
-                    : error.what();
-}
-
-/// Renders the job's share into a folder that was staged for it, without what is said of the
-/// result.
-RenderOutcome rendered(const RenderJob& job, const Scene& scene, const fs::path& folder,
-                       const vo::OutputPolicy& policy, const RenderObservers& observers) {
-  const vo::Progress& progress = observers.progress;
-  RenderOutcome outcome{.folder = folder};
-  const vo::StagedContent content = sequence_content(job.recipe, sequence_manifest(job));
-  const vo::WaitObserver waiting = [&] {
-    if (progress) {
-      progress(0, 0);
-    }
-  };
-  vo::StagedFolder staged(folder, content, policy, waiting);
-  if (staged.is_finished()) {
-    outcome.was_there = true;
-    return outcome;
-  }
-  try {
-    ShareRenderer renderer({scene, job.recipe}, content, staged, observers);
-    render_share(job, renderer, staged, outcome);
-  } catch (const vo::Error& error) {
-    throw vo::Error(with_advice(error, staged.staging()), error.kind());
-  }
-  if (outcome.missing > 0) {
-    outcome.folder = staged.staging();
-  }
-  return outcome;
-}
-
 }  // namespace
 
 RenderOutcome render_sequence(const RenderJob& job, const fs::path& folder,
@@ -169,7 +115,9 @@ RenderOutcome render_sequence(const RenderJob& job, const fs::path& folder,
   job.recipe.camera.validate();
   share_of(job);  // throws before any work
   const Scene& scene = job.scene.scene();
-  RenderOutcome outcome = rendered(job, scene, folder, policy, {progress, observe});
+  const vo::StagedContent content = sequence_content(job.recipe, sequence_manifest(job));
+  RenderOutcome outcome =
+      render_share(share_job(job, content), folder, policy, {progress, observe});
   outcome.notes = job.scene.notes();
   outcome.depth_coverage = depth_coverage(job.recipe, all_frames(job), outcome.folder);
   if (outcome.depth_coverage) {
@@ -178,24 +126,12 @@ RenderOutcome render_sequence(const RenderJob& job, const fs::path& folder,
   return outcome;
 }
 
-std::vector<std::size_t> frames_to_render(const RenderJob& job, const Scene& scene,
-                                          const fs::path& folder) {
-  std::vector<std::size_t> share = share_of(job);
-  const std::string manifest = format_manifest(job, scene);
-  if (folder.empty()) {
-    return share;
-  }
-  for (const fs::path& place : {folder, vo::StagedFolder::staging_of(folder)}) {
-    if (is_of(place, manifest)) {
-      const vo::PartRecords records(place);
-      std::erase_if(share, [&](std::size_t frame) {
-        const vo::FolderPart part = frame_part(job.recipe, frame);
-        return records.has(part.name, part.files);
-      });
-      return share;
-    }
-  }
-  return share;
+ShareJob share_job(const RenderJob& job, const vo::StagedContent& content) {
+  return {content, share_of(job), [&job]() -> PartMaker {
+            const auto generator =
+                std::make_shared<const FrameGenerator>(job.scene.scene(), job.recipe);
+            return [generator](std::size_t frame) { return generator->make(frame); };
+          }};
 }
 
 std::string format_recipe(const RenderJob& job) {

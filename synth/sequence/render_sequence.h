@@ -49,9 +49,4 @@ RenderOutcome render_sequence(const RenderJob& job, const std::filesystem::path&
                               const vo::OutputPolicy& policy, const vo::Progress& progress,
                               const MadeFrameObserver& observe = {});
 
-/// Returns the frames of the job's share that the folder or else its staging folder lacks; all of
-/// them if neither has the job's inputs or the folder's name is empty.
-std::vector<std::size_t> frames_to_render(const RenderJob& job, const Scene& scene,
-                                          const std::filesystem::path& folder);
-
 }  // namespace synth

@@ -29,8 +29,23 @@ FileRecords planned(const StagedContent& content) {
   for (const NamedBytes& file : content.rest) {
     records[file.name];
   }
+  for (const std::string& folder : content.folders) {
+    records[concat(folder, "/", kFileList)];
+  }
   records[content.marker.name];
   return records;
+}
+
+/// Returns the list of the files in a folder within the one that records are of.
+NamedBytes list_within(const std::string& folder, const FileRecords& records) {
+  const std::string prefix = folder + "/";
+  FileRecords own;
+  for (const auto& [name, record] : records) {
+    if (name.starts_with(prefix)) {
+      own[name.substr(prefix.size())] = record;
+    }
+  }
+  return {prefix + kFileList, format_records(own)};
 }
 
 void remove_folder(const fs::path& folder) {
@@ -222,6 +237,11 @@ std::vector<std::size_t> StagedFolder::finish() {
     records[file.name] = record_of(file.bytes);
   }
   records[content_.marker.name] = record_of(content_.marker.bytes);
+  for (const std::string& folder : content_.folders) {
+    const NamedBytes list = list_within(folder, records);
+    write_files(staging_, {list}, kWithinStaging);
+    records[list.name] = record_of(list.bytes);
+  }
   write_files(staging_, {{std::string(kFileList), format_records(records)}}, kWithinStaging);
   remove_folder(staging_ / part_record_name(""));
   require_replaceable(path_, policy_.existing);

@@ -24,6 +24,8 @@ struct StagedContent {
   NamedBytes marker;  ///< the file that says what the folder is filled with
   std::vector<FolderPart> parts;
   std::vector<NamedBytes> rest;  ///< files of no part, written when all parts are there
+  /// Folders within it that stand alone, too, and therefore get lists of their own files.
+  std::vector<std::string> folders{};
 };
 
 /// A folder that several processes fill, at once or one after the other, part by part: it is

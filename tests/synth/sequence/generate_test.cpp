@@ -50,8 +50,12 @@ void generate(const Scene& scene, const SequenceRecipe& recipe, const fs::path& 
               const vo::Progress& progress = {}) {
   const vo::StagedContent content = sequence_content(recipe, {"marker", ""});
   vo::StagedFolder staged(folder, content, vo::ExistingOutput::keep, {});
-  ShareRenderer renderer({scene, recipe}, content, staged, {progress, {}});
-  renderer.render(frames_of({}, recipe.truth.size()));
+  const ShareJob job{content, frames_of({}, recipe.truth.size()), [&]() -> PartMaker {
+                       const auto generator = std::make_shared<const FrameGenerator>(scene, recipe);
+                       return [generator](std::size_t frame) { return generator->make(frame); };
+                     }};
+  ShareRenderer renderer(job, staged, {progress, {}});
+  renderer.render(job.parts);
   ASSERT_THAT(staged.finish(), testing::IsEmpty());
 }
 
