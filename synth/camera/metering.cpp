@@ -70,7 +70,8 @@ Metering meter(const Renderer& renderer, const vo::PinholeCamera& camera,
 }
 
 double meter_exposure(const Scene& scene, const RenderersOverTime& renderers,
-                      const vo::PinholeCamera& camera, const vo::Trajectory& trajectory) {
+                      const vo::PinholeCamera& camera, const vo::Trajectory& trajectory,
+                      double scene_delay) {
   const bool has_default_sky = scene.lights.empty() && scene.environment.empty();
   if (has_default_sky || !has_lit_surface(scene) || trajectory.empty()) {
     return 1;
@@ -81,7 +82,7 @@ double meter_exposure(const Scene& scene, const RenderersOverTime& renderers,
   for (std::size_t i = 0; i < poses; ++i) {
     const std::size_t index = i * (trajectory.size() - 1) / std::max<std::size_t>(1, poses - 1);
     const auto& [stamp, T_world_camera] = trajectory[index];
-    const auto renderer = renderers.at(scene_time(trajectory, stamp));
+    const auto renderer = renderers.at(scene_time(trajectory, stamp) + scene_delay);
     append_luminances(renderer->render(small, T_world_camera), luminances);
   }
   return exposure_of(luminances);

@@ -20,9 +20,11 @@ Metering meter(const Renderer& renderer, const vo::PinholeCamera& camera,
                const vo::SE3& T_world_camera);
 
 /// Returns the gain that brings the median luminance to 18 % grey over eight poses spread over the
-/// trajectory, rendered small with the scene at those times; 1 for a scene without lights or lit
-/// surfaces, whose colours are final, and for an empty trajectory.
+/// trajectory, rendered small with the scene at those times, of which the first is `scene_delay`,
+/// s, of its animations; 1 for a scene without lights or lit surfaces, whose colours are final, and
+/// for an empty trajectory.
 double meter_exposure(const Scene& scene, const RenderersOverTime& renderers,
-                      const vo::PinholeCamera& camera, const vo::Trajectory& trajectory);
+                      const vo::PinholeCamera& camera, const vo::Trajectory& trajectory,
+                      double scene_delay = 0);
 
 }  // namespace synth

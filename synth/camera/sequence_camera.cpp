@@ -41,9 +41,9 @@ SequenceCamera::SequenceCamera(const Scene& scene, const RenderersOverTime& rend
       motion_(motion),
       options_(seeded(options)),
       settings_(motion.truth.size()) {
-  const double exposure = options.exposure > 0
-                              ? options.exposure
-                              : meter_exposure(scene, renderers, camera, motion.truth);
+  const double exposure = options.exposure > 0 ? options.exposure
+                                               : meter_exposure(scene, renderers, camera,
+                                                                motion.truth, motion.scene_delay);
   for (std::size_t i = 0; i < settings_.size(); ++i) {
     settings_[i] = {.index = i,
                     .exposure = exposure,
@@ -66,7 +66,12 @@ std::vector<Metering> SequenceCamera::meter_frames() const {
 }
 
 std::shared_ptr<const Renderer> SequenceCamera::renderer_at(std::size_t index) const {
-  return renderers_.at(scene_time(motion_.truth, motion_.truth[index].timestamp));
+  return renderers_.at(scene_time_of(index));
+}
+
+/// Returns the time of a frame's stamp, s of the scene's animations.
+double SequenceCamera::scene_time_of(std::size_t index) const {
+  return scene_time(motion_.truth, motion_.truth[index].timestamp) + motion_.scene_delay;
 }
 
 std::vector<double> SequenceCamera::stamps() const {
@@ -131,7 +136,7 @@ Capture SequenceCamera::color_capture(std::size_t index) const {
   capture.shutter = options_.shutter;
   capture.shutter.exposure_time = settings_[index].exposure_time;
   capture.seed = vo::mixed(options_.noise.seed) + index;
-  capture.scene_time = scene_time(motion_.truth, stamp);
+  capture.scene_time = scene_time_of(index);
   if (capture.shutter.exposure_time > 0 || capture.shutter.readout_time > 0) {
     capture.motion = [this, t = stamp](double time) { return motion_.path(t + time); };
   }

@@ -16,10 +16,11 @@
 
 namespace synth {
 
-/// The motion of a sensor during a sequence.
+/// The motion of a sensor during a sequence, and when that is in the scene's time.
 struct CameraTruth {
-  vo::Trajectory truth;  ///< T_world_camera at the stamp of each frame
-  CameraPath path;       ///< T_world_camera at any time between the stamps
+  vo::Trajectory truth;    ///< T_world_camera at the stamp of each frame
+  CameraPath path;         ///< T_world_camera at any time between the stamps
+  double scene_delay = 0;  ///< s, the time of the scene's animations at the first stamp
 };
 
 /// Returns the spline path through poses, or a path at rest for fewer than two poses.
@@ -50,6 +51,7 @@ class SequenceCamera {
   void follow_exposure(const std::vector<Metering>& metered);
   void follow_balance(const std::vector<Metering>& metered);
   std::vector<Metering> meter_frames() const;
+  double scene_time_of(std::size_t index) const;
   std::shared_ptr<const Renderer> renderer_at(std::size_t index) const;
   std::vector<double> stamps() const;
   Capture color_capture(std::size_t index) const;

@@ -57,18 +57,26 @@ NeededTextures needed_textures(const SequenceRecipe& recipe) {
   return NeededTextures::all;
 }
 
-FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe)
-    : scene_(scene), recipe_(recipe), motion_{recipe.truth, path_of(recipe)}, moves_(moves(scene)) {
+FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe,
+                               std::shared_ptr<const RenderersOverTime> renderers)
+    : scene_(scene),
+      recipe_(recipe),
+      motion_{recipe.truth, path_of(recipe), recipe.scene_delay},
+      moves_(moves(scene)),
+      renderers_(std::move(renderers)) {
   vo::require(!recipe.truth.empty(), "sequence: no poses to render, expected at least one");
   require_within_reach(recipe.truth);
   recipe.camera.validate();
   recipe.sensor.validate();
-  renderers_ = std::make_unique<const RenderersOverTime>(scene, recipe.render);
+  if (!renderers_) {
+    renderers_ = std::make_shared<const RenderersOverTime>(scene, recipe.render);
+  }
   sensor_ = std::make_unique<SequenceCamera>(scene, *renderers_, recipe.camera.pinhole, motion_,
                                              recipe.sensor);
   if (!recipe.channels.channels.empty()) {
     truth_ = std::make_unique<const TruthGenerator>(
-        TruthSubject{scene, recipe.camera.pinhole, recipe.truth, recipe.render.ambient},
+        TruthSubject{scene, recipe.camera.pinhole, recipe.truth, recipe.render.ambient,
+                     recipe.scene_delay},
         recipe.channels);
   }
 }
@@ -78,7 +86,8 @@ vo::RgbdFrame FrameGenerator::take(std::size_t index) const {
     return sensor_->take(index);
   }
   const TimeSpan span = sensor_->span(index);
-  const double now = scene_time(recipe_.truth, recipe_.truth.at(index).timestamp);
+  const double now =
+      scene_time(recipe_.truth, recipe_.truth.at(index).timestamp) + recipe_.scene_delay;
   const SceneDuring during = scene_during(scene_, now, span.begin, span.end);
   return sensor_->take(index, *make_renderer(during, recipe_.render));
 }

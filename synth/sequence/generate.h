@@ -29,7 +29,8 @@ struct SequenceRecipe {
   RenderOptions render;
   SensorOptions sensor;
   vo::FloatDepth float_depth = vo::FloatDepth::none;
-  TruthOptions channels;  ///< exact ground truth to write beside the poses
+  TruthOptions channels;   ///< exact ground truth to write beside the poses
+  double scene_delay = 0;  ///< s, the time of the scene's animations at the first stamp
 };
 
 /// Returns the recipe's camera with the depth noise of its sensor, as camera.toml tells it.
@@ -54,7 +55,9 @@ using MadeFrameObserver = std::function<void(std::size_t index, const MadeFrame&
 /// recipe and its index. The scene and the recipe must outlive the generator.
 class FrameGenerator {
  public:
-  FrameGenerator(const Scene& scene, const SequenceRecipe& recipe);
+  /// `renderers` are those of the scene and of `recipe.render`; null: it makes its own.
+  FrameGenerator(const Scene& scene, const SequenceRecipe& recipe,
+                 std::shared_ptr<const RenderersOverTime> renderers = nullptr);
 
   MadeFrame make(std::size_t index) const;
 
@@ -65,7 +68,7 @@ class FrameGenerator {
   const SequenceRecipe& recipe_;
   CameraTruth motion_;
   bool moves_;  ///< whether the scene moves, so that each frame has its own renderer
-  std::unique_ptr<const RenderersOverTime> renderers_;
+  std::shared_ptr<const RenderersOverTime> renderers_;
   std::unique_ptr<const SequenceCamera> sensor_;
   std::unique_ptr<const TruthGenerator> truth_;  ///< null where no channel is asked for
 };

@@ -142,6 +142,9 @@ std::string format_recipe(const RenderJob& job) {
   if (moves_between_stamps(recipe.sensor)) {
     text += "shutter_motion_hash = \"" + motion_hash(recipe) + "\"\n";
   }
+  if (recipe.scene_delay != 0) {
+    text += vo::concat("scene_delay = ", vo::format_real(recipe.scene_delay), "\n");
+  }
   text += std::string("float_depth = ") +
           (recipe.float_depth == vo::FloatDepth::npy ? "true" : "false") + "\n";
   vo::RgbdCamera camera = written_camera(recipe);

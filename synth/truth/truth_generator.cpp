@@ -70,7 +70,8 @@ std::shared_ptr<const TruthGenerator::Instant> TruthGenerator::instant(std::size
   return still_ ? still_
                 : std::make_shared<const Instant>(
                       subject_, options_,
-                      scene_time(subject_.trajectory, subject_.trajectory[index].timestamp));
+                      scene_time(subject_.trajectory, subject_.trajectory[index].timestamp) +
+                          subject_.scene_delay);
 }
 
 std::string TruthGenerator::encode(const Frame& frame, TruthChannel channel) const {

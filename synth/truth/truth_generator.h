@@ -18,7 +18,8 @@ struct TruthSubject {
   const Scene& scene;
   const vo::PinholeCamera& camera;
   const vo::Trajectory& trajectory;
-  double ambient = 0;  ///< RenderOptions::ambient of the sequence
+  double ambient = 0;      ///< RenderOptions::ambient of the sequence
+  double scene_delay = 0;  ///< s, the time of the scene's animations at the first stamp
 };
 
 /// Makes the exact ground truth of any frame, from any thread, as seen at its stamp in an instant,
