@@ -56,6 +56,9 @@ std::string describe_channels(const SequenceRecipe& recipe) {
   if (options.has(TruthChannel::imu)) {
     text += vo::format_toml(vo::fields_of(options.imu, "imu."));
   }
+  if (std::any_of(options.channels.begin(), options.channels.end(), is_of_pair)) {
+    text += vo::concat("truth.stereo_baseline = ", vo::format_real(options.stereo_baseline), "\n");
+  }
   return text + describe_motion(recipe);
 }
 

@@ -12,7 +12,8 @@ namespace synth {
 namespace {
 
 bool is_float(TruthChannel channel) {
-  return channel == TruthChannel::depth || channel == TruthChannel::normal;
+  return channel == TruthChannel::depth || channel == TruthChannel::normal ||
+         channel == TruthChannel::disparity;
 }
 
 bool is_of_frames(TruthChannel channel) {
@@ -57,6 +58,14 @@ bool TruthOptions::has(TruthChannel channel) const {
 void TruthOptions::validate() const {
   edges.validate();
   imu.validate();
+  for (const TruthChannel channel : channels) {
+    vo::require(!is_of_pair(channel) || stereo_baseline > 0, "channels: ", vo::to_string(channel),
+                ": expected a camera with a stereo partner, as a rig has it (edvo render --rig)");
+  }
+}
+
+bool is_of_pair(TruthChannel channel) {
+  return channel == TruthChannel::disparity || channel == TruthChannel::stereo_occlusion;
 }
 
 std::vector<TruthChannel> parse_channels(std::string_view text) {
@@ -65,7 +74,7 @@ std::vector<TruthChannel> parse_channels(std::string_view text) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string_view name = text.substr(begin, end - begin);
     for (const auto& [channel, channel_name] : enum_names(TruthChannel{})) {
-      if (name == "all" && !options.has(channel)) {
+      if (name == "all" && !options.has(channel) && !is_of_pair(channel)) {
         options.channels.push_back(channel);
       }
     }
@@ -117,6 +126,14 @@ std::string truth_convention(TruthChannel channel, vo::FloatFormat format) {
              "camera; imu.toml: its noise; truth/imu_states.csv: EuRoC, T_world_camera, quaternion "
              "w first, velocity "
              "in the world, biases";
+    case TruthChannel::disparity:
+      return folder +
+             "float32, px, column in this image less that in the partner's, to the right: fx times "
+             "truth.stereo_baseline over the depth, 0 = nothing there";
+    case TruthChannel::stereo_occlusion:
+      return folder +
+             "8 bit, the pixel's point is 0 = visible to the partner, 255 = hidden from it, 128 = "
+             "outside its image, 64 = nothing there";
   }
   return "";
 }
@@ -133,6 +150,12 @@ std::vector<TruthFile> truth_files(const TruthOptions& options, std::size_t inde
   return files;
 }
 
+std::vector<vo::NamedBytes> encode_imu(const vo::ImuRecord& record) {
+  return {{"imu.csv", vo::format_imu(record.samples)},
+          {"imu.toml", vo::format_imu_noise(record.noise)},
+          {"truth/imu_states.csv", vo::format_states(record.states)}};
+}
+
 std::vector<vo::NamedBytes> encode_motion(const TruthOptions& options, const CameraPath& path,
                                           const vo::Trajectory& trajectory) {
   std::vector<vo::NamedBytes> files;
@@ -142,9 +165,8 @@ std::vector<vo::NamedBytes> encode_motion(const TruthOptions& options, const Cam
   if (options.has(TruthChannel::imu)) {
     const vo::ImuRecord record =
         measure_imu(path, {trajectory.front().timestamp, trajectory.back().timestamp}, options.imu);
-    files.push_back({"imu.csv", vo::format_imu(record.samples)});
-    files.push_back({"imu.toml", vo::format_imu_noise(record.noise)});
-    files.push_back({"truth/imu_states.csv", vo::format_states(record.states)});
+    const std::vector<vo::NamedBytes> of_imu = encode_imu(record);
+    files.insert(files.end(), of_imu.begin(), of_imu.end());
   }
   return files;
 }

@@ -28,15 +28,19 @@ enum class TruthChannel {
   moving,
   velocity,  ///< belongs to the whole sequence, as `imu` does, not to each frame
   imu,
+  disparity,  ///< needs a stereo partner, as `stereo_occlusion` does
+  stereo_occlusion,
 };
 
 constexpr auto enum_names(TruthChannel) {
   using enum TruthChannel;
-  return std::array{std::pair{depth, "depth"},       std::pair{normal, "normal"},
-                    std::pair{instance, "instance"}, std::pair{material, "material"},
-                    std::pair{flow, "flow"},         std::pair{occlusion, "occlusion"},
-                    std::pair{edges, "edges"},       std::pair{moving, "moving"},
-                    std::pair{velocity, "velocity"}, std::pair{imu, "imu"}};
+  return std::array{
+      std::pair{depth, "depth"},         std::pair{normal, "normal"},
+      std::pair{instance, "instance"},   std::pair{material, "material"},
+      std::pair{flow, "flow"},           std::pair{occlusion, "occlusion"},
+      std::pair{edges, "edges"},         std::pair{moving, "moving"},
+      std::pair{velocity, "velocity"},   std::pair{imu, "imu"},
+      std::pair{disparity, "disparity"}, std::pair{stereo_occlusion, "stereo_occlusion"}};
 }
 
 struct TruthOptions {
@@ -44,12 +48,18 @@ struct TruthOptions {
   vo::FloatFormat float_format = vo::FloatFormat::npy;
   EdgeLabelOptions edges;
   ImuOptions imu;
+  /// m, to the camera on the right in a rectified pair of which this is the left; 0 = there is none
+  double stereo_baseline = 0;
 
   bool has(TruthChannel channel) const;
   void validate() const;  ///< throws vo::Error if out of range
 };
 
-/// Parses names separated by commas, or `all`. Throws vo::Error for unknown or repeated names.
+/// Returns whether a channel is of a stereo pair.
+bool is_of_pair(TruthChannel channel);
+
+/// Parses names separated by commas, or `all`, which are those that one camera has. Throws
+/// vo::Error for unknown or repeated names.
 std::vector<TruthChannel> parse_channels(std::string_view text);
 
 /// Returns a channel's folder, file type, unit, frame and sign convention, in one sentence.
@@ -64,6 +74,9 @@ struct TruthFile {
 /// next frame, so that the last frame has none.
 std::vector<TruthFile> truth_files(const TruthOptions& options, std::size_t index,
                                    std::size_t frames);
+
+/// Returns the files of what an IMU measures.
+std::vector<vo::NamedBytes> encode_imu(const vo::ImuRecord& record);
 
 /// Returns the files of the velocity and IMU channels, which alone require `path` to be set.
 std::vector<vo::NamedBytes> encode_motion(const TruthOptions& options, const CameraPath& path,

@@ -10,6 +10,7 @@
 #include "synth/scene/scene_motion.h"
 #include "synth/truth/motion_truth.h"
 #include "synth/truth/pixel_truth.h"
+#include "synth/truth/stereo_truth.h"
 #include "vo/core/fields.h"
 #include "vo/image_files/flow_file.h"
 #include "vo/image_files/png.h"
@@ -99,6 +100,14 @@ std::string TruthGenerator::encode(const Frame& frame, TruthChannel channel) con
                       subject_.camera, options_.edges));
     case TruthChannel::moving:
       return vo::encode_png(moved_points(frame.points, tracer, other));
+    case TruthChannel::disparity:
+      return vo::encode_float_image(
+          disparity_truth(frame.points, subject_.camera.fx * options_.stereo_baseline),
+          options_.float_format);
+    case TruthChannel::stereo_occlusion:
+      return vo::encode_png(
+          occlusion(frame.points, {tracer, subject_.camera,
+                                   frame.T_world_camera * T_left_right(options_.stereo_baseline)}));
     case TruthChannel::velocity:
     case TruthChannel::imu:
       break;
