@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
@@ -25,6 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kCameras = "mav0/cam";
+constexpr const char* kDepths = "mav0/depth";
 constexpr const char* kCamera = "mav0/cam0";
 constexpr const char* kDepth = "mav0/depth0";
 constexpr const char* kImu = "mav0/imu0";
@@ -192,9 +195,9 @@ constexpr std::array kNoiseKeys = {
     NoiseKey{"accelerometer_noise_density", "m/s^2/sqrt(Hz)", &ImuNoise::accel_noise},
     NoiseKey{"accelerometer_random_walk", "m/s^3/sqrt(Hz)", &ImuNoise::accel_bias_walk}};
 
-std::string format_imu_sensor(const ImuNoise& noise) {
-  std::string text =
-      "#Default imu sensor yaml file\nsensor_type: imu\ncomment: body\n" + format_matrix({});
+std::string format_imu_sensor(const ImuNoise& noise, const SE3& T_body_imu) {
+  std::string text = "#Default imu sensor yaml file\nsensor_type: imu\ncomment: body\n" +
+                     format_matrix(T_body_imu);
   for (const NoiseKey& key : kNoiseKeys) {
     text += concat(key.key, ": ", format_real(noise.*key.value), " # [", key.unit, "]\n");
   }
@@ -214,6 +217,11 @@ ImuNoise read_imu_sensor(const fs::path& path) {
     }
   }
   return noise;
+}
+
+/// Returns the folder of a camera's images or depth.
+std::string folder_of(const char* kind, std::size_t number) {
+  return concat(kind, number);
 }
 
 /// Returns an image's file within the folder of its camera.
@@ -292,32 +300,40 @@ SequenceSource open_euroc(const fs::path& folder, const std::optional<RgbdCamera
   return source;
 }
 
-std::vector<NamedBytes> encode_euroc_frame(const RgbdCamera& camera, const RgbdFrame& frame) {
+std::vector<NamedBytes> encode_euroc_frame(const RgbdCamera& camera, const RgbdFrame& frame,
+                                           std::size_t number) {
   std::vector<NamedBytes> files = {
-      {kCamera + image_name(frame.timestamp), encode_png(frame.image)}};
+      {folder_of(kCameras, number) + image_name(frame.timestamp), encode_png(frame.image)}};
   if (!frame.depth.empty()) {
-    files.push_back({kDepth + image_name(depth_timestamp(frame)),
+    files.push_back({folder_of(kDepths, number) + image_name(depth_timestamp(frame)),
                      encode_png(to_depth_units(frame.depth, camera.depth_units_per_m))});
   }
   return files;
 }
 
-std::vector<NamedBytes> encode_euroc_lists(const SequenceSource& source,
-                                           const std::vector<double>& depth_stamps) {
+std::vector<NamedBytes> encode_euroc_camera(const SequenceSource& source,
+                                            const std::vector<double>& depth_stamps,
+                                            std::size_t number) {
   const Distortion& lens = source.camera.pinhole.distortion;
   require(lens.model == DistortionModel::kannala_brandt || (lens.k3 == 0 && !lens.is_rational()),
           "EuRoC's sensor.yaml holds k1, k2, p1, p2, expected a lens without k3 to k6, got k3 = ",
           lens.k3);
-  const std::string camera = kCamera;
+  const std::string camera = folder_of(kCameras, number);
   std::vector<NamedBytes> files = {{camera + "/data.csv", format_list(source.timestamps)},
                                    {camera + "/sensor.yaml", format_sensor(source, "camera")}};
   if (!depth_stamps.empty()) {
-    files.push_back({std::string(kDepth) + "/data.csv", format_list(depth_stamps)});
+    const std::string depth = folder_of(kDepths, number);
+    files.push_back({depth + "/data.csv", format_list(depth_stamps)});
     files.push_back(
-        {std::string(kDepth) + "/sensor.yaml",
+        {depth + "/sensor.yaml",
          format_sensor(source, "planar depth, 16 bit, 0 = none") +
              concat("depth_units_per_m: ", format_real(source.camera.depth_units_per_m), "\n")});
   }
+  return files;
+}
+
+std::vector<NamedBytes> encode_euroc_body(const SequenceSource& source, const SE3& T_body_imu) {
+  std::vector<NamedBytes> files;
   if (!source.truth.empty()) {
     files.push_back({std::string(kTruth) + "/data.csv", format_truth(source)});
     files.push_back({std::string(kTruth) + "/sensor.yaml",
@@ -326,7 +342,17 @@ std::vector<NamedBytes> encode_euroc_lists(const SequenceSource& source,
   }
   if (!source.imu.samples.empty()) {
     files.push_back({std::string(kImu) + "/data.csv", format_imu(source.imu.samples)});
-    files.push_back({std::string(kImu) + "/sensor.yaml", format_imu_sensor(source.imu.noise)});
+    files.push_back(
+        {std::string(kImu) + "/sensor.yaml", format_imu_sensor(source.imu.noise, T_body_imu)});
+  }
+  return files;
+}
+
+std::vector<NamedBytes> encode_euroc_lists(const SequenceSource& source,
+                                           const std::vector<double>& depth_stamps) {
+  std::vector<NamedBytes> files = encode_euroc_camera(source, depth_stamps);
+  for (NamedBytes& file : encode_euroc_body(source)) {
+    files.push_back(std::move(file));
   }
   return files;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -21,12 +22,21 @@ namespace vo {
 SequenceSource open_euroc(const std::filesystem::path& folder,
                           const std::optional<RgbdCamera>& camera);
 
-/// Encodes a frame's image and, if it has depth, its depth image as files.
-std::vector<NamedBytes> encode_euroc_frame(const RgbdCamera& camera, const RgbdFrame& frame);
+/// Encodes a frame's image and, if it has depth, its depth image as files of camera `number`.
+std::vector<NamedBytes> encode_euroc_frame(const RgbdCamera& camera, const RgbdFrame& frame,
+                                           std::size_t number = 0);
 
-/// Encodes all files but the images; a lens of Kannala and Brandt is written as `equidistant`.
-/// Throws Error for one of Brown and Conrady with k3 to k6, which the format cannot hold.
-/// `depth_stamps`, s, are those of the frames' depth, none where there is no depth.
+/// Encodes the files of camera `number` but the images; a lens of Kannala and Brandt is written as
+/// `equidistant`. Throws Error for one of Brown and Conrady with k3 to k6, which the format cannot
+/// hold. `depth_stamps`, s, are those of the frames' depth, none where there is no depth.
+std::vector<NamedBytes> encode_euroc_camera(const SequenceSource& source,
+                                            const std::vector<double>& depth_stamps,
+                                            std::size_t number = 0);
+
+/// Encodes the files of the body: ground truth and IMU, as far as the source has them.
+std::vector<NamedBytes> encode_euroc_body(const SequenceSource& source, const SE3& T_body_imu = {});
+
+/// Encodes all files but the images of a sequence of one camera.
 std::vector<NamedBytes> encode_euroc_lists(const SequenceSource& source,
                                            const std::vector<double>& depth_stamps);
 

@@ -42,6 +42,11 @@ WorldUp up_of_tum(const fs::path& folder) {
   return world.up;
 }
 
+/// Returns whether a folder holds the sequences of several cameras.
+bool is_folder_of_rig(const fs::path& folder) {
+  return fs::exists(folder / "rig.toml");
+}
+
 SequenceContent content_of_tum(const fs::path& folder) {
   if (fs::exists(folder / "depth_float.txt")) {
     return SequenceContent::colour_and_float_depth;
@@ -101,6 +106,9 @@ std::optional<SequenceFormat> known_format(const fs::path& folder) {
   if (!fs::is_directory(folder)) {
     return format_of_file(folder);
   }
+  if (is_folder_of_rig(folder)) {  // whatever its cameras are called
+    return std::nullopt;
+  }
   if (fs::exists(folder / "mav0/cam0/data.csv")) {
     return SequenceFormat::euroc;
   }
@@ -135,6 +143,8 @@ SequenceFormat detect_format(const fs::path& path) {
   require(fs::exists(path), path.string(), ": there is no such folder, expected a sequence");
   const std::optional<SequenceFormat> format = known_format(path);
   require(format.has_value() || fs::is_directory(path), path.string(), kNoSequenceFile);
+  require(format.has_value() || !is_folder_of_rig(path), path.string(),
+          ": is a rig of cameras, expected the folder of one of them, which rig.toml names");
   require(
       format.has_value(), path.string(),
       ": holds no sequence that is known, expected rgb.txt (TUM), mav0/cam0/data.csv (EuRoC), "

@@ -5,39 +5,17 @@
 
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
+#include "vo/exports/convert_rig.h"
+#include "vo/exports/fit_to_target.h"
 #include "vo/exports/pixel_truth_files.h"
-#include "vo/exports/source_views.h"
 #include "vo/frames/depth_units.h"
 #include "vo/output_folders/output_folder.h"
 #include "vo/recordings/mcap_sequence.h"
+#include "vo/rigs/rig_file.h"
 #include "vo/videos/write_video.h"
 
 namespace vo {
 namespace {
-
-/// Returns the sequence of a job as its target can hold it.
-SequenceSource fit_to_target(const ConvertJob& job, SequenceSource source) {
-  const TargetTraits traits = traits_of(job.to);
-  const double fy = source.camera.pinhole.fy;
-  require(fy > 0 || traits.holds_y_up, job.in.string(), ": its camera has y up, fy = ", fy,
-          ", expected one with y down for ", to_string(job.to));
-  if (traits.poses == Need::required ||
-      (traits.poses == Need::all_or_none && !source.truth.empty())) {
-    source = frames_with_poses(std::move(source), job.in.string(), to_string(job.to));
-  }
-  if (job.up != WorldUp::unknown && !traits.may_choose_world) {
-    fail_as(ErrorKind::usage, "--world: ", to_string(job.to),
-            " has a world of its own, expected none");
-  }
-  const WorldUp up = job.up == WorldUp::unknown ? traits.up : job.up;
-  if (up != WorldUp::unknown) {
-    source = in_world(std::move(source), up);
-  }
-  if (!holds_lens(job.to, source.camera.pinhole.distortion)) {
-    source = undistorted(std::move(source), to_string(job.to));
-  }
-  return source;
-}
 
 /// The channels of ground truth of a job's sequence that its target takes as they are, and the
 /// names of those that it does not.
@@ -125,6 +103,9 @@ ConvertOutcome convert_sequence(const ConvertJob& job, const OutputPolicy& polic
   ConvertOutcome outcome;
   if (job.to == WrittenSequence::video) {
     require_video_name(job.out);
+  }
+  if (!job.from && is_rig(job.in)) {
+    return convert_rig(job, policy, progress);
   }
   outcome.from = job.from ? *job.from : detect_format(job.in);
   SequenceSource opened = open_sequence(job.in, outcome.from, job.camera, job.recorded);

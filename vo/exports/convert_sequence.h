@@ -38,8 +38,8 @@ struct ConvertOutcome {
   std::vector<std::string> notes;       ///< sentences on the sequence that was read
 };
 
-/// Converts a sequence to another format, in a folder, or of MCAP and videos in a file, that
-/// appears only when it is complete.
+/// Converts a sequence, or the folder of a rig, to another format, in a folder, or of MCAP and
+/// videos in a file, that appears only when it is complete.
 ConvertOutcome convert_sequence(const ConvertJob& job, const OutputPolicy& policy,
                                 const Progress& progress);
 
