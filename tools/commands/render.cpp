@@ -2,11 +2,13 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "synth/rig/render_rig.h"
 #include "synth/sensor/preset.h"
 #include "synth/sequence/render_plan.h"
 #include "synth/sequence/render_sequence.h"
@@ -19,6 +21,7 @@
 #include "tools/json/document.h"
 #include "vo/core/error.h"
 #include "vo/frames/depth_units.h"
+#include "vo/rigs/rig_file.h"
 
 namespace tools {
 namespace {
@@ -33,7 +36,11 @@ constexpr const char* kRenderHelp =
     "a\n"
     "finished frame is not rendered again. To join parts from several machines, copy what their\n"
     "DIR.part hold into one and give the command without --shard; a file that was cut or damaged\n"
-    "on the way is found by its record in DIR.part/edvo-done, and rendered again.";
+    "on the way is found by its record in DIR.part/edvo-done, and rendered again.\n\n"
+    "With --rig FILE all cameras of a rig are rendered, the path being that of the body that "
+    "carries\n"
+    "them: each makes a sequence DIR/NAME, beside DIR/rig.toml and DIR/groundtruth.txt "
+    "(T_world_body).";
 
 constexpr const char* kRenderExamples =
     "Examples:\n"
@@ -66,6 +73,15 @@ struct RenderArguments {
   std::string float_format = "npy";
   synth::RenderJob job;
   std::string out;
+  std::string rig_file;
+  std::optional<vo::Rig> rig;
+
+  synth::RigJob rig_job() const { return {*rig, job}; }  ///< of a rig alone
+
+  /// Returns the number of frames of all cameras.
+  std::size_t frames_of_all() const {
+    return job.recipe.truth.size() * (rig ? rig->cameras.size() : 1);
+  }
 };
 
 void print_notes(const RenderArguments& arguments, const std::vector<std::string>& notes,
@@ -78,7 +94,7 @@ void print_notes(const RenderArguments& arguments, const std::vector<std::string
 }
 
 std::string summary(const RenderArguments& arguments, const synth::RenderOutcome& outcome) {
-  const std::size_t frames = arguments.job.recipe.truth.size();
+  const std::size_t frames = arguments.frames_of_all();
   const std::string depth =
       outcome.depth_coverage
           ? vo::concat(", depth in ", std::round(1e3 * *outcome.depth_coverage) / 10,
@@ -92,11 +108,21 @@ std::string summary(const RenderArguments& arguments, const synth::RenderOutcome
                     " frames", depth, "; ", arguments.out, " appears when all are there");
 }
 
+std::vector<std::string> camera_names(const vo::Rig& rig) {
+  std::vector<std::string> names;
+  for (const vo::RigCamera& camera : rig.cameras) {
+    names.push_back(camera.name);
+  }
+  return names;
+}
+
 void print(const RenderArguments& arguments, const synth::RenderOutcome& outcome,
            const Colours& colours) {
   std::vector<std::string> notes = outcome.notes;
   if (outcome.depth_beyond_16_bit > 0) {
-    const double units = arguments.job.recipe.camera.depth_units_per_m;
+    const double units =
+        (arguments.rig ? arguments.rig->cameras.front().camera : arguments.job.recipe.camera)
+            .depth_units_per_m;
     notes.push_back(vo::concat(outcome.depth_beyond_16_bit, " depth pixels are beyond ",
                                vo::farthest_in_16_bit(units), " m, which 16 bit cannot hold at ",
                                units,
@@ -113,7 +139,7 @@ void print(const RenderArguments& arguments, const synth::RenderOutcome& outcome
   }
   nlohmann::ordered_json result = {{"sequence", arguments.out},
                                    {"folder", outcome.folder.string()},
-                                   {"frames", arguments.job.recipe.truth.size()},
+                                   {"frames", arguments.frames_of_all()},
                                    {"rendered", outcome.rendered},
                                    {"missing", outcome.missing},
                                    {"path_length_m", vo::path_length(arguments.job.recipe.truth)},
@@ -124,6 +150,9 @@ void print(const RenderArguments& arguments, const synth::RenderOutcome& outcome
                                    {"notes", outcome.notes}};
   if (outcome.depth_coverage) {
     result["depth_coverage"] = *outcome.depth_coverage;
+  }
+  if (arguments.rig) {
+    result["cameras"] = camera_names(*arguments.rig);
   }
   std::cout << json_text(json_document({"render"}, result));
 }
@@ -157,7 +186,9 @@ synth::RenderJob chosen_job(const RenderArguments& arguments) {
       job.recipe.channels.channels = synth::parse_channels(arguments.channels);
     }
     job.recipe.channels.float_format = vo::parse_enum<vo::FloatFormat>(arguments.float_format);
-    job.recipe.channels.validate();
+    if (!arguments.rig) {  // whose cameras' channels differ
+      job.recipe.channels.validate();
+    }
     vo::require(!arguments.out.empty() || arguments.plan, "--out: expected a folder to make");
   });
   synth::GltfOptions file = arguments.file;
@@ -176,25 +207,48 @@ synth::RenderJob chosen_job(const RenderArguments& arguments) {
   return job;
 }
 
+/// Renders a rig's cameras, of which the page shows the first.
+synth::RenderOutcome rendered_rig(const RenderArguments& arguments, WatchedRun& watched,
+                                  const vo::Progress& progress) {
+  const synth::RigJob job = arguments.rig_job();
+  const synth::RenderJob first = synth::camera_jobs(job).front();
+  watched.begin(rendering_stage(first.recipe, arguments.scene));
+  return synth::render_rig(job, arguments.out, arguments.common.output_policy(),
+                           watched.progress(progress),
+                           rendered_frames_on(watched, first.recipe.camera.depth_units_per_m));
+}
+
+synth::RenderOutcome rendered(const RenderArguments& arguments, WatchedRun& watched,
+                              const vo::Progress& progress) {
+  if (arguments.rig) {
+    return rendered_rig(arguments, watched, progress);
+  }
+  watched.begin(rendering_stage(arguments.job.recipe, arguments.scene));
+  return synth::render_sequence(
+      arguments.job, arguments.out, arguments.common.output_policy(), watched.progress(progress),
+      rendered_frames_on(watched, arguments.job.recipe.camera.depth_units_per_m));
+}
+
 void render(RenderArguments& arguments, const Session& session) {
   const auto limit = arguments.common.limit_threads();
   ProgressBar bar("rendering", arguments.common.verbosity());
   bar.announce("reading " + arguments.scene);
+  if (!arguments.rig_file.empty()) {
+    arguments.rig = vo::read_rig(arguments.rig_file);
+  }
   arguments.job = chosen_job(arguments);
   if (arguments.plan) {
     bar.announce("planning");
-    const synth::RenderPlan plan = synth::plan_sequence(arguments.job, arguments.out);
+    const synth::RenderPlan plan = arguments.rig
+                                       ? synth::plan_rig(arguments.rig_job(), arguments.out)
+                                       : synth::plan_sequence(arguments.job, arguments.out);
     bar.erase();
     print(arguments, plan);
     return;
   }
   bar.announce();
   WatchedRun watched(arguments.live);
-  watched.begin(rendering_stage(arguments.job.recipe, arguments.scene));
-  const synth::RenderOutcome outcome = synth::render_sequence(
-      arguments.job, arguments.out, arguments.common.output_policy(),
-      watched.progress(bar.callback()),
-      rendered_frames_on(watched, arguments.job.recipe.camera.depth_units_per_m));
+  const synth::RenderOutcome outcome = rendered(arguments, watched, bar.callback());
   bar.erase();
   print(arguments, outcome, session.err);
   watched.finish(summary(arguments, outcome));
@@ -227,6 +281,11 @@ void add_render_command(CLI::App& program, Session& session) {
   command.add_option("SCENE", arguments->scene, "glTF 2.0 file, .gltf or .glb")->required();
   command.add_option("--out", arguments->out, "folder to make; required without --plan");
   add_camera_options(command, arguments->camera);
+  command
+      .add_option("--rig", arguments->rig_file,
+                  "FILE.toml of several cameras on one body, whose path is given")
+      ->excludes("--size", "--intrinsics", "--fov", "--camera")
+      ->group("Camera");
   add_path_options(command, arguments->path);
   command.add_flag("--plan", arguments->plan, "frames, bytes and CPU time, nothing written")
       ->group("Scale");
@@ -237,7 +296,8 @@ void add_render_command(CLI::App& program, Session& session) {
   command
       .add_option("--channels", arguments->channels,
                   "exact ground truth, all or some of depth,normal,instance,material,flow,\n"
-                  "occlusion,edges,moving,velocity,imu; sequence.toml says how each is written")
+                  "occlusion,edges,moving,velocity,imu, and of a rig's stereo pairs disparity and\n"
+                  "stereo_occlusion; sequence.toml says how each is written")
       ->group("Ground truth");
   command
       .add_option("--float-format", arguments->float_format,
@@ -251,7 +311,8 @@ void add_render_command(CLI::App& program, Session& session) {
   add_field_options(command, sensor_fields(arguments->job.recipe.sensor), "Sensor");
   add_live_options(command, arguments->live);
   add_common_options(command, arguments->common);
-  take_streams(command, {.inputs = {"SCENE", "--trajectory", "--camera"}, .others = {"--out"}});
+  take_streams(command,
+               {.inputs = {"SCENE", "--trajectory", "--camera", "--rig"}, .others = {"--out"}});
   command.callback([arguments, &session] { render(*arguments, session); });
 }
 

@@ -1,0 +1,96 @@
+#include "synth/rig/camera_jobs.h"
+
+#include <algorithm>
+
+#include "synth/path/camera_path.h"
+#include "synth/sensor/preset.h"
+#include "vo/core/error.h"
+#include "vo/core/fields.h"
+#include "vo/geometry/trajectory.h"
+#include "vo/text_files/toml_file.h"
+
+namespace synth {
+namespace {
+
+bool is_identity(const vo::SE3& T) {
+  return T.rotation().vec().isZero(0) && T.translation().isZero(0);
+}
+
+/// Returns the path of a camera on a body; the body's own where both are one.
+CameraPath path_on(const CameraPath& body, const vo::SE3& T_body_camera) {
+  if (is_identity(T_body_camera)) {
+    return body;
+  }
+  return [body, T_body_camera](double time) { return body(time) * T_body_camera; };
+}
+
+/// Returns the poses of a path at the stamps of others, each `offset` s later.
+vo::Trajectory poses_at(const CameraPath& path, const vo::Trajectory& stamps, double offset) {
+  vo::Trajectory poses;
+  for (const vo::StampedPose& stamp : stamps) {
+    const double time = stamp.timestamp + offset;
+    poses.push_back({time, path(time)});
+  }
+  return poses;
+}
+
+/// Returns a camera's sensor: what its file says, on top of its preset, which else is `base`.
+SensorOptions sensor_of(const vo::RigCamera& camera, const SensorOptions& base) {
+  SensorOptions sensor = base;
+  std::vector<vo::Field> fields = vo::fields_of(sensor);
+  for (const vo::TomlValue& value : camera.sensor) {
+    if (value.key == "preset") {
+      vo::assign_fields({value}, fields);
+      sensor = preset_options(sensor.preset);
+    }
+  }
+  vo::assign_fields(camera.sensor, fields);
+  try {
+    sensor.validate();
+  } catch (const vo::Error& error) {
+    vo::fail(vo::describe(camera), ": sensor: ", error.what());
+  }
+  return sensor;
+}
+
+/// Gives the channels of a pair to a camera that has a partner, and takes them from one without.
+void choose_channels(const vo::Rig& rig, const vo::RigCamera& camera, TruthOptions& options) {
+  if (camera.stereo.empty()) {
+    std::erase_if(options.channels, is_of_pair);
+  } else if (std::any_of(options.channels.begin(), options.channels.end(), is_of_pair)) {
+    options.stereo_baseline = vo::stereo_baseline(rig, camera);
+  }
+}
+
+RenderJob camera_job(const RigJob& job, const vo::RigCamera& camera) {
+  RenderJob own = job.body;
+  SequenceRecipe& recipe = own.recipe;
+  recipe.camera = camera.camera;
+  recipe.sensor = sensor_of(camera, recipe.sensor);
+  recipe.path = path_on(path_of(job.body.recipe), camera.T_body_camera);
+  recipe.truth = is_identity(camera.T_body_camera) && camera.time_offset == 0
+                     ? job.body.recipe.truth
+                     : poses_at(recipe.path, job.body.recipe.truth, camera.time_offset);
+  recipe.scene_delay = camera.time_offset;
+  choose_channels(job.rig, camera, recipe.channels);
+  return own;
+}
+
+}  // namespace
+
+std::vector<RenderJob> camera_jobs(const RigJob& job) {
+  std::vector<RenderJob> jobs;
+  for (const vo::RigCamera& camera : job.rig.cameras) {
+    jobs.push_back(camera_job(job, camera));
+  }
+  const std::vector<TruthChannel>& channels = job.body.recipe.channels.channels;
+  const bool has_pair = std::any_of(job.rig.cameras.begin(), job.rig.cameras.end(),
+                                    [](const vo::RigCamera& c) { return !c.stereo.empty(); });
+  const auto of_pair = std::find_if(channels.begin(), channels.end(), is_of_pair);
+  vo::require(has_pair || of_pair == channels.end(),
+              "channels: ", of_pair == channels.end() ? "" : vo::to_string(*of_pair),
+              ": expected a camera of the rig that names its partner, stereo = \"NAME\"");
+  return jobs;
+}
+
+}  // namespace synth

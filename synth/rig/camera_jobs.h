@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "synth/sequence/render_sequence.h"
+#include "vo/rigs/rig.h"
+
+namespace synth {
+
+/// Everything that determines the sequences of a rig, and the share of them to render now.
+struct RigJob {
+  vo::Rig rig;
+  /// The sequence of a camera at the body: its poses and path are the body's, T_world_body, its
+  /// sensor is what those of the rig's cameras start from, its camera is not used. The share is one
+  /// of the body's poses, of which every camera takes a frame.
+  RenderJob body;
+};
+
+/// Returns the job of each camera's sequence, as if it were rendered alone, in the rig's order. The
+/// pixels' channels of a stereo pair go to the cameras that name a partner. Throws vo::Error naming
+/// the camera whose options are out of range, and where such a channel is asked for and no camera
+/// has a partner.
+std::vector<RenderJob> camera_jobs(const RigJob& job);
+
+}  // namespace synth

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+
+#include "synth/rig/camera_jobs.h"
+#include "synth/sequence/render_plan.h"
+#include "synth/sequence/render_sequence.h"
+#include "vo/core/progress.h"
+#include "vo/files/output.h"
+
+namespace synth {
+
+/// Renders a share of a rig into a folder that appears when all its frames are there, as
+/// `render_sequence` says of a sequence. Each camera's frames are in a folder of its name, which is
+/// that of its job rendered alone; beside them are rig.toml, groundtruth.txt (T_world_body) and, if
+/// the channel `imu` is asked for, the IMU's files. Frames of the outcome are those of all cameras;
+/// `observe` is called with those of the first one that this call renders.
+RenderOutcome render_rig(const RigJob& job, const std::filesystem::path& folder,
+                         const vo::OutputPolicy& policy, const vo::Progress& progress,
+                         const MadeFrameObserver& observe = {});
+
+/// Estimates a rig's cost as `plan_sequence` does.
+RenderPlan plan_rig(const RigJob& job, const std::filesystem::path& folder);
+
+}  // namespace synth

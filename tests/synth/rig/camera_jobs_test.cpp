@@ -1,0 +1,82 @@
+#include "synth/rig/camera_jobs.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "synth/path/camera_path.h"
+#include "tests/support/error_text.h"
+#include "tests/support/temp_folder.h"
+#include "vo/rigs/rig_file.h"
+
+namespace synth {
+namespace {
+
+using support::error_text;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr const char* kImage = "width=64\nheight=48\nfx=50.0\nfy=50.0\ncx=31.5\ncy=23.5\n";
+
+RigJob job_of(const std::string& cameras) {
+  const support::TempFolder folder;
+  RigJob job{vo::read_rig(folder.write("rig.toml", cameras)), {}};
+  job.body.recipe.path = orbit({.radius = 2, .period = 8});
+  job.body.recipe.truth = sample(job.body.recipe.path, {1.0, 1.5, 2.0});
+  return job;
+}
+
+std::string camera(const std::string& name, const std::string& rest = "") {
+  return "[[camera]]\nname=\"" + name + "\"\n" + kImage + rest + "\n";
+}
+
+TEST(CameraJobs, EachCameraHasThePosesOfItsMountOnTheBodyAtItsOwnTime) {
+  const RigJob job = job_of(
+      camera("a") +
+      camera("b", "position=[0.1,0.2,0.3]\norientation=[0.0,0.6,0.0,0.8]\ntime_offset=0.004"));
+  const std::vector<RenderJob> jobs = camera_jobs(job);
+  ASSERT_EQ(jobs.size(), 2U);
+  const vo::SE3 T_body_b({0.8, 0, 0.6, 0}, {0.1, 0.2, 0.3});
+  for (std::size_t i = 0; i < 3; ++i) {
+    const vo::StampedPose& body = job.body.recipe.truth[i];
+    const vo::StampedPose& a = jobs[0].recipe.truth[i];
+    const vo::StampedPose& b = jobs[1].recipe.truth[i];
+    EXPECT_EQ(a.timestamp, body.timestamp);
+    EXPECT_EQ((a.T_world_camera.inverse() * body.T_world_camera).log().norm(), 0);
+    EXPECT_EQ(b.timestamp, body.timestamp + 0.004);
+    const vo::SE3 expected = job.body.recipe.path(body.timestamp + 0.004) * T_body_b;
+    EXPECT_LT((b.T_world_camera.inverse() * expected).log().norm(), 1e-12);
+  }
+  EXPECT_EQ(jobs[1].recipe.scene_delay, 0.004);
+}
+
+TEST(CameraJobs, ASensorStartsFromItsPresetOrElseFromTheRigs) {
+  RigJob job = job_of(camera("a") + camera("b", "sensor.preset=\"redwood\"\nsensor.min_depth=0.7") +
+                      camera("c", "sensor.exposure=2.0"));
+  job.body.recipe.sensor.max_depth = 7;
+  const std::vector<RenderJob> jobs = camera_jobs(job);
+  EXPECT_EQ(jobs[0].recipe.sensor.max_depth, 7);
+  EXPECT_EQ(jobs[1].recipe.sensor.preset, SensorPreset::redwood);
+  EXPECT_EQ(jobs[1].recipe.sensor.min_depth, 0.7);
+  EXPECT_NE(jobs[1].recipe.sensor.max_depth, 7);
+  EXPECT_EQ(jobs[2].recipe.sensor.max_depth, 7);
+  EXPECT_EQ(jobs[2].recipe.sensor.exposure, 2);
+  EXPECT_THAT(error_text([] { camera_jobs(job_of(camera("a", "sensor.min_depth=-1.0"))); }),
+              HasSubstr("camera 'a': sensor: "));
+  EXPECT_THAT(error_text([] { camera_jobs(job_of(camera("a", "sensor.minimum=1.0"))); }),
+              HasSubstr("minimum"));
+}
+
+TEST(CameraJobs, DisparityGoesToTheCameraThatNamesAPartner) {
+  RigJob job = job_of(camera("l", "stereo=\"r\"") + camera("r", "position=[0.25,0.0,0.0]"));
+  job.body.recipe.channels.channels = {TruthChannel::depth, TruthChannel::disparity};
+  const std::vector<RenderJob> jobs = camera_jobs(job);
+  EXPECT_EQ(jobs[0].recipe.channels.stereo_baseline, 0.25);
+  EXPECT_THAT(jobs[0].recipe.channels.channels,
+              ElementsAre(TruthChannel::depth, TruthChannel::disparity));
+  EXPECT_THAT(jobs[1].recipe.channels.channels, ElementsAre(TruthChannel::depth));
+  job.rig.cameras[0].stereo.clear();
+  EXPECT_THAT(error_text([&] { camera_jobs(job); }), HasSubstr("names its partner"));
+}
+
+}  // namespace
+}  // namespace synth

@@ -1,0 +1,284 @@
+#!/usr/bin/env python3
+"""Renders rigs, converts them to EuRoC's layout, and reads both by readers that share nothing with the project:
+rigs_test.py EDVO SOURCE_FOLDER WORK_FOLDER.
+
+Exits with 77 (skipped) where python3-numpy is not installed.
+"""
+
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "exports"))
+try:
+    import numpy
+
+    import euroc
+    import files
+    import geometry
+except ImportError:
+    print("skipped: python3-numpy is not installed")
+    sys.exit(77)
+
+PATH = ("--path orbit --orbit.centre=-0.95,0.5,0.3 --orbit.radius 1.2 --orbit.height 0.8 --rate 10 --duration 0.3 "
+        "--samples 1 --quiet")
+IMAGE = "width = 96\nheight = 72\nfx = 70.0\nfy = 71.0\ncx = 47.0\ncy = 36.0\n"
+TURNED = "orientation = [0.0, 0.2, 0.1, 0.9746794344808963]\n"  # x, y, z, w
+STEREO = ("[imu]\nposition = [0.05, 0.01, -0.02]\norientation = [0.5, -0.5, 0.5, 0.5]\n"
+          f"[[camera]]\nname = \"left\"\nposition = [0.02, 0.03, 0.04]\nstereo = \"right\"\n{IMAGE}"
+          f"[[camera]]\nname = \"right\"\nposition = [0.12, 0.03, 0.04]\n{IMAGE}"
+          f"[[camera]]\nname = \"fish\"\nposition = [-0.1, 0.0, 0.0]\n{TURNED}{IMAGE}"
+          "distortion.model = \"kannala_brandt\"\ndistortion.k1 = -0.013\ndistortion.k2 = 0.021\n"
+          f"[[camera]]\nname = \"late\"\ntime_offset = 0.1\n{IMAGE}distortion.k1 = -0.2\ndistortion.k2 = 0.05\n"
+          "[camera.sensor]\npreset = \"kinect-v1\"\nshutter.exposure_time = 0.01\n")
+
+
+class Program:
+    """The program, and the folder in which it works."""
+
+    def __init__(self, program, source, work):
+        self.program, self.source, self.work = program, source, work
+
+    def run(self, words, code=0):
+        """Runs a command; returns its stdout and stderr."""
+        done = subprocess.run([self.program, *words.split()], cwd=self.work, capture_output=True, text=True)
+        assert done.returncode == code, f"edvo {words}: exit code {done.returncode}, expected {code}: {done.stderr}"
+        return done.stdout, done.stderr
+
+    def render(self, scene, options, code=0):
+        return self.run(f"render {self.source}/assets/{scene}/{scene}.gltf {PATH} {options}", code)
+
+    def rig(self, name, text):
+        (self.work / name).write_text(text, encoding="utf-8")
+        return name
+
+
+def contents(folder):
+    return {path.relative_to(folder): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def require_same(a, b):
+    one, other = contents(a), contents(b)
+    assert one.keys() == other.keys(), f"{a} and {b}: {one.keys() ^ other.keys()}"
+    different = [str(name) for name in one if one[name] != other[name]]
+    assert not different, f"{a} and {b} differ in {different[:5]}"
+
+
+def pose(text):
+    """The matrix of a camera of a rig written here, by its lines."""
+    values = dict(line.split(" = ", 1) for line in text.splitlines() if " = " in line)
+    return files.matrix_of(json.loads(values.get("position", "[0, 0, 0]")),
+                           json.loads(values.get("orientation", "[0, 0, 0, 1]")))
+
+
+def mounts():
+    """The poses in the body of the cameras of STEREO, and that of its IMU."""
+    imu, *cameras = STEREO.split("[[camera]]")
+    return pose(imu), {camera.split('"')[1]: pose(camera) for camera in cameras}
+
+
+def check_single_camera(edvo):
+    edvo.rig("one.toml", f"[[camera]]\nname = \"only\"\n{IMAGE}")
+    edvo.rig("camera.toml", IMAGE)
+    options = "--channels all --sensor kinect-v1 --shutter.exposure-time 0.02 --float-depth"
+    for scene in ("room", "moving_room"):
+        edvo.render(scene, f"--rig one.toml {options} --out one_{scene}")
+        edvo.render(scene, f"--camera camera.toml {options} --out alone_{scene}")
+        require_same(edvo.work / f"one_{scene}" / "only", edvo.work / f"alone_{scene}")
+
+
+def check_shares(edvo, rig):
+    """Shares in any order, threads and a run that goes on make the bytes of one process."""
+    for number in (3, 1, 2):
+        edvo.render("moving_room", f"--rig stereo.toml {CHANNELS} --shard {number}/3 --out shared")
+    require_same(rig, edvo.work / "shared")
+    edvo.render("moving_room", f"--rig stereo.toml {CHANNELS} --frames 1:2 --out again")
+    plan = json.loads(edvo.render("moving_room", f"--rig stereo.toml {CHANNELS} --plan --json --out again")[0])
+    assert (plan["frames"], plan["there"]) == (16, 4), plan
+    edvo.render("moving_room", f"--rig stereo.toml {CHANNELS} --threads 1 --out again")
+    require_same(rig, edvo.work / "again")
+    result = json.loads(edvo.render("moving_room", f"--rig stereo.toml {CHANNELS} --json --out again")[0])
+    assert result["was_there"] and result["cameras"] == ["left", "right", "fish", "late"]
+    edvo.render("moving_room", f"--rig {rig.name}/rig.toml {CHANNELS} --out from_written")
+    for name in ("left", "late"):  # whose options the written file has in full
+        require_same(rig / name / "depth", edvo.work / "from_written" / name / "depth")
+
+
+def check_poses(rig):
+    body = files.read_tum_poses(rig / "groundtruth.txt")
+    for name, T_body_camera in mounts()[1].items():
+        poses = files.read_tum_poses(rig / name / "groundtruth.txt")
+        shift = 1 if name == "late" else 0  # by a whole frame of the path
+        for (stamp, T_world_body), (own_stamp, T_world_camera) in zip(body[shift:], poses, strict=False):
+            assert abs(stamp - own_stamp) < 1e-6
+            assert abs(T_world_body @ T_body_camera - T_world_camera).max() < 1e-8
+
+
+def check_time_offset(edvo):
+    """What a camera sees a frame later is what it sees with an offset of a frame, moving things included."""
+    edvo.rig("times.toml", f"[[camera]]\nname = \"now\"\n{IMAGE}[[camera]]\nname = \"then\"\ntime_offset = 0.1\n{IMAGE}")
+    edvo.render("moving_room", "--rig times.toml --channels depth --out times")
+    moved = 0
+    for number in range(2):
+        now, then, before = (numpy.load(edvo.work / f"times/{name}/truth/depth/{index:06}.npy")
+                             for name, index in (("now", number + 1), ("then", number), ("now", number)))
+        assert numpy.mean(abs(now - then) > 1e-4) < 1e-3
+        moved += numpy.mean(abs(now - before) > 1e-4)
+    assert moved > 0.1
+
+
+def check_disparity(rig):
+    left, right = (files.read_tum_poses(rig / name / "groundtruth.txt") for name in ("left", "right"))
+    seen = 0
+    for number, ((_, T_left), (_, T_right)) in enumerate(zip(left, right, strict=True)):
+        depth, disparity = (numpy.load(rig / f"left/truth/{channel}/{number:06}.npy").astype(float)
+                            for channel in ("depth", "disparity"))
+        fates = files.read_png(rig / f"left/truth/stereo_occlusion/{number:06}.png")
+        has = depth > 0
+        assert (disparity[~has] == 0).all() and has.any()
+        assert abs(disparity[has] - 70.0 * 0.1 / depth[has]).max() < 1e-4
+        v, u = numpy.nonzero(has)
+        z = depth[v, u]
+        points = numpy.stack([(u - 47.0) / 70.0 * z, (v - 36.0) / 71.0 * z, z, numpy.ones_like(z)])
+        x, y, z_right, _ = numpy.linalg.inv(T_right) @ T_left @ points
+        column, row = 70.0 * x / z_right + 47.0, 71.0 * y / z_right + 36.0
+        assert abs(column - (u - disparity[v, u])).max() < 1e-4 and abs(row - v).max() < 1e-4
+        inside = (column > -0.5) & (column < 95.5)
+        assert (inside == (fates[v, u] != 128)).all()
+        nearest = numpy.clip(numpy.rint(column).astype(int), 0, 95)
+        of_right = numpy.load(rig / f"right/truth/depth/{number:06}.npy")[v, nearest]
+        visible, hidden = fates[v, u] == 0, fates[v, u] == 255
+        # The nearest pixel's centre is up to half a pixel off the point.
+        assert numpy.mean(abs(of_right[visible] - z_right[visible]) < 0.03 * z_right[visible]) > 0.93
+        # What hides a point may be narrower than a pixel.
+        beside = numpy.min([numpy.load(rig / f"right/truth/depth/{number:06}.npy")[v, numpy.clip(nearest + by, 0, 95)]
+                            for by in (-1, 0, 1)], axis=0)
+        assert numpy.mean(beside[hidden] < z_right[hidden]) > 0.98, numpy.mean(beside[hidden] < z_right[hidden])
+        seen += visible.sum()
+    assert seen > 0
+
+
+def check_imu(edvo):
+    """The rig's IMU measures what that of a camera at its place measures; its states are the body's."""
+    imu = STEREO.split("[[camera]]")[0]
+    mount = imu.replace("[imu]\n", "")
+    edvo.rig("imu.toml", f"{imu}[[camera]]\nname = \"there\"\n{mount}{IMAGE}")
+    edvo.render("room", "--rig imu.toml --channels imu --imu.accel-noise 0.01 --imu.gyro-bias-walk 0.001 --out imu")
+    folder = edvo.work / "imu"
+    assert (folder / "imu.csv").read_bytes() == (folder / "there/imu.csv").read_bytes()
+    assert (folder / "imu.toml").read_bytes() == (folder / "there/imu.toml").read_bytes()
+    states, of_imu = (numpy.array([[float(value) for value in row] for row in euroc.read_list(place)]) for place in
+                      (make_list(folder), make_list(folder / "there")))
+    assert (states[:, 11:] == of_imu[:, 11:]).all()  # biases
+    for stamp, T_world_body in files.read_tum_poses(folder / "groundtruth.txt"):
+        state = states[numpy.argmin(abs(states[:, 0] - 1e9 * stamp))]
+        px, py, pz, qw, qx, qy, qz = state[1:8]
+        assert abs(files.matrix_of([px, py, pz], [qx, qy, qz, qw]) - T_world_body).max() < 1e-8
+    # Velocity is the derivative of the body's position, which the IMU's is not.
+    step = (states[2:, 0] - states[:-2, 0])[:, None] / 1e9
+    assert abs((states[2:, 1:4] - states[:-2, 1:4]) / step - states[1:-1, 8:11]).max() < 1e-3
+    assert abs(of_imu[:, 8:11] - states[:, 8:11]).max() > 0.01
+
+
+def make_list(folder):
+    """A folder whose data.csv are the true states of one."""
+    place = folder / "states"
+    place.mkdir()
+    shutil.copy(folder / "truth/imu_states.csv", place / "data.csv")
+    return place
+
+
+def check_euroc(edvo, rig):
+    edvo.run(f"convert {rig.name} {rig.name}_euroc --format euroc --quiet")
+    mav = edvo.work / f"{rig.name}_euroc" / "mav0"
+    T_body_imu, cameras = mounts()
+    states = euroc.read_list(mav / "state_groundtruth_estimate0")
+    stamps = numpy.array([int(row[0]) for row in states])
+    for number, (name, T_body_camera) in enumerate(cameras.items()):
+        sensor = euroc.read_sensor(mav / f"cam{number}")
+        T_BS = numpy.array(euroc.numbers(sensor["data"])).reshape(4, 4)
+        assert abs(T_BS - T_body_camera).max() < 1e-9
+        assert sensor["distortion_model"] == ("equidistant" if name == "fish" else "radial-tangential")
+        assert euroc.numbers(sensor["intrinsics"]) == [70.0, 71.0, 47.0, 36.0]
+        poses = files.read_tum_poses(rig / name / "groundtruth.txt")
+        images = euroc.read_list(mav / f"cam{number}")
+        assert len(images) == len(poses) == 4
+        for index, ((stamp, file), (second, T_world_camera)) in enumerate(zip(images, poses, strict=True)):
+            assert abs(int(stamp) - 1e9 * second) < 500
+            assert (files.read_png(mav / f"cam{number}/data" / file)
+                    == files.read_png(rig / name / f"rgb/{index:06}.png")).all()
+            nearest = numpy.argmin(abs(stamps - int(stamp)))
+            if abs(stamps[nearest] - int(stamp)) < 500:  # the last of the late camera is beyond the path
+                px, py, pz, qw, qx, qy, qz = (float(value) for value in states[nearest][1:8])
+                T_world_body = files.matrix_of([px, py, pz], [qx, qy, qz, qw])
+                assert abs(T_world_body @ T_BS - geometry.Z_UP @ T_world_camera).max() < 1e-8
+    imu = euroc.read_sensor(mav / "imu0")
+    assert abs(numpy.array(euroc.numbers(imu["data"])).reshape(4, 4) - T_body_imu).max() < 1e-9
+    assert [row[1:] for row in euroc.read_list(mav / "imu0")] == [row[1:] for row in euroc.read_list(imu_list(rig))]
+    # The program reads it as cam0.
+    edvo.run(f"convert {rig.name}_euroc read_back --format tum --quiet")
+    back = files.read_tum_poses(edvo.work / "read_back/groundtruth.txt")
+    for (_, T), (_, expected) in zip(back, files.read_tum_poses(rig / "left/groundtruth.txt"), strict=False):
+        assert abs(T - geometry.Z_UP @ expected).max() < 1e-7 or len(back) != 4
+
+
+def imu_list(rig):
+    place = rig.parent / "imu_list"
+    place.mkdir(exist_ok=True)
+    shutil.copy(rig / "imu.csv", place / "data.csv")
+    return place
+
+
+def check_refusals(edvo, rig):
+    """What is wrong is named with file and element, exit code 3, and nothing is left behind."""
+    camera = f"[[camera]]\nname = \"a\"\n{IMAGE}"
+    for text, words in (
+            (camera + camera, ["bad.toml:9", "'a'"]),
+            (camera + "T_body_camera = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 2, 0], [0, 0, 0, 1]]\n", ["'a'", "rotation"]),
+            (camera + "distortion.model = \"pinhole\"\n", ["bad.toml:9", "distortion.model"]),
+            (camera + "focus = 1.0\n", ["bad.toml:9", "focus"]),
+            (camera + "sensor.focus = 1.0\n", ["bad.toml:9", "focus"]),
+            (camera + "sensor.depth.step = -1.0\n", ["'a'", "step"]),
+            (STEREO.replace("0.12, 0.03", "-0.12, 0.03"), ["'left'", "positive baseline"]),
+            (STEREO.replace("0.12, 0.03", "0.02, 0.03"), ["'left'", "positive baseline"]),
+            (STEREO.replace("0.12, 0.03", "0.12, 0.04"), ["'left'", "rectified"]),
+            ("", ["bad.toml", "[[camera]]"])):
+        edvo.rig("bad.toml", text)
+        _, errors = edvo.render("room", "--rig bad.toml --channels depth --out bad", 3)
+        assert all(word in errors for word in words), errors
+        assert not (edvo.work / "bad").exists() and not (edvo.work / "bad.part").exists()
+    assert "missing.toml" in edvo.render("room", "--rig missing.toml --out bad", 3)[1]
+    assert "partner" in edvo.render("room", "--rig one.toml --channels disparity --out bad", 3)[1]
+    assert "--rig" in edvo.render("room", "--size 64x48 --channels disparity --out bad", 2)[1]
+    edvo.render("room", "--rig one.toml --size 64x48 --out bad", 2)
+    assert "rig" in edvo.run(f"track {rig.name} --out e.txt", 3)[1]
+    assert f"{rig.name}/left" in edvo.run(f"convert {rig.name} out --format kitti", 3)[1]
+    assert not (edvo.work / "bad").exists() and not (edvo.work / "out").exists()
+
+
+CHANNELS = "--channels depth,flow,imu,disparity,stereo_occlusion"
+
+
+def main():
+    program, source, work = (pathlib.Path(word).resolve() for word in sys.argv[1:4])
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    edvo = Program(program, source, work)
+    edvo.rig("stereo.toml", STEREO)
+    edvo.render("moving_room", f"--rig stereo.toml {CHANNELS} --out rig")
+    rig = work / "rig"
+    check_single_camera(edvo)
+    check_shares(edvo, rig)
+    check_poses(rig)
+    check_time_offset(edvo)
+    check_disparity(rig)
+    check_imu(edvo)
+    check_euroc(edvo, rig)
+    check_refusals(edvo, rig)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
