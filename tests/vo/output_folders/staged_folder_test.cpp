@@ -161,4 +161,21 @@ TEST_F(StagedFolderTest, NeverReplacesWhatSomebodyElseMade) {
   EXPECT_EQ(vo::read_file(folder_.path() / "result.part/holiday"), "precious");
 }
 
+TEST_F(StagedFolderTest, ListsTheFilesOfAFolderWithinAsIfThatStoodAlone) {
+  vo::StagedContent content = example();
+  content.rest.push_back({"a/more.txt", "more"});
+  content.folders = {"a"};
+  StagedFolder staged(path_, content, ExistingOutput::keep, {});
+  put(staged, content.parts[0]);
+  put(staged, content.parts[1]);
+  EXPECT_THAT(staged.finish(), IsEmpty());
+  const vo::FileRecords records = vo::read_list(path_ / "a");
+  ASSERT_EQ(records.size(), 3U);
+  for (const auto& [name, record] : records) {
+    EXPECT_TRUE(vo::is_intact(path_ / "a", name, record)) << name;
+  }
+  EXPECT_TRUE(StagedFolder(path_, content, ExistingOutput::keep, {}).is_finished());
+  vo::require_replaceable(path_, ExistingOutput::replace);
+}
+
 }  // namespace

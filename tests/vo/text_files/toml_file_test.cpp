@@ -96,4 +96,22 @@ TEST(TomlFile, WhatIsNoTomlNamesLineAndColumn) {
   EXPECT_THAT(error_of("[top]\ncount = 1\ncount = 2\n"), HasSubstr("s.toml:3:"));
 }
 
+TEST(TomlFile, TablesOfAnArrayAreReadApartInTheirOrder) {
+  const TempFolder folder;
+  const vo::TomlRecords file = vo::read_toml_records(
+      folder.write("s.toml",
+                   "a.b = 1\n[[item]]\nsize = 2.0\n[item.part]\nname = \"x\"\n[[item]]\n"),
+      "item");
+  ASSERT_EQ(file.others.size(), 1U);
+  EXPECT_EQ(file.others[0].key, "a.b");
+  ASSERT_EQ(file.records.size(), 2U);
+  EXPECT_THAT(file.records[0].place, EndsWith("s.toml:2"));
+  ASSERT_EQ(file.records[0].values.size(), 2U);
+  EXPECT_EQ(file.records[0].values[0].key, "part.name");
+  EXPECT_THAT(file.records[0].values[0].place, EndsWith("s.toml:5"));
+  EXPECT_EQ(file.records[0].values[1].text, "2");
+  EXPECT_EQ(vo::format_toml(file.records[0].values[1]), "size = 2.0\n");
+  EXPECT_TRUE(file.records[1].values.empty());
+}
+
 }  // namespace
