@@ -100,12 +100,14 @@ std::string summary(const RenderArguments& arguments, const synth::RenderOutcome
           ? vo::concat(", depth in ", std::round(1e3 * *outcome.depth_coverage) / 10,
                        " % of their pixels")
           : "";
+  const std::string cameras =
+      arguments.rig ? vo::concat(" of ", arguments.rig->cameras.size(), " cameras") : "";
   if (outcome.missing == 0) {
-    return vo::concat(arguments.out, ": ", frames, " frames", depth,
+    return vo::concat(arguments.out, ": ", frames, " frames", cameras, depth,
                       outcome.was_there ? ", there already with the same inputs" : "");
   }
   return vo::concat(outcome.folder.string(), ": ", frames - outcome.missing, " of ", frames,
-                    " frames", depth, "; ", arguments.out, " appears when all are there");
+                    " frames", cameras, depth, "; ", arguments.out, " appears when all are there");
 }
 
 std::vector<std::string> camera_names(const vo::Rig& rig) {

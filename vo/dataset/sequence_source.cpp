@@ -42,9 +42,11 @@ WorldUp up_of_tum(const fs::path& folder) {
   return world.up;
 }
 
-/// Returns whether a folder holds the sequences of several cameras.
-bool is_folder_of_rig(const fs::path& folder) {
-  return fs::exists(folder / "rig.toml");
+/// Throws Error for a folder that holds the sequences of several cameras, whatever those are
+/// called.
+void require_one_camera(const fs::path& folder) {
+  require(!fs::exists(folder / "rig.toml"), folder.string(),
+          ": is a rig, expected the folder of one of its cameras, which its rig.toml names");
 }
 
 SequenceContent content_of_tum(const fs::path& folder) {
@@ -106,9 +108,7 @@ std::optional<SequenceFormat> known_format(const fs::path& folder) {
   if (!fs::is_directory(folder)) {
     return format_of_file(folder);
   }
-  if (is_folder_of_rig(folder)) {  // whatever its cameras are called
-    return std::nullopt;
-  }
+  require_one_camera(folder);
   if (fs::exists(folder / "mav0/cam0/data.csv")) {
     return SequenceFormat::euroc;
   }
@@ -143,8 +143,6 @@ SequenceFormat detect_format(const fs::path& path) {
   require(fs::exists(path), path.string(), ": there is no such folder, expected a sequence");
   const std::optional<SequenceFormat> format = known_format(path);
   require(format.has_value() || fs::is_directory(path), path.string(), kNoSequenceFile);
-  require(format.has_value() || !is_folder_of_rig(path), path.string(),
-          ": is a rig of cameras, expected the folder of one of them, which rig.toml names");
   require(
       format.has_value(), path.string(),
       ": holds no sequence that is known, expected rgb.txt (TUM), mav0/cam0/data.csv (EuRoC), "

@@ -40,7 +40,7 @@ constexpr auto enum_names(SequenceFormat) {
 }
 
 /// Returns the format whose files a folder holds, or that a file is of; none where that is not
-/// known.
+/// known. Throws Error for the folder of a rig, which holds several sequences.
 std::optional<SequenceFormat> known_format(const std::filesystem::path& path);
 
 /// The end of the error that refuses a file of no known format, behind its path.
