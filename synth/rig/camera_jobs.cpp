@@ -1,6 +1,7 @@
 #include "synth/rig/camera_jobs.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "synth/path/camera_path.h"
 #include "synth/sensor/preset.h"
@@ -34,8 +35,11 @@ vo::Trajectory poses_at(const CameraPath& path, const vo::Trajectory& stamps, do
   return poses;
 }
 
-/// Returns a camera's sensor: what its file says, on top of its preset, which else is `base`.
-SensorOptions sensor_of(const vo::RigCamera& camera, const SensorOptions& base) {
+/// Returns the sensor of camera `number`: what its file says, on top of its preset, which else is
+/// `base`. Without a seed of its own it has one that no other camera has, since noise is a function
+/// of seed, frame and pixel.
+SensorOptions sensor_of(const vo::RigCamera& camera, const SensorOptions& base,
+                        std::size_t number) {
   SensorOptions sensor = base;
   std::vector<vo::Field> fields = vo::fields_of(sensor);
   for (const vo::TomlValue& value : camera.sensor) {
@@ -44,6 +48,7 @@ SensorOptions sensor_of(const vo::RigCamera& camera, const SensorOptions& base) 
       sensor = preset_options(sensor.preset);
     }
   }
+  sensor.seed = base.seed + number;
   vo::assign_fields(camera.sensor, fields);
   try {
     sensor.validate();
@@ -62,11 +67,12 @@ void choose_channels(const vo::Rig& rig, const vo::RigCamera& camera, TruthOptio
   }
 }
 
-RenderJob camera_job(const RigJob& job, const vo::RigCamera& camera) {
+RenderJob camera_job(const RigJob& job, std::size_t number) {
+  const vo::RigCamera& camera = job.rig.cameras[number];
   RenderJob own = job.body;
   SequenceRecipe& recipe = own.recipe;
   recipe.camera = camera.camera;
-  recipe.sensor = sensor_of(camera, recipe.sensor);
+  recipe.sensor = sensor_of(camera, recipe.sensor, number);
   recipe.path = path_on(path_of(job.body.recipe), camera.T_body_camera);
   recipe.truth = is_identity(camera.T_body_camera) && camera.time_offset == 0
                      ? job.body.recipe.truth
@@ -80,8 +86,8 @@ RenderJob camera_job(const RigJob& job, const vo::RigCamera& camera) {
 
 std::vector<RenderJob> camera_jobs(const RigJob& job) {
   std::vector<RenderJob> jobs;
-  for (const vo::RigCamera& camera : job.rig.cameras) {
-    jobs.push_back(camera_job(job, camera));
+  for (std::size_t i = 0; i < job.rig.cameras.size(); ++i) {
+    jobs.push_back(camera_job(job, i));
   }
   const std::vector<TruthChannel>& channels = job.body.recipe.channels.channels;
   const bool has_pair = std::any_of(job.rig.cameras.begin(), job.rig.cameras.end(),

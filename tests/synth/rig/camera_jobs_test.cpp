@@ -66,6 +66,16 @@ TEST(CameraJobs, ASensorStartsFromItsPresetOrElseFromTheRigs) {
               HasSubstr("minimum"));
 }
 
+TEST(CameraJobs, NoTwoCamerasHaveOneSeedUnlessTheySaySo) {
+  RigJob job =
+      job_of(camera("a") + camera("b", "sensor.preset=\"redwood\"") + camera("c", "sensor.seed=5"));
+  job.body.recipe.sensor.seed = 5;
+  const std::vector<RenderJob> jobs = camera_jobs(job);
+  EXPECT_EQ(jobs[0].recipe.sensor.seed, 5U);
+  EXPECT_EQ(jobs[1].recipe.sensor.seed, 6U);
+  EXPECT_EQ(jobs[2].recipe.sensor.seed, 5U);
+}
+
 TEST(CameraJobs, DisparityGoesToTheCameraThatNamesAPartner) {
   RigJob job = job_of(camera("l", "stereo=\"r\"") + camera("r", "position=[0.25,0.0,0.0]"));
   job.body.recipe.channels.channels = {TruthChannel::depth, TruthChannel::disparity};
