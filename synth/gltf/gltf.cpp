@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "synth/gltf/gltf_scene.h"
+#include "synth/gltf/labelled_scene.h"
 #include "synth/gltf_document/check_document.h"
 #include "synth/gltf_document/gltf_file.h"
 #include "synth/gltf_document/notes.h"
@@ -29,7 +30,7 @@ void note_what_is_newer(const nlohmann::json& document, Notes& notes) {
   }
 }
 
-Scene load(const GltfFile& file, const GltfOptions& options, Notes* notes) {
+LabelledScene load(const GltfFile& file, const GltfOptions& options, Notes* notes) {
   Notes ignored;
   Notes& left_out = notes != nullptr ? *notes : ignored;
   options.validate();
@@ -53,16 +54,21 @@ void GltfOptions::validate() const {
 }
 
 Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options, Notes* notes) {
-  return load(read_gltf_file(path), options, notes);
+  return load(read_gltf_file(path), options, notes).scene;
 }
 
 Scene load_gltf(const std::filesystem::path& path, Notes* notes) {
   return load_gltf(path, {}, notes);
 }
 
+LabelledScene load_labelled_gltf(const std::filesystem::path& path, const GltfOptions& options,
+                                 Notes* notes) {
+  return load(read_gltf_file(path), options, notes);
+}
+
 Scene parse_gltf(std::span<const std::uint8_t> content, const std::filesystem::path& path,
                  const GltfOptions& options, Notes* notes) {
-  return load(parse_gltf_file(content, path), options, notes);
+  return load(parse_gltf_file(content, path), options, notes).scene;
 }
 
 }  // namespace synth

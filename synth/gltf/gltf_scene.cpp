@@ -37,6 +37,36 @@ constexpr std::size_t kPlacedVertexBytes = 2 * sizeof(Eigen::Vector3f);
 /// The limit of vertices of all instances, which bounds the time to visit each of them.
 constexpr std::size_t kMostPlacedVertices = std::size_t{1} << 29U;
 
+/// A glTF node that shows its mesh, once or as one of its instances.
+struct ShownMesh {
+  const tinygltf::Node& node;
+  InstanceLabel label;    ///< its `primitive` is not set
+  int moved_by = kNone;   ///< the node, as one of SceneMotion::nodes
+  int stands_at = kNone;  ///< the node or instance that places the mesh, one of SceneMotion::nodes
+};
+
+/// One of Scene::meshes and the primitive of a glTF mesh that it was read from.
+struct PrimitiveMesh {
+  int mesh = kNone;
+  int primitive = 0;
+};
+
+FileLabels names_in(const GltfModel& model) {
+  const tinygltf::Model& content = model.content;
+  FileLabels file{.name = model.path.filename().string()};
+  file.nodes.resize(content.nodes.size());
+  for (std::size_t i = 0; i < content.nodes.size(); ++i) {
+    file.nodes[i].name = content.nodes[i].name;
+    for (const int child : content.nodes[i].children) {
+      file.nodes[at(child)].parent = static_cast<int>(i);
+    }
+  }
+  for (const tinygltf::Mesh& mesh : content.meshes) {
+    file.meshes.push_back(mesh.name);
+  }
+  return file;
+}
+
 class SceneReader {
  public:
   SceneReader(const GltfModel& model, const GltfOptions& options, Notes& notes)
@@ -46,9 +76,11 @@ class SceneReader {
         materials_(reading_, scene_, options.needed),
         forest_(read_nodes(model.content, options.scale)),
         skins_(model.content.skins.size(), kNone),
-        is_read_(model.content.meshes.size(), false) {}
+        is_read_(model.content.meshes.size(), false) {
+    labels_.files.push_back(names_in(model));
+  }
 
-  Scene read() {
+  LabelledScene read() {
     place_nodes();
     for (const int index : scene_nodes(model_, options_.scene)) {
       read_node(index);
@@ -63,7 +95,10 @@ class SceneReader {
     if (moves(scene_) || moves_cameras(scene_)) {
       scene.motion = std::move(motion);
     }
-    return scene;
+    for (const int index : materials_.sources()) {
+      labels_.materials.push_back({.index = index});
+    }
+    return {std::move(scene), std::move(labels_)};
   }
 
  private:
@@ -106,12 +141,15 @@ class SceneReader {
     if (node.mesh != kNone) {
       is_read_[at(node.mesh)] = true;
     }
+    ShownMesh shown{node, {.node = index, .mesh = node.mesh}, moved_by, moved_by};
     if (node.mesh != kNone && is_instancing(node) && node.skin == kNone) {
       for (const int instance : instance_nodes(index)) {
-        add_mesh_of(node, moved_by, instance);
+        shown.stands_at = instance;
+        ++shown.label.copy;
+        add_mesh_of(shown);
       }
     } else if (node.mesh != kNone) {
-      add_mesh_of(node, moved_by, moved_by);
+      add_mesh_of(shown);
     }
     const auto light = node.extensions.find("KHR_lights_punctual");
     if (light != node.extensions.end()) {
@@ -138,26 +176,28 @@ class SceneReader {
     return nodes;
   }
 
-  /// Adds the mesh of `node`, placed by the forest's node `stands_at`.
-  void add_mesh_of(const tinygltf::Node& node, int moved_by, int stands_at) {
+  void add_mesh_of(const ShownMesh& shown) {
+    const tinygltf::Node& node = shown.node;
     if (node.skin != kNone && is_instancing(node)) {
       add_note(reading_.notes, "instances of skinned meshes are left out");
     }
     if (node.skin != kNone || has_targets(node.mesh)) {
-      add_bending(node, moved_by, stands_at);
+      add_bending(shown);
       return;
     }
-    for (const int mesh : meshes_of(node.mesh)) {
-      add_instance({mesh, T_world_node_[at(stands_at)]}, stands_at);
+    for (const auto& [mesh, primitive] : meshes_of(node.mesh)) {
+      add_instance(mesh, primitive, shown);
     }
   }
 
-  void add_instance(const Instance& instance, int moved_by) {
+  void add_instance(int mesh, int primitive, const ShownMesh& shown) {
     require(scene_.instances.size() < kMostInstances, model_.path.string(),
             ": has more instances of primitives than ", kMostInstances,
             ", expected at most as many");
-    scene_.instances.push_back(instance);
-    scene_.motion.instance_nodes.push_back(moved_by);
+    scene_.instances.push_back({mesh, T_world_node_[at(shown.stands_at)]});
+    scene_.motion.instance_nodes.push_back(shown.stands_at);
+    labels_.instances.push_back(shown.label);
+    labels_.instances.back().primitive = primitive;
   }
 
   void require_room(const Scene& scene) const {
@@ -191,7 +231,7 @@ class SceneReader {
   }
 
   /// Returns the scene's meshes of a glTF mesh's primitives, which are read on first use.
-  const std::vector<int>& meshes_of(int gltf_mesh) {
+  const std::vector<PrimitiveMesh>& meshes_of(int gltf_mesh) {
     const auto [entry, is_new] = meshes_.try_emplace(gltf_mesh);
     if (is_new) {
       const auto& primitives = model_.content.meshes[at(gltf_mesh)].primitives;
@@ -199,7 +239,7 @@ class SceneReader {
         auto geometry = read_primitive(reading_, primitives[i], place_of(gltf_mesh, i));
         if (geometry && !geometry->mesh.triangles.empty()) {
           geometry->mesh.material = materials_.material(primitives[i].material);
-          entry->second.push_back(add_mesh(std::move(geometry->mesh)));
+          entry->second.push_back({add_mesh(std::move(geometry->mesh)), static_cast<int>(i)});
         }
       }
     }
@@ -207,7 +247,8 @@ class SceneReader {
   }
 
   /// Adds a morphed or skinned mesh, a copy for each node, as each may deform differently.
-  void add_bending(const tinygltf::Node& node, int moved_by, int stands_at) {
+  void add_bending(const ShownMesh& shown) {
+    const tinygltf::Node& node = shown.node;
     const auto& primitives = model_.content.meshes[at(node.mesh)].primitives;
     for (std::size_t i = 0; i < primitives.size(); ++i) {
       auto geometry = read_primitive(reading_, primitives[i], place_of(node.mesh, i));
@@ -217,7 +258,7 @@ class SceneReader {
       geometry->mesh.material = materials_.material(primitives[i].material);
       DeformableMesh deforming;
       deforming.instance = static_cast<int>(scene_.instances.size());
-      deforming.node = moved_by;
+      deforming.node = shown.moved_by;
       deforming.skin = node.skin == kNone ? kNone : skin(node.skin);
       VertexJoints joints = joints_of(primitives[i], deforming.skin, place_of(node.mesh, i));
       if (joints.sets == 0) {
@@ -230,7 +271,7 @@ class SceneReader {
                                       .tangents = mesh.tangents,
                                       .targets = std::move(geometry->targets),
                                       .followed = std::move(joints)});
-      add_instance({add_mesh(std::move(geometry->mesh)), T_world_node_[at(stands_at)]}, stands_at);
+      add_instance(add_mesh(std::move(geometry->mesh)), static_cast<int>(i), shown);
       scene_.motion.deforming.push_back(deforming);
     }
   }
@@ -300,9 +341,10 @@ class SceneReader {
   MaterialReader materials_;
   NodeForest forest_;
   std::vector<Eigen::Affine3d> T_world_node_;  ///< transform of each of forest_.nodes
-  std::map<int, std::vector<int>> meshes_;
+  std::map<int, std::vector<PrimitiveMesh>> meshes_;
   std::vector<int> skins_;
   std::vector<bool> is_read_;  ///< whether each glTF mesh was read
+  SceneLabels labels_;
 };
 
 /// Returns the root nodes of the wanted scene, or all root nodes if the file has no scenes.
@@ -324,12 +366,12 @@ std::vector<int> scene_roots(const GltfModel& model, const std::string& wanted) 
 
 }  // namespace
 
-Scene read_scene(const GltfModel& model, const GltfOptions& options, Notes& notes) {
-  Scene scene = SceneReader(model, options, notes).read();
-  if (scene.instances.empty()) {
+LabelledScene read_scene(const GltfModel& model, const GltfOptions& options, Notes& notes) {
+  LabelledScene labelled = SceneReader(model, options, notes).read();
+  if (labelled.scene.instances.empty()) {
     add_note(notes, "the scene has no triangles");
   }
-  return scene;
+  return labelled;
 }
 
 std::vector<int> scene_nodes(const GltfModel& model, const std::string& wanted) {

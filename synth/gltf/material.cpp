@@ -133,6 +133,16 @@ int MaterialReader::material(int gltf_index) {
   return index;
 }
 
+std::vector<int> MaterialReader::sources() const {
+  std::vector<int> sources(scene_.materials.size(), kNone);
+  for (std::size_t i = 0; i < materials_.size(); ++i) {
+    if (materials_[i] != kNone) {
+      sources[at(materials_[i])] = static_cast<int>(i);
+    }
+  }
+  return sources;
+}
+
 Material MaterialReader::read_material(const tinygltf::Material& source) {
   Material material;
   material.name = source.name;

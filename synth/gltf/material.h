@@ -21,6 +21,9 @@ class MaterialReader {
   /// that the material needs cannot be decoded.
   int material(int gltf_index);
 
+  /// Returns the glTF index of each of the scene's materials.
+  std::vector<int> sources() const;
+
  private:
   Material read_material(const tinygltf::Material& source);
   void read_surface(const tinygltf::Material& source, Material& material);

@@ -13,15 +13,19 @@ SceneFile::SceneFile(std::filesystem::path path, GltfOptions options)
 const SceneFile::Content& SceneFile::content() const {
   if (*content_ == nullptr) {
     Content read;
-    read.scene = load_gltf(path_, options_, &read.notes);
-    read.scene.environment = read_environment(options_);
+    read.labelled = load_labelled_gltf(path_, options_, &read.notes);
+    read.labelled.scene.environment = read_environment(options_);
     *content_ = std::make_unique<const Content>(std::move(read));
   }
   return **content_;
 }
 
 const Scene& SceneFile::scene() const {
-  return content().scene;
+  return content().labelled.scene;
+}
+
+const SceneLabels& SceneFile::labels() const {
+  return content().labelled.labels;
 }
 
 const Notes& SceneFile::notes() const {

@@ -3,8 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "synth/gltf/gltf.h"
-#include "synth/scene/scene.h"
+#include "synth/gltf/labelled_scene.h"
 
 namespace synth {
 
@@ -16,13 +15,14 @@ class SceneFile {
 
   const std::filesystem::path& path() const { return path_; }
   const GltfOptions& options() const { return options_; }
-  const Scene& scene() const;  ///< reads on first use; throws vo::Error; not thread-safe
-  const Notes& notes() const;  ///< what the scene leaves out of the file
+  const Scene& scene() const;         ///< reads on first use; throws vo::Error; not thread-safe
+  const SceneLabels& labels() const;  ///< names of the scene's elements; reads as `scene` does
+  const Notes& notes() const;         ///< what the scene leaves out of the file
 
  private:
   struct Content {
     Notes notes;
-    Scene scene;
+    LabelledScene labelled;
   };
 
   const Content& content() const;

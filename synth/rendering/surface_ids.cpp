@@ -16,10 +16,14 @@ void require_16_bits(std::size_t count, const char* what) {
 
 }  // namespace
 
+void require_16_bit_ids(const Scene& scene) {
+  require_16_bits(scene.instances.size(), "instances");
+  require_16_bits(scene.materials.size() + 1, "materials and the default");
+}
+
 SurfaceIds surface_ids(const WorldGeometry& world) {
   const std::size_t materials = world.scene->materials.size();
-  require_16_bits(world.scene->instances.size(), "instances");
-  require_16_bits(materials + 1, "materials and the default");
+  require_16_bit_ids(*world.scene);
   SurfaceIds ids;
   for (const FlatMesh& mesh : world.meshes) {
     const int material = mesh.mesh->material;

@@ -13,7 +13,10 @@ struct SurfaceIds {
   std::vector<std::uint16_t> material;  ///< 1 + index in Scene::materials; 1 + their count if none
 };
 
-/// Returns the ids of all meshes. Throws vo::Error if an id would exceed 65535.
+/// Throws vo::Error if an id of the scene's instances or materials would exceed 65535.
+void require_16_bit_ids(const Scene& scene);
+
+/// Returns the ids of all meshes. Throws as require_16_bit_ids does.
 SurfaceIds surface_ids(const WorldGeometry& world);
 
 }  // namespace synth

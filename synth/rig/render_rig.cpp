@@ -87,7 +87,7 @@ RigPlan plan_of(const RigJob& job) {
   plan.content.rest = body_files(job);
   for (std::size_t i = 0; i < plan.jobs.size(); ++i) {
     const std::string& name = job.rig.cameras[i].name;
-    std::vector<vo::NamedBytes> files = sequence_files(plan.jobs[i].recipe);
+    std::vector<vo::NamedBytes> files = sequence_files(plan.jobs[i]);
     files.push_back(sequence_manifest(plan.jobs[i]));
     move_into(name, files);
     plan.content.rest.insert(plan.content.rest.end(), files.begin(), files.end());
@@ -115,7 +115,8 @@ class RigFrames {
     const auto renderers =
         std::make_shared<const RenderersOverTime>(scene, jobs.front().recipe.render);
     for (const RenderJob& job : jobs) {
-      generators_.push_back(std::make_unique<const FrameGenerator>(scene, job.recipe, renderers));
+      generators_.push_back(
+          std::make_unique<const FrameGenerator>(frame_generator(job, renderers)));
     }
   }
 

@@ -58,6 +58,7 @@ NeededTextures needed_textures(const SequenceRecipe& recipe) {
 }
 
 FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe,
+                               std::vector<std::uint16_t> instance_classes,
                                std::shared_ptr<const RenderersOverTime> renderers)
     : scene_(scene),
       recipe_(recipe),
@@ -76,7 +77,7 @@ FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe,
   if (!recipe.channels.channels.empty()) {
     truth_ = std::make_unique<const TruthGenerator>(
         TruthSubject{scene, recipe.camera.pinhole, recipe.truth, recipe.render.ambient,
-                     recipe.scene_delay},
+                     recipe.scene_delay, std::move(instance_classes)},
         recipe.channels);
   }
 }

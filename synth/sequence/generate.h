@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -55,8 +56,11 @@ using MadeFrameObserver = std::function<void(std::size_t index, const MadeFrame&
 /// recipe and its index. The scene and the recipe must outlive the generator.
 class FrameGenerator {
  public:
-  /// `renderers` are those of the scene and of `recipe.render`; null: it makes its own.
+  /// `instance_classes` is the class of each of the scene's instances, where the recipe's channels
+  /// have `class`. `renderers` are those of the scene and of `recipe.render`; null: it makes its
+  /// own.
   FrameGenerator(const Scene& scene, const SequenceRecipe& recipe,
+                 std::vector<std::uint16_t> instance_classes = {},
                  std::shared_ptr<const RenderersOverTime> renderers = nullptr);
 
   MadeFrame make(std::size_t index) const;

@@ -52,7 +52,7 @@ RenderPlan plan_share(const ShareJob& job, const std::filesystem::path& folder) 
 
 RenderPlan plan_sequence(const RenderJob& job, const std::filesystem::path& folder) {
   const double loading_s = load_scene(job.scene);
-  const vo::StagedContent content = sequence_content(job.recipe, sequence_manifest(job));
+  const vo::StagedContent content = sequence_content(job);
   RenderPlan plan = plan_share(share_job(job, content), folder);
   plan.processor_s += loading_s;
   return plan;

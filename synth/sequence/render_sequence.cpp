@@ -5,6 +5,7 @@
 
 #include "synth/scene/scene_hash.h"
 #include "synth/sequence/depth_coverage.h"
+#include "synth/sequence/labels_file.h"
 #include "synth/sequence/share_renderer.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
@@ -42,6 +43,26 @@ std::string describe_motion(const SequenceRecipe& recipe) {
   return text;
 }
 
+/// Returns texts as an array of TOML.
+std::string array_of(const std::vector<std::string>& texts) {
+  std::string array;
+  for (const std::string& text : texts) {
+    array += vo::concat(array.empty() ? "" : ", ", vo::quoted_toml(text));
+  }
+  return vo::concat("[", array, "]");
+}
+
+/// Returns the classes that truth/labels.json tells apart, as TOML.
+std::string describe_classes(const TruthOptions& options) {
+  std::string tables;
+  for (const SurfaceClass& one : options.classes) {
+    tables += vo::concat(tables.empty() ? "" : ", ", "{ name = ", vo::quoted_toml(one.name),
+                         ", nodes = ", array_of(one.nodes),
+                         ", materials = ", array_of(one.materials), " }");
+  }
+  return has_labels(options) && !tables.empty() ? vo::concat("classes = [", tables, "]\n") : "";
+}
+
 /// Returns the format of each ground-truth channel and the options it was made with, as TOML.
 std::string describe_channels(const SequenceRecipe& recipe) {
   TruthOptions options = recipe.channels;
@@ -59,7 +80,7 @@ std::string describe_channels(const SequenceRecipe& recipe) {
   if (std::any_of(options.channels.begin(), options.channels.end(), is_of_pair)) {
     text += vo::concat("truth.stereo_baseline = ", vo::format_real(options.stereo_baseline), "\n");
   }
-  return text + describe_motion(recipe);
+  return text + describe_classes(options) + describe_motion(recipe);
 }
 
 bool moves_between_stamps(const SensorOptions& sensor) {
@@ -118,10 +139,13 @@ RenderOutcome render_sequence(const RenderJob& job, const fs::path& folder,
   job.recipe.camera.validate();
   share_of(job);  // throws before any work
   const Scene& scene = job.scene.scene();
-  const vo::StagedContent content = sequence_content(job.recipe, sequence_manifest(job));
+  const vo::StagedContent content = sequence_content(job);
   RenderOutcome outcome =
       render_share(share_job(job, content), folder, policy, {progress, observe});
   outcome.notes = job.scene.notes();
+  for (std::string& note : notes_on_classes(job.scene, job.recipe.channels)) {
+    outcome.notes.push_back(std::move(note));
+  }
   outcome.depth_coverage = depth_coverage(job.recipe, all_frames(job), outcome.folder);
   if (outcome.depth_coverage) {
     outcome.warning = warn_of_coverage(scene, job.recipe, *outcome.depth_coverage);
@@ -131,10 +155,23 @@ RenderOutcome render_sequence(const RenderJob& job, const fs::path& folder,
 
 ShareJob share_job(const RenderJob& job, const vo::StagedContent& content) {
   return {content, share_of(job), [&job]() -> PartMaker {
-            const auto generator =
-                std::make_shared<const FrameGenerator>(job.scene.scene(), job.recipe);
+            const auto generator = std::make_shared<const FrameGenerator>(frame_generator(job));
             return [generator](std::size_t frame) { return generator->make(frame); };
           }};
+}
+
+FrameGenerator frame_generator(const RenderJob& job,
+                               std::shared_ptr<const RenderersOverTime> renderers) {
+  return {job.scene.scene(), job.recipe, instance_classes(job.scene, job.recipe.channels),
+          std::move(renderers)};
+}
+
+std::vector<vo::NamedBytes> sequence_files(const RenderJob& job) {
+  std::vector<vo::NamedBytes> files = sequence_files(job.recipe);
+  if (has_labels(job.recipe.channels)) {
+    files.push_back(labels_file(job.scene, job.recipe.channels));
+  }
+  return files;
 }
 
 std::string format_recipe(const RenderJob& job) {

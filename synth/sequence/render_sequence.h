@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,12 +29,21 @@ std::string format_recipe(const RenderJob& job);
 /// must know, and the inputs that identify it.
 vo::NamedBytes sequence_manifest(const RenderJob& job);
 
+/// Returns the maker of the job's frames, which refers to the job. `renderers` are as those of
+/// FrameGenerator.
+FrameGenerator frame_generator(const RenderJob& job,
+                               std::shared_ptr<const RenderersOverTime> renderers = nullptr);
+
+/// Returns the files that belong to no single frame but for sequence.toml: those of the recipe, and
+/// truth/labels.json beside channels of ids.
+std::vector<vo::NamedBytes> sequence_files(const RenderJob& job);
+
 struct RenderOutcome {
   bool was_there = false;                ///< whether the folder held this sequence already
   std::filesystem::path folder;          ///< folder that holds the frames
   std::size_t rendered = 0;              ///< number of frames rendered by this call
   std::size_t missing = 0;               ///< number of frames the sequence lacks; 0 = complete
-  std::vector<std::string> notes;        ///< features of the scene file that were left out
+  std::vector<std::string> notes;        ///< on what is left out of the scene, and on classes
   std::size_t depth_beyond_16_bit = 0;   ///< rendered depth pixels stored as 0
   std::optional<double> depth_coverage;  ///< of all frames in `folder`; none if none can be read
   std::string warning;                   ///< about little coverage; empty where it is enough

@@ -60,6 +60,12 @@ vo::StagedContent sequence_content(const SequenceRecipe& recipe, vo::NamedBytes 
   return content;
 }
 
+vo::StagedContent sequence_content(const RenderJob& job) {
+  vo::StagedContent content = sequence_content(job.recipe, sequence_manifest(job));
+  content.rest = sequence_files(job);
+  return content;
+}
+
 std::size_t ShareRenderer::missing() const {
   const std::vector<vo::FolderPart>& parts = job_.content.parts;
   return static_cast<std::size_t>(

@@ -21,6 +21,9 @@ vo::FolderPart frame_part(const SequenceRecipe& recipe, std::size_t frame);
 /// Returns what the folder of a sequence will hold: a part for each frame, in order, and `marker`.
 vo::StagedContent sequence_content(const SequenceRecipe& recipe, vo::NamedBytes marker);
 
+/// Returns what the folder of a job's sequence will hold: its labels, too, and its manifest.
+vo::StagedContent sequence_content(const RenderJob& job);
+
 /// Makes the frame that is a part of a folder, from any thread, its files named as the part has
 /// them.
 using PartMaker = std::function<MadeFrame(std::size_t part)>;

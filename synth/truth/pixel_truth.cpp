@@ -50,4 +50,12 @@ IdImage material_truth(const PointImage& points, const WorldGeometry& world) {
   return id_image(points, surface_ids(world).material);
 }
 
+IdImage class_truth(const PointImage& points, const WorldGeometry& world,
+                    const std::vector<std::uint16_t>& instance_classes) {
+  return image_of<std::uint16_t>(points, [&](const TrianglePoint& point) {
+    const FlatMesh& mesh = world.meshes[static_cast<std::size_t>(point.mesh)];
+    return instance_classes[static_cast<std::size_t>(mesh.instance)];
+  });
+}
+
 }  // namespace synth

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include <opencv2/core.hpp>
 
 #include "synth/ray_tracing/point_tracer.h"
@@ -19,5 +22,9 @@ cv::Mat_<cv::Vec3f> normal_truth(const PointImage& points, const PointTracer& tr
 IdImage instance_truth(const PointImage& points, const WorldGeometry& world);
 /// Returns SurfaceIds::material, 0 = nothing hit. Throws vo::Error if an id exceeds 65535.
 IdImage material_truth(const PointImage& points, const WorldGeometry& world);
+/// Returns the class's id of each pixel's instance, of which `instance_classes` has one for each of
+/// Scene::instances; 0 = none or nothing hit.
+IdImage class_truth(const PointImage& points, const WorldGeometry& world,
+                    const std::vector<std::uint16_t>& instance_classes);
 
 }  // namespace synth

@@ -56,6 +56,11 @@ bool TruthOptions::has(TruthChannel channel) const {
 }
 
 void TruthOptions::validate() const {
+  for (const SurfaceClass& one : classes) {
+    one.validate();
+  }
+  vo::require(!has(TruthChannel::surface_class) || !classes.empty(),
+              "channels: class: there are no classes, expected [[class]] with name and patterns");
   edges.validate();
   imu.validate();
   for (const TruthChannel channel : channels) {
@@ -74,7 +79,9 @@ std::vector<TruthChannel> parse_channels(std::string_view text) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string_view name = text.substr(begin, end - begin);
     for (const auto& [channel, channel_name] : enum_names(TruthChannel{})) {
-      if (name == "all" && !options.has(channel) && !is_of_pair(channel)) {
+      const bool is_asked_for_by_name =
+          channel == TruthChannel::surface_class || is_of_pair(channel);
+      if (name == "all" && !is_asked_for_by_name && !options.has(channel)) {
         options.channels.push_back(channel);
       }
     }
@@ -105,6 +112,8 @@ std::string truth_convention(TruthChannel channel, vo::FloatFormat format) {
       return folder +
              "16 bit, 1 + index of the scene's material, 1 + their number = none given, 0 = "
              "nothing there";
+    case TruthChannel::surface_class:
+      return folder + "16 bit, id of a class in truth/labels.json, 0 = none, or nothing there";
     case TruthChannel::flow:
       return folder +
              "Middlebury, float32 (du, dv) px from this frame's pixel centre to its point in the "

@@ -10,6 +10,7 @@
 #include "synth/path/camera_path.h"
 #include "synth/truth/edge_labels.h"
 #include "synth/truth/imu.h"
+#include "synth/truth/surface_classes.h"
 #include "vo/files/output.h"
 #include "vo/geometry/trajectory.h"
 #include "vo/image_files/float_image.h"
@@ -22,6 +23,7 @@ enum class TruthChannel {
   normal,
   instance,
   material,
+  surface_class,  ///< of surfaces that TruthOptions::classes tell apart
   flow,
   occlusion,
   edges,
@@ -34,18 +36,25 @@ enum class TruthChannel {
 
 constexpr auto enum_names(TruthChannel) {
   using enum TruthChannel;
-  return std::array{
-      std::pair{depth, "depth"},         std::pair{normal, "normal"},
-      std::pair{instance, "instance"},   std::pair{material, "material"},
-      std::pair{flow, "flow"},           std::pair{occlusion, "occlusion"},
-      std::pair{edges, "edges"},         std::pair{moving, "moving"},
-      std::pair{velocity, "velocity"},   std::pair{imu, "imu"},
-      std::pair{disparity, "disparity"}, std::pair{stereo_occlusion, "stereo_occlusion"}};
+  return std::array{std::pair{depth, "depth"},
+                    std::pair{normal, "normal"},
+                    std::pair{instance, "instance"},
+                    std::pair{material, "material"},
+                    std::pair{surface_class, "class"},
+                    std::pair{flow, "flow"},
+                    std::pair{occlusion, "occlusion"},
+                    std::pair{edges, "edges"},
+                    std::pair{moving, "moving"},
+                    std::pair{velocity, "velocity"},
+                    std::pair{imu, "imu"},
+                    std::pair{disparity, "disparity"},
+                    std::pair{stereo_occlusion, "stereo_occlusion"}};
 }
 
 struct TruthOptions {
   std::vector<TruthChannel> channels;  ///< in the order of TruthChannel, each once
   vo::FloatFormat float_format = vo::FloatFormat::npy;
+  std::vector<SurfaceClass> classes;  ///< the first that matches a surface is its class
   EdgeLabelOptions edges;
   ImuOptions imu;
   /// m, to the camera on the right in a rectified pair of which this is the left; 0 = there is none
@@ -58,8 +67,8 @@ struct TruthOptions {
 /// Returns whether a channel is of a stereo pair.
 bool is_of_pair(TruthChannel channel);
 
-/// Parses names separated by commas, or `all`, which are those that one camera has. Throws
-/// vo::Error for unknown or repeated names.
+/// Parses names separated by commas, of which `all` is every one that a single camera has but
+/// `class`. Throws vo::Error for unknown or repeated names.
 std::vector<TruthChannel> parse_channels(std::string_view text);
 
 /// Returns a channel's folder, file type, unit, frame and sign convention, in one sentence.

@@ -90,6 +90,8 @@ std::string TruthGenerator::encode(const Frame& frame, TruthChannel channel) con
       return vo::encode_png(instance_truth(frame.points, tracer.scene()));
     case TruthChannel::material:
       return vo::encode_png(material_truth(frame.points, tracer.scene()));
+    case TruthChannel::surface_class:
+      return vo::encode_png(class_truth(frame.points, tracer.scene(), subject_.instance_classes));
     case TruthChannel::flow:
       return vo::encode_flow(optical_flow(frame.points, next));
     case TruthChannel::occlusion:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct TruthSubject {
   const vo::Trajectory& trajectory;
   double ambient = 0;      ///< RenderOptions::ambient of the sequence
   double scene_delay = 0;  ///< s, the time of the scene's animations at the first stamp
+  std::vector<std::uint16_t> instance_classes = {};  ///< as class_truth needs it, if that is asked
 };
 
 /// Makes the exact ground truth of any frame, from any thread, as seen at its stamp in an instant,

@@ -10,6 +10,7 @@
 
 #include "synth/rig/render_rig.h"
 #include "synth/sensor/preset.h"
+#include "synth/sequence/labels_file.h"
 #include "synth/sequence/render_plan.h"
 #include "synth/sequence/render_sequence.h"
 #include "tools/cli/options.h"
@@ -19,6 +20,7 @@
 #include "tools/cli/watched_run.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
+#include "tools/scenario/class_tables.h"
 #include "vo/core/error.h"
 #include "vo/frames/depth_units.h"
 #include "vo/rigs/rig_file.h"
@@ -70,6 +72,7 @@ struct RenderArguments {
   bool plan = false;
   bool float_depth = false;
   std::string channels;
+  std::string classes;
   std::string float_format = "npy";
   synth::RenderJob job;
   std::string out;
@@ -178,6 +181,9 @@ void print(const RenderArguments& arguments, const synth::RenderPlan& plan) {
 
 synth::RenderJob chosen_job(const RenderArguments& arguments) {
   synth::RenderJob job = arguments.job;
+  if (!arguments.classes.empty()) {
+    job.recipe.channels.classes = load_classes(arguments.classes);
+  }
   check_usage([&] {
     arguments.file.validate();
     job.recipe.camera = chosen_camera(arguments.camera);
@@ -191,6 +197,8 @@ synth::RenderJob chosen_job(const RenderArguments& arguments) {
     if (!arguments.rig) {  // whose cameras' channels differ
       job.recipe.channels.validate();
     }
+    vo::require(arguments.classes.empty() || synth::has_labels(job.recipe.channels),
+                "--classes: expected --channels with class, instance or material");
     vo::require(!arguments.out.empty() || arguments.plan, "--out: expected a folder to make");
   });
   synth::GltfOptions file = arguments.file;
@@ -299,7 +307,13 @@ void add_render_command(CLI::App& program, Session& session) {
       .add_option("--channels", arguments->channels,
                   "exact ground truth, all or some of depth,normal,instance,material,flow,\n"
                   "occlusion,edges,moving,velocity,imu, and of a rig's stereo pairs disparity and\n"
-                  "stereo_occlusion; sequence.toml says how each is written")
+                  "stereo_occlusion; sequence.toml says how each is written; class is one more,\n"
+                  "which needs --classes and is not in all")
+      ->group("Ground truth");
+  command
+      .add_option("--classes", arguments->classes,
+                  "FILE.toml with tables [[class]]: name, and patterns nodes = [\"*chair*\"] and\n"
+                  "materials = [...]; the first class that matches counts")
       ->group("Ground truth");
   command
       .add_option("--float-format", arguments->float_format,
@@ -313,8 +327,8 @@ void add_render_command(CLI::App& program, Session& session) {
   add_field_options(command, sensor_fields(arguments->job.recipe.sensor), "Sensor");
   add_live_options(command, arguments->live);
   add_common_options(command, arguments->common);
-  take_streams(command,
-               {.inputs = {"SCENE", "--trajectory", "--camera", "--rig"}, .others = {"--out"}});
+  take_streams(command, {.inputs = {"SCENE", "--trajectory", "--camera", "--rig", "--classes"},
+                         .others = {"--out"}});
   command.callback([arguments, &session] { render(*arguments, session); });
 }
 

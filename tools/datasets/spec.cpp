@@ -20,7 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The tables of a spec that are as in a scenario.
-constexpr std::array<std::string_view, 4> kScenarioTables{"camera.", "render.", "path.", "sensor."};
+constexpr std::array<std::string_view, 5> kScenarioTables{"camera.", "render.", "path.", "sensor.",
+                                                          "class."};
 
 /// A named scene, path or sensor of a spec.
 struct Alternative {
@@ -277,6 +278,17 @@ void read_options(DatasetSpec& spec) {
   }
 }
 
+/// Throws vo::Error if there is a channel of classes without a class.
+void require_classes(const DatasetSpec& spec) {
+  synth::TruthOptions truth = spec.sequences.front().scenario.truth();
+  truth.channels = spec.channels();
+  try {
+    truth.validate();
+  } catch (const vo::Error& error) {
+    vo::fail(spec.file.string(), ": ", error.what());
+  }
+}
+
 /// Throws vo::Error that names all scene files that are missing.
 void require_scenes(const DatasetSpec& spec) {
   std::set<std::string> missing;
@@ -347,6 +359,7 @@ DatasetSpec load_dataset_spec(const fs::path& file) {
   spec.values = vo::read_toml(file);
   read_options(spec);
   add_all_sequences(read_alternatives({file, spec.values, vo::toml_tables(file)}), spec);
+  require_classes(spec);
   require_scenes(spec);
   return spec;
 }

@@ -100,7 +100,7 @@ std::vector<BoundCheck> check_bounds(const Metrics& metrics,
 
 synth::RenderJob render_job(const Scenario& scenario) {
   synth::GltfOptions parts = scenario.resolved_parts();
-  parts.needed = synth::needed_textures({.render = scenario.render});
+  parts.needed = synth::needed_textures({.render = scenario.render, .channels = scenario.truth()});
   return render_job(scenario, synth::SceneFile(scenario.scene_file(), parts));
 }
 
@@ -109,6 +109,7 @@ synth::RenderJob render_job(const Scenario& scenario, const synth::SceneFile& sc
   job.recipe.camera = scenario.camera.camera();
   job.recipe.render = scenario.render;
   job.recipe.sensor = scenario.sensor;
+  job.recipe.channels = scenario.truth();
   job.scene = scene;
   synth::TimedPath timed = synth::make_path(scenario.resolved_path(), job.scene);
   job.recipe.truth = synth::sample(timed.path, timed.times);

@@ -6,6 +6,7 @@
 
 #include "synth/gltf/environment.h"
 #include "synth/sensor/preset.h"
+#include "tools/scenario/class_tables.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/files/input.h"
@@ -120,6 +121,7 @@ void validate(const Scenario& scenario) {
   for (const auto& [metric, bound] : scenario.expect) {
     vo::require(bound.min <= bound.max, "expect.", metric, ": expected min <= max");
   }
+  scenario.truth().validate();
   scenario.camera.camera().validate();
   scenario.path.validate();
   scenario.render.validate();
@@ -199,6 +201,12 @@ void Scenario::require_scene() const {
               ": scene.gltf: ", scene_file().string(), ": there is no such file");
 }
 
+synth::TruthOptions Scenario::truth() const {
+  return {.channels = channels.empty() ? std::vector<synth::TruthChannel>()
+                                       : synth::parse_channels(channels),
+          .classes = classes};
+}
+
 synth::PathOptions Scenario::resolved_path() const {
   synth::PathOptions result = path;
   result.file = resolved(path.file, folder_of(file));
@@ -226,7 +234,9 @@ Scenario make_scenario(const std::vector<vo::TomlValue>& values, const fs::path&
   for (vo::Field& field : bound_fields(scenario.expect)) {
     fields.push_back(std::move(field));
   }
-  vo::assign_fields(values, fields);
+  std::vector<vo::TomlValue> of_fields = values;
+  scenario.classes = take_classes(of_fields);
+  vo::assign_fields(of_fields, fields);
   apply(changes, fields);
 
   try {

@@ -12,6 +12,7 @@
 #include "synth/path_planning/path_options.h"
 #include "synth/rendering/renderer.h"
 #include "synth/sensor/sensor.h"
+#include "synth/truth/truth_channels.h"
 #include "tools/depth/mapping_run.h"
 #include "vo/evaluation/evaluate.h"
 #include "vo/geometry/camera.h"
@@ -174,9 +175,11 @@ Metrics without_nees(const Metrics& metrics);
 /// meet.
 struct Scenario {
   std::filesystem::path file;
-  std::string name;   ///< the file's stem
-  std::string why;    ///< what would break its bounds
-  bool slow = false;  ///< labelled slow in CTest
+  std::string name;                          ///< the file's stem
+  std::string why;                           ///< what would break its bounds
+  bool slow = false;                         ///< labelled slow in CTest
+  std::string channels;                      ///< exact ground truth, as parse_channels takes it
+  std::vector<synth::SurfaceClass> classes;  ///< of the file's tables [[class]]
   SceneOptions scene;
   CameraOptions camera;
   synth::PathOptions path;
@@ -188,15 +191,17 @@ struct Scenario {
 
   std::filesystem::path scene_file() const;   ///< relative to ../assets of the file's folder
   void require_scene() const;                 ///< throws vo::Error unless the scene's file exists
+  synth::TruthOptions truth() const;          ///< its channels and classes
   synth::PathOptions resolved_path() const;   ///< path with its file relative to the scenario's
   synth::GltfOptions resolved_parts() const;  ///< scene.parts, its environment as the scene's file
 };
 
-/// Visits all fields of a scenario file except the bounds.
+/// Visits all fields of a scenario file except the bounds and the classes.
 template <typename Visitor>
 void visit_fields(Visitor& visit, Scenario& scenario) {
   visit("why", scenario.why, "what would break the bounds");
   visit("slow", scenario.slow, "whether quick test runs leave it out");
+  visit("channels", scenario.channels, "exact ground truth to write, as edvo render --channels");
   visit("scene", scenario.scene, "");
   visit("camera", scenario.camera, "");
   visit("path", scenario.path, "");

@@ -12,9 +12,14 @@ namespace fs = std::filesystem;
 
 constexpr const char* kTruthFolder = "truth";
 constexpr const char* kStates = "imu_states";
+constexpr const char* kLabels = "labels.json";
+
+bool is_of_all_frames(const fs::path& file) {
+  return (file.extension() == ".csv" && file.stem() != kStates) || file.filename() == kLabels;
+}
 
 bool is_of_all_frames(const TruthChannelFiles& channel) {
-  return channel.files.size() == 1 && channel.files.front().extension() == ".csv";
+  return channel.files.size() == 1 && is_of_all_frames(channel.files.front());
 }
 
 std::vector<fs::path> sorted_entries(const fs::path& folder) {
@@ -36,7 +41,7 @@ std::vector<TruthChannelFiles> truth_channels_in(const fs::path& folder) {
   for (const fs::path& entry : sorted_entries(folder / kTruthFolder)) {
     if (fs::is_directory(entry)) {
       channels.push_back({entry.filename().string(), sorted_entries(entry)});
-    } else if (entry.extension() == ".csv" && entry.stem() != kStates) {
+    } else if (is_of_all_frames(entry)) {
       channels.push_back({entry.stem().string(), {entry}});
     }
   }

@@ -10,7 +10,7 @@
 namespace vo {
 
 /// A channel of exact ground truth that `edvo render --channels` leaves beside a sequence in TUM's
-/// layout: truth/NAME/000000.EXT of each frame, or truth/NAME.csv of all.
+/// layout: truth/NAME/000000.EXT of each frame, or truth/NAME.csv or truth/labels.json of all.
 struct TruthChannelFiles {
   std::string name;
   std::vector<std::filesystem::path> files;  ///< by frame, the last of which may lack one; or one

@@ -68,16 +68,56 @@ std::string place_of(const toml::node& node, const Path& path) {
   return concat(path.string(), ":", node.source().begin.line);
 }
 
-void flatten(const toml::table& table, const std::string& prefix, const Path& path,
-             std::vector<TomlValue>& values) {
-  for (const auto& [name, node] : table) {
-    const std::string key = prefix + std::string(name.str());
-    if (const auto* nested = node.as_table()) {
-      flatten(*nested, key + ".", path, values);
-    } else {
-      values.push_back(ValueReader(key, place_of(node, path)).read(node));
+/// Returns whether a node is an array of tables or of texts, which is no value of its own.
+bool has_elements_with_keys(const toml::node& node) {
+  const auto* array = node.as_array();
+  return array != nullptr && (array->is_homogeneous(toml::node_type::table) ||
+                              array->is_homogeneous(toml::node_type::string));
+}
+
+/// The values of a file, as they are found.
+class Flattening {
+ public:
+  explicit Flattening(const Path& path) : path_(path) {}
+
+  void add_table(const toml::table& table, const std::string& prefix) {
+    for (const auto& [name, node] : table) {
+      add(node, prefix + std::string(name.str()));
     }
   }
+
+  std::vector<TomlValue> take() { return std::move(values_); }
+
+ private:
+  void add(const toml::node& node, const std::string& key) {
+    const std::string place = place_of(node, path_);
+    if (const auto* nested = node.as_table()) {
+      add_table(*nested, key + ".");
+    } else if (has_elements_with_keys(node)) {
+      add_elements(*node.as_array(), key);
+    } else {
+      values_.push_back(ValueReader(key, place).read(node));
+    }
+  }
+
+  void add_elements(const toml::array& array, const std::string& key) {
+    for (std::size_t i = 0; i < array.size(); ++i) {
+      const auto* table = array[i].as_table();
+      require(table == nullptr || !table->empty(), place_of(array[i], path_), ": ", key,
+              ": is an empty table, expected values");
+      add(array[i], concat(key, ".", i));
+    }
+  }
+
+  const Path& path_;
+  std::vector<TomlValue> values_;
+};
+
+/// Returns all values of a table and of those within it.
+std::vector<TomlValue> flattened(const toml::table& table, const Path& path) {
+  Flattening flattening(path);
+  flattening.add_table(table, "");
+  return flattening.take();
 }
 
 /// Reads and parses a TOML file.
@@ -163,9 +203,7 @@ std::string quoted_toml(std::string_view text) {
 }
 
 std::vector<TomlValue> read_toml(const Path& path) {
-  std::vector<TomlValue> values;
-  flatten(parsed(path), "", path, values);
-  return values;
+  return flattened(parsed(path), path);
 }
 
 TomlRecords read_toml_records(const Path& path, const std::string& name) {
@@ -176,12 +214,11 @@ TomlRecords read_toml_records(const Path& path, const std::string& name) {
     require(array != nullptr && array->is_homogeneous<toml::table>(), place_of(*node, path), ": ",
             name, ": expected tables [[", name, "]]");
     for (const toml::node& element : *array) {
-      result.records.push_back({place_of(element, path), {}});
-      flatten(*element.as_table(), "", path, result.records.back().values);
+      result.records.push_back({place_of(element, path), flattened(*element.as_table(), path)});
     }
     document.erase(name);
   }
-  flatten(document, "", path, result.others);
+  result.others = flattened(document, path);
   return result;
 }
 

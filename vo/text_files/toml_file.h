@@ -10,7 +10,9 @@
 namespace vo {
 
 /// One value of a TOML file, its tables flattened to a dotted key: `[sensor] seed = 7` is
-/// {"sensor.seed", "7"}. The text of an array is its numbers with commas between.
+/// {"sensor.seed", "7"}. The text of an array is its numbers with commas between; those of texts
+/// and of tables are flattened, too, each element's number from 0 being its key: the first
+/// `[[class]] name = "chair"` is {"class.0.name", "chair"}.
 struct TomlValue {
   std::string key;
   std::string text;

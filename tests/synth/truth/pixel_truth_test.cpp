@@ -55,6 +55,16 @@ TEST(PixelTruth, IdsCountTheScenesElementsFromOne) {
   EXPECT_EQ(material(0, 0), 0);
 }
 
+TEST(PixelTruth, ClassesAreThoseOfTheInstances) {
+  const Scene scene = room();
+  const PointTracer tracer(scene);
+  const PointImage points = tracer.trace(wide_camera(), {});
+  const IdImage image = class_truth(points, tracer.scene(), {9, 0, 7});
+  EXPECT_EQ(image(24, 32), 7) << "the third instance, the square";
+  EXPECT_EQ(image(24, 46), 0);
+  EXPECT_EQ(image(0, 0), 0);
+}
+
 TEST(PixelTruth, RefusesMoreInstancesThanIdsHold) {
   Scene scene = room();
   scene.instances.resize(65536);

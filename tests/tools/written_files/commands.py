@@ -31,7 +31,13 @@ mono.bootstrap = "rgbd"
 [expect]
 tracked_fraction = { min = 0.5 }
 """
-SCENARIOS = {"good.toml": SCENARIO + RGBD, "bad.toml": SCENARIO + IMPOSSIBLE, "mono.toml": SCENARIO + MONO,
+CLASSES = """[[class]]
+name = "seat"
+nodes = ["*chair*", "*sofa*"]
+materials = ["fabric*"]
+"""
+SCENARIOS = {"good.toml": SCENARIO + RGBD, "bad.toml": SCENARIO + IMPOSSIBLE,
+             "mono.toml": 'channels = "class"\n' + SCENARIO + MONO + CLASSES,
              "broken.toml": "why = 3\n"}
 DATASET = """name = "small"
 seeds = 2
@@ -52,7 +58,7 @@ orbit.radius = 2.0
 kind = "explore"
 explore.clearance = 50.0
 """
-FILES = {**{f"scenarios/{name}": text for name, text in SCENARIOS.items()}, "dataset.toml": DATASET,
+FILES = {"classes.toml": CLASSES, **{f"scenarios/{name}": text for name, text in SCENARIOS.items()}, "dataset.toml": DATASET,
          "archives.toml": DATASET.replace("part_frames", "tar = true\npart_frames")}
 
 
@@ -80,6 +86,7 @@ RUNS = [
     Run(f"{RENDER} --plan --json", "render_plan"),
     Run(f"{RENDER} --channels all --float-depth --out sequence --json -", "render"),
     Run(f"{RENDER} --channels imu --out imu --json", "render"),
+    Run(f"{RENDER} --channels class --classes classes.toml --out classes --json", "render"),
     Run(f"{RENDER} --channels velocity --sensor kinect-v1 --out kinect --json", "render"),
     Run("convert sequence euroc --format euroc --json", "convert"),
     Run("convert sequence icl --format icl-nuim --json", "convert"),

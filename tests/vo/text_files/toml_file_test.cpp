@@ -59,6 +59,23 @@ TEST(TomlFile, AssignsTablesDottedKeysAndArrays) {
   EXPECT_EQ(settings.points[1], Eigen::Vector3d(4, 5, 6));
 }
 
+TEST(TomlFile, ArraysOfTablesAndTextsAreFlattenedByNumber) {
+  const TempFolder folder;
+  const auto file = folder.write("s.toml",
+                                 "[[class]]\nname = 'a'\nnodes = ['x', 'y']\nsizes = [1, 2]\n"
+                                 "[[class]]\nnodes = []\n");
+  std::vector<std::string> read;
+  for (const vo::TomlValue& value : vo::read_toml(file)) {
+    read.push_back(
+        vo::concat(value.place.substr(value.place.rfind(':')), " ", value.key, " ", value.text));
+  }
+  EXPECT_THAT(read, testing::ElementsAre(":2 class.0.name a", ":3 class.0.nodes.0 x",
+                                         ":3 class.0.nodes.1 y", ":4 class.0.sizes 1,2",
+                                         ":6 class.1.nodes "));
+  EXPECT_THAT(error_of("[top]\n[[other]]\n"),
+              EndsWith("s.toml:2: other: is an empty table, expected values"));
+}
+
 TEST(TomlFile, FormatReadsBack) {
   Settings settings;
   settings.size = 0.1;

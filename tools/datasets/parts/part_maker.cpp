@@ -84,7 +84,7 @@ class PartWriter {
 
   /// Renders all frames: files are written in parallel, an archive in the order of the frames.
   void write_frames(const vo::Progress& progress) {
-    const synth::FrameGenerator generator(job_.scene.scene(), job_.recipe);
+    const synth::FrameGenerator generator = synth::frame_generator(job_);
     const auto tokens = 2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
     std::size_t next = part_.first;
     const auto number = [&](tbb::flow_control& control) {
@@ -115,7 +115,7 @@ class PartWriter {
     if (part_.first > 0) {
       return;
     }
-    std::vector<vo::NamedBytes> files = synth::sequence_files(job_.recipe);
+    std::vector<vo::NamedBytes> files = synth::sequence_files(job_);
     files.push_back(synth::sequence_manifest(job_));
     const std::vector<MadeFile> made = write(std::move(files));
     made_.insert(made_.end(), made.begin(), made.end());
