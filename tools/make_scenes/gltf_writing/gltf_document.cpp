@@ -22,7 +22,7 @@ int add_accessor(Document& document, View view, std::size_t offset, std::size_t 
 }
 
 std::string join_views(Document& document) {
-  constexpr std::array<int, view_count> kStrides = {12, 12, 8, 4, 0, 0};
+  constexpr std::array<int, view_count> kStrides = {12, 12, 8, 4, 0, 0, 4, 4, 0};
   std::string binary;
   std::array<int, view_count> places{};
   int count = 0;
@@ -38,7 +38,7 @@ std::string join_views(Document& document) {
     if (kStrides.at(view) > 0) {
       json["byteStride"] = kStrides.at(view);
     }
-    if (view != animation) {
+    if (view != animation && view != binds) {
       json["target"] = view == indices ? 34963 : 34962;
     }
     document.json["bufferViews"].push_back(json);

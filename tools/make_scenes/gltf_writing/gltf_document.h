@@ -20,7 +20,18 @@ inline constexpr int kUnsignedByte = 5121;
 inline constexpr int kUnsignedShort = 5123;
 
 /// The parts of the buffer in order, one buffer view each unless it is empty.
-enum View : std::size_t { positions, normals, texcoords, colors, indices, animation, view_count };
+enum View : std::size_t {
+  positions,
+  normals,
+  texcoords,
+  colors,
+  indices,
+  animation,
+  joints,
+  weights,
+  binds,
+  view_count
+};
 
 inline constexpr double kGrid = 65536;  ///< grid steps per m, and per unit of texture coordinates
 inline constexpr double kUnitGrid = 4096;  ///< grid steps per unit, for components of unit vectors

@@ -13,6 +13,7 @@
 #include "tools/make_scenes/gltf_writing/gltf_animations.h"
 #include "tools/make_scenes/gltf_writing/gltf_document.h"
 #include "tools/make_scenes/gltf_writing/gltf_materials.h"
+#include "tools/make_scenes/gltf_writing/gltf_skins.h"
 #include "tools/make_scenes/gltf_writing/json_text.h"
 #include "vo/core/error.h"
 #include "vo/files/output.h"
@@ -103,6 +104,9 @@ Json primitive(Document& document, const MeshPart& part, const std::vector<Mater
   if (!part.shape.colors.empty()) {
     attributes["COLOR_0"] = write_colors(document, part.shape);
   }
+  if (!part.shape.joints.empty()) {
+    add_joints(document, part.shape, attributes);
+  }
   return {{"attributes", attributes},
           {"indices", write_indices(document, part.shape)},
           {"material", material}};
@@ -139,6 +143,9 @@ Json json_node(const Node& node) {
   }
   if (node.mesh != kNone) {
     json["mesh"] = node.mesh;
+  }
+  if (node.skin != kNone) {
+    json["skin"] = node.skin;
   }
   if (node.light != kNone) {
     json["extensions"]["KHR_lights_punctual"]["light"] = node.light;
@@ -229,6 +236,7 @@ void write_gltf(const Model& model, const std::filesystem::path& folder) {
   const std::vector<NamedImage> images = chosen_images(materials);
   write_meshes(document, model, materials);
   add_animations(document, model);
+  add_skins(document, model);
   add_materials(document.json, materials, images);
   const std::string binary = join_views(document);
   document.json["buffers"].push_back({{"uri", model.name + ".bin"}, {"byteLength", binary.size()}});

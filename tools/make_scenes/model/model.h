@@ -35,12 +35,20 @@ struct Light {
   double intensity = 1;         ///< cd (point), lx (directional, shines along the node's -z)
 };
 
+/// Joints that bend a mesh. In the pose that it is bound in, their axes are the mesh's.
+struct Skin {
+  std::string name;
+  std::vector<int> joints;                      ///< nodes
+  std::vector<Eigen::Vector3d> joints_in_mesh;  ///< m, where they are in that pose
+};
+
 inline constexpr int kNone = -1;
 
 struct Node {
   std::string name;
   int mesh = kNone;
   int light = kNone;
+  int skin = kNone;
   Eigen::Isometry3d T_parent_node = Eigen::Isometry3d::Identity();
   double scale = 1;
   std::vector<int> children = {};
@@ -58,6 +66,7 @@ struct Model {
   std::string name;  ///< name of the scene, its folder and its files
   std::vector<Mesh> meshes;
   std::vector<Light> lights;
+  std::vector<Skin> skins;
   std::vector<Node> nodes;
   std::vector<int> roots;  ///< nodes without a parent
   std::vector<Motion> motions;

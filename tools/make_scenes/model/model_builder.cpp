@@ -21,6 +21,11 @@ int ModelBuilder::place(int parent, const std::string& name, int mesh,
                   {.name = name, .mesh = mesh, .T_parent_node = T_parent_mesh, .scale = scale});
 }
 
+void ModelBuilder::place_skinned(const std::string& name, int mesh, Skin skin) {
+  model_.skins.push_back(std::move(skin));
+  add_node(kNone, {.name = name, .mesh = mesh, .skin = static_cast<int>(model_.skins.size()) - 1});
+}
+
 void ModelBuilder::add_light(int parent, const Light& light,
                              const Eigen::Isometry3d& T_parent_light) {
   model_.lights.push_back(light);

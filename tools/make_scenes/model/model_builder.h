@@ -16,6 +16,8 @@ class ModelBuilder {
   int add_group(int parent, const std::string& name, const Eigen::Isometry3d& T_parent_group);
   int place(int parent, const std::string& name, int mesh, const Eigen::Isometry3d& T_parent_mesh,
             double scale = 1);
+  /// Adds a node of `kNone` parent that shows a mesh as its skin's joints bend it.
+  void place_skinned(const std::string& name, int mesh, Skin skin);
   void add_light(int parent, const Light& light, const Eigen::Isometry3d& T_parent_light);
 
   /// Adds a node's motion and sets its rest pose to the first pose.

@@ -192,6 +192,7 @@ void append(Shape& to, const Shape& shape, const Eigen::Isometry3d& T_to_shape) 
     to.colors.insert(to.colors.end(), shape.colors.begin(), shape.colors.end());
     to.colors.resize(to.positions.size() + shape.positions.size(), Color::Ones());
   }
+  to.joints.insert(to.joints.end(), shape.joints.begin(), shape.joints.end());
   for (std::size_t i = 0; i < shape.positions.size(); ++i) {
     add_vertex(to, T_to_shape * shape.positions[i], T_to_shape.linear() * shape.normals[i],
                shape.texcoords[i]);

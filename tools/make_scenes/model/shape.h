@@ -11,13 +11,21 @@
 
 namespace scenes {
 
+/// The joints of a skin that a vertex follows: indices into Skin::joints.
+struct VertexJoints {
+  int first = 0;
+  int second = 0;
+  double weight = 1;  ///< of the first, 0 to 1; the second has the rest
+};
+
 /// Triangles in metres, counter-clockwise seen from outside. Texture coordinates are metres on the
 /// surface with v pointing down, unless a function says that they span 0..1.
 struct Shape {
   std::vector<Eigen::Vector3d> positions;
   std::vector<Eigen::Vector3d> normals;
   std::vector<Eigen::Vector2d> texcoords;
-  std::vector<Color> colors;  ///< linear RGB per vertex; empty = white
+  std::vector<Color> colors;         ///< linear RGB per vertex; empty = white
+  std::vector<VertexJoints> joints;  ///< per vertex; empty = no skin moves them
   std::vector<std::array<int, 3>> triangles;
 };
 

@@ -12,6 +12,7 @@ Model make_desk();           ///< a cluttered desk for close-up views
 Model make_white_room();     ///< white surfaces with shading but little texture
 Model make_plane_and_box();  ///< unlit, for closed-form truth; see assets/README.md
 Model make_visited_room();   ///< a person walks to and fro in it, period 6.4 s
+Model make_walker();         ///< a skinned figure that walks on the spot, facing +z; an actor
 Model make_moving_room();    ///< animated door, ball and crate, period 8 s
 
 }  // namespace scenes

@@ -7,6 +7,7 @@
 
 #include "tools/make_scenes/model/periodic_motion.h"
 #include "tools/make_scenes/painting/noise.h"
+#include "tools/make_scenes/scenes/gait.h"
 
 namespace scenes {
 namespace {
@@ -24,13 +25,8 @@ constexpr double kUpperArm = 0.28;
 
 // The walk.
 constexpr Period kPeriod = {.duration = kVisitorPeriod, .steps = 128};
-constexpr double kTurnTime = 0.6;      // s, at either end
-constexpr double kStartTime = 0.4;     // s to reach the full speed, and to stop
-constexpr double kTwoSteps = 1.2;      // m
-constexpr double kHipSwing = 22;       // deg
-constexpr double kKneeSwing = 48;      // deg
-constexpr double kShoulderSwing = 26;  // deg
-constexpr double kBob = 0.02;          // m that the hips are lower when the feet are apart
+constexpr double kTurnTime = 0.6;   // s, at either end
+constexpr double kStartTime = 0.4;  // s to reach the full speed, and to stop
 
 void add_clothed_trunk(Mesh& mesh) {
   const Vector3d flat(1, 1, 0.64);
