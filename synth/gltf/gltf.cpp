@@ -10,6 +10,7 @@
 #include "synth/gltf_document/gltf_file.h"
 #include "synth/gltf_document/notes.h"
 #include "synth/gltf_model/gltf_model.h"
+#include "synth/scene/scene_motion.h"
 #include "vo/core/error.h"
 
 namespace synth {
@@ -42,6 +43,14 @@ LabelledScene load(const GltfFile& file, const GltfOptions& options, Notes* note
   return read_scene(model, options, left_out);
 }
 
+/// Drops the motion of a scene in which nothing moves.
+LabelledScene without_needless_motion(LabelledScene labelled) {
+  if (!moves(labelled.scene) && !moves_cameras(labelled.scene)) {
+    labelled.scene.motion = {};
+  }
+  return labelled;
+}
+
 }  // namespace
 
 void GltfOptions::validate() const {
@@ -54,7 +63,7 @@ void GltfOptions::validate() const {
 }
 
 Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options, Notes* notes) {
-  return load(read_gltf_file(path), options, notes).scene;
+  return load_labelled_gltf(path, options, notes).scene;
 }
 
 Scene load_gltf(const std::filesystem::path& path, Notes* notes) {
@@ -63,12 +72,17 @@ Scene load_gltf(const std::filesystem::path& path, Notes* notes) {
 
 LabelledScene load_labelled_gltf(const std::filesystem::path& path, const GltfOptions& options,
                                  Notes* notes) {
+  return without_needless_motion(load_with_nodes(path, options, notes));
+}
+
+LabelledScene load_with_nodes(const std::filesystem::path& path, const GltfOptions& options,
+                              Notes* notes) {
   return load(read_gltf_file(path), options, notes);
 }
 
 Scene parse_gltf(std::span<const std::uint8_t> content, const std::filesystem::path& path,
                  const GltfOptions& options, Notes* notes) {
-  return load(parse_gltf_file(content, path), options, notes).scene;
+  return without_needless_motion(load(parse_gltf_file(content, path), options, notes)).scene;
 }
 
 }  // namespace synth

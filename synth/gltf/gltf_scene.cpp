@@ -92,9 +92,7 @@ class SceneReader {
     motion.animations = read_animations(reading_, forest_, options_.animation);
     Scene scene = at_rest();
     require_room(scene);
-    if (moves(scene_) || moves_cameras(scene_)) {
-      scene.motion = std::move(motion);
-    }
+    scene.motion = std::move(motion);
     for (const int index : materials_.sources()) {
       labels_.materials.push_back({.index = index});
     }

@@ -8,7 +8,7 @@
 
 namespace synth {
 
-/// Reads the scene that the options select, at rest, with its motion if something moves. Its
+/// Reads the scene that the options select, at rest, with its nodes also where nothing moves. Its
 /// instances are those of its nodes, level by level as `scene_nodes` has them, of each node its
 /// mesh's primitives in order, if it has instances (EXT_mesh_gpu_instancing) for each of them; its
 /// materials are in the order in which the instances first use them. Throws vo::Error.

@@ -18,4 +18,9 @@ struct LabelledScene {
 LabelledScene load_labelled_gltf(const std::filesystem::path& path, const GltfOptions& options,
                                  Notes* notes = nullptr);
 
+/// Reads a file as load_labelled_gltf does, with all nodes in Scene::motion also where nothing
+/// moves.
+LabelledScene load_with_nodes(const std::filesystem::path& path, const GltfOptions& options,
+                              Notes* notes);
+
 }  // namespace synth

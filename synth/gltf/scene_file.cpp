@@ -2,18 +2,23 @@
 
 #include <utility>
 
+#include "synth/gltf/actors.h"
 #include "synth/gltf/environment.h"
 
 namespace synth {
-SceneFile::SceneFile(std::filesystem::path path, GltfOptions options)
+
+SceneFile::SceneFile(std::filesystem::path path, GltfOptions options,
+                     std::vector<ActorOptions> actors)
     : path_(std::move(path)),
       options_(std::move(options)),
+      actors_(std::move(actors)),
       content_(std::make_shared<std::unique_ptr<const Content>>()) {}
 
 const SceneFile::Content& SceneFile::content() const {
   if (*content_ == nullptr) {
     Content read;
-    read.labelled = load_labelled_gltf(path_, options_, &read.notes);
+    read.labelled = actors_.empty() ? load_labelled_gltf(path_, options_, &read.notes)
+                                    : load_with_actors(path_, options_, actors_, &read.notes);
     read.labelled.scene.environment = read_environment(options_);
     *content_ = std::make_unique<const Content>(std::move(read));
   }

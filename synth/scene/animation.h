@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,10 @@ struct Animation {
   std::string name;
   double duration = 0;  ///< s, time of the animation's last key
   std::vector<AnimationChannel> channels;
+  double start = 0;  ///< s, scene time at which it begins; before, its first keys count
+  double stop =
+      std::numeric_limits<double>::infinity();  ///< s, scene time from which it holds still
+  bool loops = false;  ///< restarts at its end, whatever SceneMotion::loop says
 };
 
 /// Returns the curve's value at a time in s, `width` numbers; quaternions have length 1.

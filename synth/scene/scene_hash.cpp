@@ -110,6 +110,12 @@ void add(vo::ContentHash& hash, const Animation& animation) {
     hash.add_values(std::span<const float>(channel.curve.times));
     hash.add_values(std::span<const float>(channel.curve.values));
   }
+  const Animation at_once;
+  if (animation.start != at_once.start || animation.stop != at_once.stop || animation.loops) {
+    const std::array times = {animation.start, animation.stop};
+    hash.add_values(std::span<const double>(times));
+    add_numbers(hash, {static_cast<int>(animation.loops)});
+  }
 }
 
 void add(vo::ContentHash& hash, const MeshShape& shape) {

@@ -20,7 +20,10 @@ struct Poses {
 };
 
 double time_within(const Animation& animation, double time, bool loop) {
-  return loop && animation.duration > 0 ? std::fmod(std::max(time, 0.0), animation.duration) : time;
+  const double played = std::min(time, animation.stop) - animation.start;
+  return (loop || animation.loops) && animation.duration > 0
+             ? std::fmod(std::max(played, 0.0), animation.duration)
+             : played;
 }
 
 void apply(const AnimationChannel& channel, double time, MotionNode& node) {

@@ -191,7 +191,17 @@ std::string format_recipe(const RenderJob& job) {
   text += vo::format_toml(vo::fields_of(camera, "camera."));
   text += vo::format_toml(vo::fields_of(recipe.render, "render."));
   text += vo::format_toml(vo::fields_of(recipe.sensor, "sensor."));
-  return text + describe_channels(recipe);
+  return text + describe_channels(recipe) + format_actors(job.scene.actors());
+}
+
+std::string format_actors(const std::vector<ActorOptions>& actors) {
+  std::string text;
+  for (std::size_t i = 0; i < actors.size(); ++i) {
+    ActorOptions actor = actors[i];
+    actor.file = actor.file.filename();
+    text += vo::format_toml(vo::fields_of(actor, vo::concat("actor.", i, ".")));
+  }
+  return text;
 }
 
 vo::NamedBytes sequence_manifest(const RenderJob& job) {

@@ -22,8 +22,11 @@ struct RenderJob {
   FrameShare share;
 };
 
-/// Returns the job's recipe, which excludes the scene and the share, as TOML.
+/// Returns the job's recipe, which excludes the scene's files and the share, as TOML.
 std::string format_recipe(const RenderJob& job);
+
+/// Returns the actors of a scene as TOML, their files without their folders.
+std::string format_actors(const std::vector<ActorOptions>& actors);
 
 /// Returns sequence.toml, the file that says what a sequence was made of: conventions that a reader
 /// must know, and the inputs that identify it.

@@ -20,6 +20,7 @@
 #include "tools/cli/watched_run.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
+#include "tools/scenario/actor_tables.h"
 #include "tools/scenario/class_tables.h"
 #include "vo/core/error.h"
 #include "vo/frames/depth_units.h"
@@ -73,6 +74,7 @@ struct RenderArguments {
   bool float_depth = false;
   std::string channels;
   std::string classes;
+  std::string actors;
   std::string float_format = "npy";
   synth::RenderJob job;
   std::string out;
@@ -203,7 +205,9 @@ synth::RenderJob chosen_job(const RenderArguments& arguments) {
   });
   synth::GltfOptions file = arguments.file;
   file.needed = synth::needed_textures(job.recipe);
-  job.scene = synth::SceneFile(arguments.scene, file);
+  job.scene = synth::SceneFile(arguments.scene, file,
+                               arguments.actors.empty() ? std::vector<synth::ActorOptions>()
+                                                        : load_actors(arguments.actors));
   if (!arguments.frames.empty()) {
     synth::parse_frames(arguments.frames, job.share);
   }
@@ -323,12 +327,18 @@ void add_render_command(CLI::App& program, Session& session) {
   add_field_options(command, vo::fields_of(truth.edges, "edges."), "Ground truth");
   add_field_options(command, vo::fields_of(truth.imu, "imu."), "Ground truth");
   add_scene_options(command, arguments->file);
+  command
+      .add_option(
+          "--actor", arguments->actors,
+          "FILE.toml with tables [[actor]], what goes through the scene: file, path, speed, ...")
+      ->group("Scene");
   add_field_options(command, render_fields(arguments->job), "Rendering");
   add_field_options(command, sensor_fields(arguments->job.recipe.sensor), "Sensor");
   add_live_options(command, arguments->live);
   add_common_options(command, arguments->common);
-  take_streams(command, {.inputs = {"SCENE", "--trajectory", "--camera", "--rig", "--classes"},
-                         .others = {"--out"}});
+  take_streams(command,
+               {.inputs = {"SCENE", "--trajectory", "--camera", "--rig", "--classes", "--actor"},
+                .others = {"--out"}});
   command.callback([arguments, &session] { render(*arguments, session); });
 }
 

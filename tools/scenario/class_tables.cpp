@@ -54,11 +54,7 @@ std::vector<synth::SurfaceClass> take_classes(std::vector<vo::TomlValue>& values
 std::vector<synth::SurfaceClass> load_classes(const std::filesystem::path& file) {
   std::vector<vo::TomlValue> values = vo::read_toml(file);
   std::vector<synth::SurfaceClass> classes = take_classes(values);
-  if (!values.empty()) {
-    vo::fail(values.front().place, ": unknown key '", values.front().key,
-             "'; expected tables [[class]] alone");
-  }
-  vo::require(!classes.empty(), file.string(), ": expected a table [[class]], it has none");
+  require_only_tables(kTable, !classes.empty(), values, file);
   return classes;
 }
 

@@ -101,7 +101,7 @@ std::vector<BoundCheck> check_bounds(const Metrics& metrics,
 synth::RenderJob render_job(const Scenario& scenario) {
   synth::GltfOptions parts = scenario.resolved_parts();
   parts.needed = synth::needed_textures({.render = scenario.render, .channels = scenario.truth()});
-  return render_job(scenario, synth::SceneFile(scenario.scene_file(), parts));
+  return render_job(scenario, synth::SceneFile(scenario.scene_file(), parts, scenario.actors));
 }
 
 synth::RenderJob render_job(const Scenario& scenario, const synth::SceneFile& scene) {

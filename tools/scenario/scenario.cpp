@@ -6,6 +6,7 @@
 
 #include "synth/gltf/environment.h"
 #include "synth/sensor/preset.h"
+#include "tools/scenario/actor_tables.h"
 #include "tools/scenario/class_tables.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
@@ -41,6 +42,11 @@ std::vector<vo::Field> bound_fields(std::map<std::string, Bound>& bounds) {
 /// working folder.
 fs::path folder_of(const fs::path& file) {
   return file == vo::kStdinPath ? fs::current_path() : fs::absolute(file).parent_path();
+}
+
+/// Returns the folder that the scenes of a scenario are in.
+fs::path assets_of(const fs::path& file) {
+  return folder_of(file) / ".." / "assets";
 }
 
 void apply(const Assignments& changes, std::vector<vo::Field>& fields) {
@@ -193,7 +199,7 @@ bool names_scenario(const fs::path& path) {
 }
 
 fs::path Scenario::scene_file() const {
-  return resolved(scene.gltf, folder_of(file) / ".." / "assets");
+  return resolved(scene.gltf, assets_of(file));
 }
 
 void Scenario::require_scene() const {
@@ -236,6 +242,7 @@ Scenario make_scenario(const std::vector<vo::TomlValue>& values, const fs::path&
   }
   std::vector<vo::TomlValue> of_fields = values;
   scenario.classes = take_classes(of_fields);
+  scenario.actors = take_actors(of_fields, assets_of(file));
   vo::assign_fields(of_fields, fields);
   apply(changes, fields);
 

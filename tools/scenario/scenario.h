@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "synth/gltf/actor.h"
 #include "synth/gltf/gltf.h"
 #include "synth/path_planning/path_options.h"
 #include "synth/rendering/renderer.h"
@@ -180,6 +181,7 @@ struct Scenario {
   bool slow = false;                         ///< labelled slow in CTest
   std::string channels;                      ///< exact ground truth, as parse_channels takes it
   std::vector<synth::SurfaceClass> classes;  ///< of the file's tables [[class]]
+  std::vector<synth::ActorOptions> actors;   ///< of the file's tables [[actor]]
   SceneOptions scene;
   CameraOptions camera;
   synth::PathOptions path;
@@ -196,7 +198,7 @@ struct Scenario {
   synth::GltfOptions resolved_parts() const;  ///< scene.parts, its environment as the scene's file
 };
 
-/// Visits all fields of a scenario file except the bounds and the classes.
+/// Visits all fields of a scenario file except the bounds, classes and actors.
 template <typename Visitor>
 void visit_fields(Visitor& visit, Scenario& scenario) {
   visit("why", scenario.why, "what would break the bounds");

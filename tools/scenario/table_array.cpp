@@ -40,4 +40,14 @@ std::vector<TableOfArray> take_tables(std::string_view name, std::vector<vo::Tom
   return tables;
 }
 
+void require_only_tables(std::string_view name, bool had_tables,
+                         const std::vector<vo::TomlValue>& left,
+                         const std::filesystem::path& file) {
+  if (!left.empty()) {
+    vo::fail(left.front().place, ": unknown key '", left.front().key, "'; expected tables [[", name,
+             "]] alone");
+  }
+  vo::require(had_tables, file.string(), ": expected a table [[", name, "]], it has none");
+}
+
 }  // namespace tools

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,5 +18,10 @@ struct TableOfArray {
 /// Removes the values of the tables `[[name]]` from the values of a TOML file and returns them.
 /// Throws vo::Error if `name` is something else there.
 std::vector<TableOfArray> take_tables(std::string_view name, std::vector<vo::TomlValue>& values);
+
+/// Throws vo::Error if tables `[[name]]` were not the only values of a file, of which `left` are
+/// those that remain, or if there was no such table.
+void require_only_tables(std::string_view name, bool had_tables,
+                         const std::vector<vo::TomlValue>& left, const std::filesystem::path& file);
 
 }  // namespace tools

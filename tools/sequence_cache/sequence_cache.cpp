@@ -47,8 +47,12 @@ std::string key_of(const synth::RenderJob& job) {
   if (synth::is_environment_file(parts.environment)) {
     parts.environment = vo::content_hash(vo::read_file(parts.environment));
   }
+  std::string actors;
+  for (const synth::ActorOptions& actor : job.scene.actors()) {
+    actors += vo::concat(scene_files_hash(actor.file), "\n");
+  }
   return vo::content_hash(vo::concat(generator_hash(), "\n", scene_files_hash(job.scene.path()),
-                                     "\n", vo::format_toml(vo::fields_of(parts)), "\n",
+                                     "\n", vo::format_toml(vo::fields_of(parts)), "\n", actors,
                                      synth::format_recipe(job)));
 }
 

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "synth/sequence/render_sequence.h"
 #include "tools/processes/shell_words.h"
 #include "tools/sequence_cache/scene_files_hash.h"
 #include "tools/trials/trial_message.h"
@@ -63,6 +64,10 @@ std::string scenario_hash(const Scenario& scenario) {
                                 file_hash(path.file_times), "\n");
   for (const vo::Field& field : fields) {
     text += field.key.ends_with(".forest_model") ? file_hash(field.get()) + "\n" : "";
+  }
+  text += synth::format_actors(scenario.actors);
+  for (const synth::ActorOptions& actor : scenario.actors) {
+    text += scene_files_hash(actor.file) + "\n";
   }
   text += scenario.expect.contains("repeat_difference_m") ? "twice" : "once";
   return vo::content_hash(text);

@@ -60,6 +60,38 @@ TEST(Scenario, SaysWhatOfTheFileIsPlayed) {
   EXPECT_TRUE(scenario.scene.parts.loop);
 }
 
+TEST(Scenario, ReadsChannelsClassesAndActors) {
+  const tools::Scenario scenario =
+      load(std::string("channels = 'instance,class'\n") + kScenario +
+           "[[class]]\nname = 'chair'\nnodes = ['*chair*', 'stool']\n"
+           "[[class]]\nname = 'wood'\nmaterials = ['oak']\n"
+           "[[actor]]\nfile = 'walker/walker.gltf'\npath = [[0, 0, 1], [0, 0, 2]]\nspeed = 2\n");
+  ASSERT_EQ(scenario.classes.size(), 2U);
+  EXPECT_EQ(scenario.classes[0].name, "chair");
+  EXPECT_THAT(scenario.classes[0].nodes, testing::ElementsAre("*chair*", "stool"));
+  EXPECT_THAT(scenario.classes[1].materials, testing::ElementsAre("oak"));
+  EXPECT_TRUE(scenario.truth().has(synth::TruthChannel::surface_class));
+  ASSERT_EQ(scenario.actors.size(), 1U);
+  EXPECT_THAT(scenario.actors[0].file.string(), EndsWith("/assets/walker/walker.gltf"));
+  EXPECT_EQ(scenario.actors[0].speed, 2);
+  EXPECT_EQ(scenario.actors[0].path.at(1), Eigen::Vector3d(0, 0, 2));
+}
+
+TEST(Scenario, ErrorsOfTablesNameTheirLine) {
+  const auto error_of = [](const std::string& tables) {
+    return error_text([&] { load(std::string(kScenario) + tables); });
+  };
+  EXPECT_THAT(error_of("[[actor]]\nfile = 'a.gltf'\npath = [[0, 0, 0], [1, 0, 0]]\nspeed = 0\n"),
+              HasSubstr("actor: speed: is 0, expected a positive number of m/s"));
+  EXPECT_THAT(error_of("[[actor]]\nspede = 0\n"),
+              HasSubstr("unknown key 'actor.0.spede'; the nearest known key is actor.0.speed"));
+  EXPECT_THAT(error_of("[[class]]\nname = 'a'\n"),
+              EndsWith("class a: expected patterns of nodes or materials"));
+  EXPECT_THAT(error_of("[class]\nname = 'a'\n"), EndsWith("class.name: expected tables [[class]]"));
+  std::string text = std::string("channels = 'class'\n") + kScenario;
+  EXPECT_THAT(error_text([&] { load(text); }), HasSubstr("channels: class: there are no classes"));
+}
+
 TEST(Scenario, APresetIsWhereTheOptionsStartFromWhereverItStands) {
   const tools::Scenario scenario = load(kScenario);
   EXPECT_EQ(scenario.odometry.tracker.pyramid.levels, 4);
