@@ -156,7 +156,8 @@ Scene without_motion(const Scene& scene) {
           .textures = scene.textures,
           .images = scene.images,
           .lights = scene.lights,
-          .cameras = scene.cameras};
+          .cameras = scene.cameras,
+          .environment = scene.environment};
 }
 
 }  // namespace

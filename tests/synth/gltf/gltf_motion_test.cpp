@@ -206,6 +206,18 @@ TEST(SceneMotion, NormalsTurnWithTheirJoints) {
   EXPECT_TRUE(mesh.normals.at(1).isApprox(Eigen::Vector3f::UnitY()));
 }
 
+TEST(SceneMotion, KeepsTheEnvironment) {
+  GltfDocument document = triangle_document();
+  animate(document, 0, "translation", {0, 0, 0, 1, 0, 0});
+  Scene scene = load(document);
+  scene.environment.radiance = cv::Mat_<cv::Vec3f>(1, 2, cv::Vec3f(1, 2, 3));
+  scene.environment.turn = 0.5;
+  for (const Scene& moment : {scene_at(scene, 0.5), scene_at_rest(scene)}) {
+    EXPECT_FALSE(moment.environment.empty());
+    EXPECT_EQ(moment.environment.turn, 0.5);
+  }
+}
+
 TEST(SceneMotion, PlaysTheAnimationThatIsAskedFor) {
   GltfDocument document = triangle_document();
   animate(document, 0, "translation", {0, 0, 0, 1, 0, 0});
