@@ -115,8 +115,7 @@ class RigFrames {
     const auto renderers =
         std::make_shared<const RenderersOverTime>(scene, jobs.front().recipe.render);
     for (const RenderJob& job : jobs) {
-      generators_.push_back(
-          std::make_unique<const FrameGenerator>(frame_generator(job, renderers)));
+      generators_.push_back(frame_generator(job, renderers));
     }
   }
 

@@ -62,6 +62,11 @@ class FrameGenerator {
   FrameGenerator(const Scene& scene, const SequenceRecipe& recipe,
                  std::vector<std::uint16_t> instance_classes = {},
                  std::shared_ptr<const RenderersOverTime> renderers = nullptr);
+  ~FrameGenerator() = default;
+  FrameGenerator(const FrameGenerator&) = delete;
+  FrameGenerator& operator=(const FrameGenerator&) = delete;
+  FrameGenerator(FrameGenerator&&) = delete;
+  FrameGenerator& operator=(FrameGenerator&&) = delete;
 
   MadeFrame make(std::size_t index) const;
 

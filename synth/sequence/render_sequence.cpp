@@ -155,15 +155,16 @@ RenderOutcome render_sequence(const RenderJob& job, const fs::path& folder,
 
 ShareJob share_job(const RenderJob& job, const vo::StagedContent& content) {
   return {content, share_of(job), [&job]() -> PartMaker {
-            const auto generator = std::make_shared<const FrameGenerator>(frame_generator(job));
+            const std::shared_ptr<const FrameGenerator> generator = frame_generator(job);
             return [generator](std::size_t frame) { return generator->make(frame); };
           }};
 }
 
-FrameGenerator frame_generator(const RenderJob& job,
-                               std::shared_ptr<const RenderersOverTime> renderers) {
-  return {job.scene.scene(), job.recipe, instance_classes(job.scene, job.recipe.channels),
-          std::move(renderers)};
+std::unique_ptr<const FrameGenerator> frame_generator(
+    const RenderJob& job, std::shared_ptr<const RenderersOverTime> renderers) {
+  return std::make_unique<const FrameGenerator>(job.scene.scene(), job.recipe,
+                                                instance_classes(job.scene, job.recipe.channels),
+                                                std::move(renderers));
 }
 
 std::vector<vo::NamedBytes> sequence_files(const RenderJob& job) {

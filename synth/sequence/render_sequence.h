@@ -34,8 +34,8 @@ vo::NamedBytes sequence_manifest(const RenderJob& job);
 
 /// Returns the maker of the job's frames, which refers to the job. `renderers` are as those of
 /// FrameGenerator.
-FrameGenerator frame_generator(const RenderJob& job,
-                               std::shared_ptr<const RenderersOverTime> renderers = nullptr);
+std::unique_ptr<const FrameGenerator> frame_generator(
+    const RenderJob& job, std::shared_ptr<const RenderersOverTime> renderers = nullptr);
 
 /// Returns the files that belong to no single frame but for sequence.toml: those of the recipe, and
 /// truth/labels.json beside channels of ids.

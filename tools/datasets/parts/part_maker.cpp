@@ -84,7 +84,7 @@ class PartWriter {
 
   /// Renders all frames: files are written in parallel, an archive in the order of the frames.
   void write_frames(const vo::Progress& progress) {
-    const synth::FrameGenerator generator = synth::frame_generator(job_);
+    const std::unique_ptr<const synth::FrameGenerator> generator = synth::frame_generator(job_);
     const auto tokens = 2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
     std::size_t next = part_.first;
     const auto number = [&](tbb::flow_control& control) {
@@ -94,7 +94,7 @@ class PartWriter {
       }
       return next++;
     };
-    const auto render = [&](std::size_t frame) { return rendered(generator, frame); };
+    const auto render = [&](std::size_t frame) { return rendered(*generator, frame); };
     const auto collect = [&](const std::shared_ptr<FrameOnItsWay>& frame) {
       take(*frame);
       if (progress) {
