@@ -1,6 +1,7 @@
 #include "vo/rigs/rig_file.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <set>
@@ -90,15 +91,14 @@ void validate(const RigCamera& camera) {
 
 /// Moves the values of the sensor out of those of a camera, their keys without `sensor.`.
 std::vector<TomlValue> take_sensor(std::vector<TomlValue>& values) {
-  std::vector<TomlValue> sensor;
-  for (TomlValue& value : values) {
-    if (value.key.starts_with(kSensor)) {
-      value.key.erase(0, std::string_view(kSensor).size());
-      sensor.push_back(std::move(value));
-      value.key.clear();
-    }
+  const auto first =
+      std::stable_partition(values.begin(), values.end(),
+                            [](const TomlValue& value) { return !value.key.starts_with(kSensor); });
+  std::vector<TomlValue> sensor(std::move_iterator(first), std::move_iterator(values.end()));
+  values.erase(first, values.end());
+  for (TomlValue& value : sensor) {
+    value.key.erase(0, std::string_view(kSensor).size());
   }
-  std::erase_if(values, [](const TomlValue& value) { return value.key.empty(); });
   return sensor;
 }
 

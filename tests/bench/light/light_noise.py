@@ -64,6 +64,8 @@ def plot(curves, path):
     import matplotlib
 
     matplotlib.use("svg")
+    matplotlib.rcParams["svg.fonttype"] = "none"  # text stays text
+    matplotlib.rcParams["svg.hashsalt"] = "edvo"  # names of parts are the same each time
     from matplotlib import pyplot
 
     figure, axes = pyplot.subplots(figsize=(5, 3.5))

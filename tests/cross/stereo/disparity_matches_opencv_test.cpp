@@ -53,7 +53,8 @@ cv::Mat_<std::uint8_t> textured(const cv::Mat_<std::uint8_t>& picture) {
   constexpr double kLeastGradient = 40;  // of Sobel's operator, 8 times the grey levels per px
   cv::Mat_<float> gradient;
   cv::Sobel(picture, gradient, CV_32F, 1, 0);
-  return cv::abs(gradient) > kLeastGradient;
+  const cv::Mat result = cv::abs(gradient) > kLeastGradient;
+  return result;
 }
 
 TEST(Disparity, IsWhatOpencvsMatcherFindsInPicturesOfTheDesk) {
