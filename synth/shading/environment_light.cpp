@@ -49,11 +49,11 @@ float height_of_edge(int row, int rows) {
 float mean_brightness(const cv::Mat_<cv::Vec3f>& image, int v, int u) {
   constexpr std::array<float, 3> kShares = {0.125F, 0.75F, 0.125F};
   float sum = 0;
-  for (int dv = -1; dv <= 1; ++dv) {
-    for (int du = -1; du <= 1; ++du) {
-      sum += kShares.at(static_cast<std::size_t>(dv + 1)) *
-             kShares.at(static_cast<std::size_t>(du + 1)) *
-             at_pixel(image, v + dv, u + du).maxCoeff();
+  for (std::size_t i = 0; i < kShares.size(); ++i) {
+    for (std::size_t k = 0; k < kShares.size(); ++k) {
+      const Eigen::Vector3f light =
+          at_pixel(image, v + static_cast<int>(i) - 1, u + static_cast<int>(k) - 1);
+      sum += kShares.at(i) * kShares.at(k) * light.maxCoeff();
     }
   }
   return sum;
