@@ -60,8 +60,8 @@ class PreethamSky {
  public:
   PreethamSky(double turbidity, double sun_from_zenith)
       : sun_(sun_from_zenith),
-        Y_(perez_of({0.1787, -0.3554, -0.0227, 0.1206, -0.0670},
-                    {-1.4630, 0.4275, 5.3251, -2.5771, 0.3703}, turbidity)),
+        luminance_(perez_of({0.1787, -0.3554, -0.0227, 0.1206, -0.0670},
+                            {-1.4630, 0.4275, 5.3251, -2.5771, 0.3703}, turbidity)),
         x_(perez_of({-0.0193, -0.0665, -0.0004, -0.0641, -0.0033},
                     {-0.2592, 0.0008, 0.2125, -0.8989, 0.0452}, turbidity)),
         y_(perez_of({-0.0167, -0.0950, -0.0079, -0.0441, -0.0109},
@@ -79,7 +79,7 @@ class PreethamSky {
   }
 
   SkyColour colour(double cos_zenith, double from_sun) const {
-    return {zenith_.Y * relative(Y_, cos_zenith, from_sun),
+    return {zenith_.Y * relative(luminance_, cos_zenith, from_sun),
             zenith_.x * relative(x_, cos_zenith, from_sun),
             zenith_.y * relative(y_, cos_zenith, from_sun)};
   }
@@ -90,7 +90,7 @@ class PreethamSky {
   }
 
   double sun_;  ///< rad from the zenith
-  Perez Y_;
+  Perez luminance_;
   Perez x_;
   Perez y_;
   SkyColour zenith_{};
