@@ -94,7 +94,8 @@ std::vector<TomlValue> take_sensor(std::vector<TomlValue>& values) {
   const auto first =
       std::stable_partition(values.begin(), values.end(),
                             [](const TomlValue& value) { return !value.key.starts_with(kSensor); });
-  std::vector<TomlValue> sensor(std::move_iterator(first), std::move_iterator(values.end()));
+  std::vector<TomlValue> sensor(std::make_move_iterator(first),
+                                std::make_move_iterator(values.end()));
   values.erase(first, values.end());
   for (TomlValue& value : sensor) {
     value.key.erase(0, std::string_view(kSensor).size());
