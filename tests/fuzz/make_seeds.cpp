@@ -72,7 +72,8 @@ void add_images(Seeds& seeds) {
     seeds.push_back({folder + "/one", vo::encode_float_image(one, format)});
     seeds.push_back({folder + "/three", vo::encode_float_image(three, format)});
   }
-  seeds.push_back({"rgbe/pixels", vo::encode_rgbe({kHeight, kWidth, cv::Vec3f(1, 2, 3)})});
+  seeds.push_back(
+      {"rgbe/pixels", vo::encode_rgbe(cv::Mat_<cv::Vec3f>(kHeight, kWidth, cv::Vec3f(1, 2, 3)))});
   seeds.push_back({"rgbe/packed", std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 8\n"
                                               "\x02\x02\x00\x08\x88\x01\x88\x02\x88\x03\x88\x81",
                                               57)});

@@ -17,9 +17,11 @@ namespace {
 
 constexpr int kBias = 128;  // of the exponent
 constexpr int kMantissaBits = 8;
-constexpr double kBrightest = 1e30;    // of a channel; what is brighter is taken as this
-constexpr int kShortestPacked = 8;     // px, rows from this length
-constexpr int kLongestPacked = 32767;  // to this one may be packed channel by channel
+constexpr std::int64_t kMostPixels = 1
+                                     << 26;  // 800 MB of numbers, which a short file may stand for
+constexpr double kBrightest = 1e30;          // of a channel; what is brighter is taken as this
+constexpr int kShortestPacked = 8;           // px, rows from this length
+constexpr int kLongestPacked = 32767;        // to this one may be packed channel by channel
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
@@ -73,6 +75,9 @@ Header read_header(Reader& reader, const std::filesystem::path& path) {
       std::sscanf(line.c_str(), "-Y %d +X %d", &header.size.height, &header.size.width);
   require(values == 2, path.string(), ": has a size of \"", line,
           "\", expected -Y HEIGHT +X WIDTH");
+  require(std::int64_t{header.size.width} * header.size.height <= kMostPixels, path.string(),
+          ": is ", header.size.width, " x ", header.size.height, " px, expected at most ",
+          kMostPixels, " pixels");
   return header;
 }
 

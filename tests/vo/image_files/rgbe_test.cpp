@@ -81,6 +81,8 @@ TEST_F(Rgbe, SaysWhatIsWrong) {
               HasSubstr("is of FORMAT=32-bit_rle_xyze, expected 32-bit_rle_rgbe"));
   EXPECT_THAT(error_of("#?RADIANCE\n"), HasSubstr("ends within its header"));
   EXPECT_THAT(error_of(kHeader + "+X 8 -Y 4\n"), HasSubstr("expected -Y HEIGHT +X WIDTH"));
+  EXPECT_THAT(error_of(kHeader + "-Y 16384 +X 16384\n"),
+              HasSubstr("is 16384 x 16384 px, expected at most 67108864 pixels"));
   EXPECT_THAT(error_of("#?RADIANCE\nEXPOSURE=nan\n\n-Y 1 +X 1\n"),
               HasSubstr("its EXPOSURE is nan, expected a positive number"));
   EXPECT_THAT(error_of(kHeader + "-Y 1 +X 8\n" + bytes_of({2, 2, 0, 8, 128 + 9, 1})),
