@@ -7,9 +7,9 @@
 
 namespace vo {
 
-/// The right to make one output, from before its first file until it has its name: a lock on
-/// `.<name>.lock-edvo` beside it. The file goes with the last lock on it; one that a killed process
-/// leaves is taken over, and goes with the next run's.
+/// The right to make one output, from before its first file until it has its name: a lock on the
+/// file `.NAME.lock-edvo` beside it. The file goes with the last lock on it; one that a killed
+/// process leaves is taken over, and goes with the next run's.
 class OutputLock {
  public:
   /// Waits until the lock is there. Throws Error where there can be none.
