@@ -34,8 +34,8 @@ inline ProgramResult run_program(const std::string& arguments, const std::string
 inline bool has_leftovers(const std::filesystem::path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    for (const char* ending : {".partial-edvo", ".lock-edvo", ".old-edvo"}) {
-      if (name.ends_with(ending)) {
+    for (const char* mark : {".partial-edvo", ".lock-edvo", ".old-edvo"}) {
+      if (name.find(mark) != std::string::npos) {
         return true;
       }
     }

@@ -2,11 +2,11 @@
 
 import dataclasses
 
-SIZE = "--size 64x48 --samples 1"
 ORBIT = ("--path orbit --orbit.centre=-0.95,0.5,0.3 --orbit.radius 1.2 --orbit.height 0.8 --rate 15 "
          "--duration 0.4")
 WALL = ("--path orbit --orbit.centre=0,0,0 --orbit.radius 2 --orbit.height 0.2 --rate 15 --duration 0.4")
-RENDER = f"render {{assets}}/plane_and_box/plane_and_box.gltf {WALL} {SIZE} --quiet"
+SAMPLED = f"render {{assets}}/plane_and_box/plane_and_box.gltf {WALL} --size 64x48 --quiet"
+RENDER = f"{SAMPLED} --samples 1"
 
 SCENARIO = """why = "torture"
 [scene]
@@ -73,6 +73,7 @@ COMMANDS = [
     Command("unsynced", [f"{RENDER} --no-sync --out out"]),
     Command("force", [f"{RENDER} --ambient 0.5 --force --out out"], [f"{RENDER} --out out"]),
     Command("path", [f"{RENDER} --mode path --environment sky:30 --out out"]),
+    Command("denoised", [f"{SAMPLED} --samples 4 --mode path --denoise --out out"]),
     Command("run", ["run {inputs}/rgbd.toml --debug-images 3 --quiet --out out"]),
     Command("run_mono", ["run {inputs}/mono.toml --debug-images 3 --quiet --out out"]),
     Command("test", ["test {inputs}/rgbd.toml --cache cache --quiet --junit junit.xml --json results.json "

@@ -37,8 +37,9 @@ std::optional<FileLock> lock_to_write(const fs::path& file) {
 
 }  // namespace
 
-fs::path partial_name(const fs::path& path) {
-  return path.parent_path() / ("." + path.filename().string() + kPartialSuffix);
+fs::path partial_name(const fs::path& path, const fs::path& extension) {
+  return path.parent_path() /
+         ("." + path.filename().string() + kPartialSuffix + extension.string());
 }
 
 bool is_partial_name(const fs::path& path) {
@@ -46,27 +47,27 @@ bool is_partial_name(const fs::path& path) {
   return name.starts_with('.') && name.ends_with(kPartialSuffix);
 }
 
-PartialFile::PartialFile(const fs::path& path, FileLock lock)
-    : path_(path), partial_(partial_name(path)), lock_(std::move(lock)) {}
+PartialFile::PartialFile(fs::path path, fs::path partial, FileLock lock)
+    : path_(std::move(path)), partial_(std::move(partial)), lock_(std::move(lock)) {}
 
-std::optional<PartialFile> PartialFile::try_open(const fs::path& path) {
-  const fs::path partial = partial_name(path);
+std::optional<PartialFile> PartialFile::try_open(const fs::path& path, const fs::path& extension) {
+  const fs::path partial = partial_name(path, extension);
   for (;;) {
     std::optional<FileLock> lock = lock_to_write(partial);
     if (!lock) {
       return {};
     }
     if (lock->is_on(partial)) {  // else its writer has just renamed or removed it
-      return PartialFile(path, std::move(*lock));
+      return PartialFile(path, partial, std::move(*lock));
     }
   }
 }
 
-PartialFile::PartialFile(const fs::path& path)
+PartialFile::PartialFile(const fs::path& path, const fs::path& extension)
     : PartialFile([&] {
         constexpr int kLooks = 6000;
         for (int look = 0; look < kLooks; ++look) {
-          if (std::optional<PartialFile> file = try_open(path)) {
+          if (std::optional<PartialFile> file = try_open(path, extension)) {
             return std::move(*file);
           }
           pause_for_others({});

@@ -9,10 +9,12 @@
 
 namespace vo {
 
-/// Returns the name of what is being written: `.<name>.partial-edvo` beside `path`.
-std::filesystem::path partial_name(const std::filesystem::path& path);
+/// Returns the name of what is being written: `.NAME.partial-edvo` beside it, and an
+/// extension behind it for writers that choose a format by it.
+std::filesystem::path partial_name(const std::filesystem::path& path,
+                                   const std::filesystem::path& extension = {});
 
-/// Returns whether a file or folder has a name that `partial_name` gives.
+/// Returns whether a file or folder has a name that `partial_name` gives without an extension.
 bool is_partial_name(const std::filesystem::path& path);
 
 /// A file while it is being written, under its `partial_name` and locked: only one process or
@@ -21,16 +23,21 @@ bool is_partial_name(const std::filesystem::path& path);
 class PartialFile {
  public:
   /// Waits for others that write the same file. Throws Error, `temporary` when they take a minute.
-  explicit PartialFile(const std::filesystem::path& path);
+  explicit PartialFile(const std::filesystem::path& path,
+                       const std::filesystem::path& extension = {});
 
   /// Returns nothing when somebody else writes the file.
-  static std::optional<PartialFile> try_open(const std::filesystem::path& path);
+  static std::optional<PartialFile> try_open(const std::filesystem::path& path,
+                                             const std::filesystem::path& extension = {});
 
   ~PartialFile();
   PartialFile(PartialFile&& other) noexcept;
   PartialFile& operator=(PartialFile&&) = delete;
   PartialFile(const PartialFile&) = delete;
   PartialFile& operator=(const PartialFile&) = delete;
+
+  /// Returns where the file is until it is committed.
+  const std::filesystem::path& partial_path() const { return partial_; }
 
   /// Writes bytes behind those before.
   void append(std::string_view bytes);
@@ -42,7 +49,7 @@ class PartialFile {
   void commit(std::string_view bytes, Durability durability);
 
  private:
-  PartialFile(const std::filesystem::path& path, FileLock lock);
+  PartialFile(std::filesystem::path path, std::filesystem::path partial, FileLock lock);
 
   std::filesystem::path path_;
   std::filesystem::path partial_;

@@ -27,17 +27,18 @@ fs::path checked_place(const fs::path& path) {
 
 }  // namespace
 
-StreamedOutput::StreamedOutput(const fs::path& path, const OutputPolicy& policy)
-    : given_(path), path_(checked_place(path)), policy_(policy), file_(path_) {}
+StreamedOutput::StreamedOutput(const fs::path& path, const OutputPolicy& policy,
+                               const fs::path& extension)
+    : given_(path), path_(checked_place(path)), policy_(policy), file_(path_, extension) {}
 
 fs::path StreamedOutput::open_by_name() {
   append({});
-  return partial_name(path_);
+  return file_.partial_path();
 }
 
 void StreamedOutput::commit() {
   if (fs::is_regular_file(path_)) {
-    if (have_same_bytes(path_, partial_name(path_))) {
+    if (have_same_bytes(path_, file_.partial_path())) {
       return;
     }
     if (policy_.existing == ExistingOutput::keep) {

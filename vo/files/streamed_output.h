@@ -12,8 +12,10 @@ namespace vo {
 /// name as one of `write_file` does. The destructor removes what was not committed.
 class StreamedOutput {
  public:
-  /// Throws Error, as `write_file` does, where the place cannot be written or is a device or pipe.
-  StreamedOutput(const std::filesystem::path& path, const OutputPolicy& policy);
+  /// `extension` ends the file's name until it is committed. Throws Error, as `write_file` does,
+  /// where the place cannot be written or is a device or pipe.
+  StreamedOutput(const std::filesystem::path& path, const OutputPolicy& policy,
+                 const std::filesystem::path& extension = {});
 
   void append(std::string_view bytes) { file_.append(bytes); }
 

@@ -3,16 +3,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include "vo/core/error.h"
-#include "vo/files/folder.h"
 #include "vo/files/streamed_output.h"
-#include "vo/files/system_failure.h"
 #include "vo/videos/video_library.h"
 
 namespace vo {
@@ -32,37 +28,6 @@ std::optional<VideoCodec> codec_of(const fs::path& path) {
   }
   return std::nullopt;
 }
-
-/// Another name of a file, with the end by which FFmpeg chooses a container: a link to it in a
-/// folder of its own, gone with this object.
-class NamedLink {
- public:
-  NamedLink(const fs::path& file, const fs::path& extension) {
-    std::string folder = (fs::temp_directory_path() / "edvo-video-XXXXXX").string();
-    if (::mkdtemp(folder.data()) == nullptr) {
-      fail_with(folder, "cannot be made", errno);
-    }
-    folder_ = folder;
-    path_ = folder_ / ("video" + extension.string());
-    std::error_code error;
-    fs::create_symlink(file, path_, error);
-    if (error) {
-      remove_tree(folder_);
-      fail_with(path_, "cannot be made", error.value());
-    }
-  }
-  ~NamedLink() { remove_tree(folder_); }
-  NamedLink(const NamedLink&) = delete;
-  NamedLink& operator=(const NamedLink&) = delete;
-  NamedLink(NamedLink&&) = delete;
-  NamedLink& operator=(NamedLink&&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path folder_;
-  fs::path path_;
-};
 
 VideoFormat format_of(const fs::path& path, const SequenceSource& source, const cv::Mat& image) {
   require(image.cols % 2 == 0 && image.rows % 2 == 0, path.string(),
@@ -118,11 +83,11 @@ void write_video(const fs::path& path, const SequenceSource& source, const Outpu
                  const Progress& progress) {
   require_video_name(path);
   const VideoLibrary& library = video_library(path.string());
-  StreamedOutput output(path, policy);
-  const NamedLink link(output.open_by_name(), path.extension());
+  StreamedOutput output(path, policy, path.extension());  // by which FFmpeg chooses a container
+  const fs::path partial = output.open_by_name();
   cv::Mat image = source.read(0).image;
   const VideoFormat format = format_of(path, source, image);
-  const std::optional<VideoEncoder> encoder = library.make_file(link.path(), format);
+  const std::optional<VideoEncoder> encoder = library.make_file(partial, format);
   require(encoder.has_value(), path.string(), ": OpenCV's FFmpeg cannot encode ", format.size.width,
           "x", format.size.height, " px at ", format.rate_hz, " Hz in it");
   const std::size_t frames = source.timestamps.size();
@@ -135,7 +100,7 @@ void write_video(const fs::path& path, const SequenceSource& source, const Outpu
     progress(i + 1, frames);
   }
   encoder->finish();
-  if (library.count_images(link.path()) != frames) {
+  if (library.count_images(partial) != frames) {
     fail_as(ErrorKind::temporary, path.string(),
             ": cannot be written: fewer images are in the file than were encoded, as on a full "
             "disk");

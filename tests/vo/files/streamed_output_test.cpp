@@ -40,6 +40,20 @@ TEST(StreamedOutput, AppearsWhenItIsComplete) {
   EXPECT_EQ(vo::read_file(path), "one two");
 }
 
+TEST(StreamedOutput, OneWithAnExtensionTakesOverWhatAKilledWriterLeft) {
+  const TempFolder folder;
+  const fs::path left = folder.write(".a.avi.partial-edvo.avi", "longer than what is written now");
+  {
+    vo::StreamedOutput output(folder.path() / "a.avi", {}, ".avi");
+    EXPECT_EQ(output.open_by_name(), left);
+    EXPECT_EQ(vo::read_file(left), "");
+    output.append("new");
+    output.commit();
+  }
+  EXPECT_EQ(vo::read_file(folder.path() / "a.avi"), "new");
+  EXPECT_FALSE(fs::exists(left));
+}
+
 TEST(StreamedOutput, ReplacesAnotherFileOnlyIfToldSo) {
   const TempFolder folder;
   const fs::path path = folder.write("a", "other");
