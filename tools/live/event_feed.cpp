@@ -28,6 +28,13 @@ void EventFeed::replace(const std::string& name, const std::string& data) {
   news_.notify_all();
 }
 
+void EventFeed::end(const std::string& name, const std::string& data) {
+  std::string event = as_event(name, data);
+  const std::lock_guard lock(mutex_);
+  end_.swap(event);
+  news_.notify_all();
+}
+
 void EventFeed::close() {
   const std::lock_guard lock(mutex_);
   is_closed_ = true;
@@ -49,6 +56,10 @@ std::string EventFeed::read(Place& place, std::chrono::milliseconds patience) {
       place.latest[name] = latest.version;
       text += latest.event;
     }
+  }
+  if (has_end_for(place)) {
+    place.has_end = true;
+    text += end_;
   }
   return text;
 }
@@ -80,7 +91,7 @@ std::size_t EventFeed::viewers() const {
 }
 
 bool EventFeed::has_news(const Place& place) const {
-  return place.kept < kept_.size() ||
+  return place.kept < kept_.size() || has_end_for(place) ||
          std::any_of(latest_.begin(), latest_.end(), [&](const auto& entry) {
            const auto read = place.latest.find(entry.first);
            return read == place.latest.end() || read->second != entry.second.version;

@@ -20,6 +20,7 @@ class EventFeed {
   struct Place {
     std::size_t kept = 0;                         ///< number of kept events that were read
     std::map<std::string, std::uint64_t> latest;  ///< version read of each replaced event
+    bool has_end = false;                         ///< whether the last event was read
   };
 
   /// Tells an event that every viewer gets, also those who come later. `data` has no line break.
@@ -27,6 +28,9 @@ class EventFeed {
 
   /// Tells an event in place of the last one of this name, which whoever has not read it misses.
   void replace(const std::string& name, const std::string& data);
+
+  /// Tells the last event, which every viewer gets after all others, those that are replaced, too.
+  void end(const std::string& name, const std::string& data);
 
   /// Ends the feed: what was told can still be read.
   void close();
@@ -52,11 +56,13 @@ class EventFeed {
   };
 
   bool has_news(const Place& place) const;
+  bool has_end_for(const Place& place) const { return !place.has_end && !end_.empty(); }
 
   mutable std::mutex mutex_;
   std::condition_variable news_;
   std::vector<std::string> kept_;
   std::map<std::string, Latest> latest_;
+  std::string end_;  ///< empty as long as nothing ended
   std::size_t viewers_ = 0;
   bool is_closed_ = false;
 };

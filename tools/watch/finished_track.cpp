@@ -220,9 +220,9 @@ void tell(const FinishedTrack& track, EventFeed& feed) {
     const FramePanel& panel = track.panels[i * track.panels.size() / pictures];
     feed.keep("pictures", event_text(pictures_json(pictures_of(panel.file), panel.frame)));
   }
-  feed.keep("end",
-            end_text(vo::concat(track.poses(), " of ", track.frames.size(), " frames have a pose"),
-                     track.frames.size() - pictures));
+  feed.end("end",
+           end_text(vo::concat(track.poses(), " of ", track.frames.size(), " frames have a pose"),
+                    track.frames.size() - pictures));
 }
 
 }  // namespace tools

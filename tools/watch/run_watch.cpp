@@ -162,7 +162,7 @@ void RunWatch::draw_pictures() {
 }
 
 void RunWatch::finish(const std::string& how) {
-  feed_.keep("end", end_text(how, left_out_));
+  feed_.end("end", end_text(how, left_out_));
 }
 
 }  // namespace tools

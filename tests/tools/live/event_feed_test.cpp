@@ -56,10 +56,25 @@ TEST(EventFeed, GivesWhatIsReplacedAfterAllThatItMayReferTo) {
             1000 * std::string("event: frame\ndata: \n\n").size() + 1000 * frame.size());
 }
 
+/// A page reads no further than the end, so that it would miss what comes after it.
+TEST(EventFeed, EndsAfterTheLastPicturesAlsoForWhoComesLater) {
+  EventFeed feed;
+  EventFeed::Place early;
+  feed.keep("frame", "1");
+  feed.replace("pictures", "p");
+  feed.end("end", "done");
+  const std::string all =
+      "event: frame\ndata: 1\n\nevent: pictures\ndata: p\n\nevent: end\ndata: done\n\n";
+  EXPECT_EQ(feed.read(early, kNoPatience), all);
+  EXPECT_EQ(feed.read(early, kNoPatience), "") << "once";
+  EventFeed::Place late;
+  EXPECT_EQ(feed.read(late, kNoPatience), all);
+}
+
 TEST(EventFeed, IsOverWhenItIsClosedAndAllHasBeenRead) {
   EventFeed feed;
   EventFeed::Place place;
-  feed.keep("end", "1");
+  feed.end("end", "1");
   EXPECT_FALSE(feed.is_over(place));
   feed.close();
   EXPECT_FALSE(feed.is_over(place));
