@@ -75,6 +75,8 @@ Picture draw_depth(const vo::DepthImage& depth) {
 Picture draw_figures(const vo::TrackingResult& result, cv::Size size) {
   const vo::AlignResult& alignment = result.alignment;
   const Eigen::Vector3d t = result.T_world_camera.translation();
+  std::array<char, 80> time{};
+  std::snprintf(time.data(), time.size(), "time %.6f s", result.timestamp);
   std::array<char, 80> position{};
   std::snprintf(position.data(), position.size(), "position %.3f %.3f %.3f m", t.x(), t.y(), t.z());
   std::array<char, 80> correlation{};
@@ -82,7 +84,7 @@ Picture draw_figures(const vo::TrackingResult& result, cv::Size size) {
                 "correlation %.4f, %.1f %% of points in view", alignment.correlation,
                 100 * alignment.visible_fraction);
   const std::vector<std::string> lines = {
-      "time " + vo::concat(result.timestamp) + " s",
+      time.data(),
       "status " + std::string(vo::to_string(result.status)) +
           (result.is_keyframe ? ", keyframe" : ""),
       "ended: " + std::string(vo::to_string(alignment.termination)),

@@ -13,7 +13,7 @@ interface Kind {
 
 const kKinds: Kind[] = [
   { title: 'Colour', describe: 'the image as measured', layers: (p) => [p.colour] },
-  { title: 'Edges', describe: 'of this image, in yellow', layers: (p) => [p.colour, p.edges] },
+  { title: 'Edges', describe: 'of this image', layers: (p) => [p.colour, p.edges] },
   {
     title: 'Depth',
     describe: 'near is bright, no measurement grey',
