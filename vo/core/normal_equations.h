@@ -53,7 +53,10 @@ struct NormalEquations {
   }
 
   /// Returns delta.
-  Vector step() const { return -H.ldlt().solve(b); }
+  Vector step() const {
+    const Vector solution = H.ldlt().solve(b);  // a nested expression would compile for seconds
+    return -solution;
+  }
 
   /// Returns the equations of the first K unknowns while the others stay.
   template <int K>

@@ -37,8 +37,11 @@ struct Problem {
 
   /// The least-squares solution from the residuals themselves.
   Equations::Vector solution() const {
-    const Eigen::MatrixXd weighted = roots().asDiagonal() * J;
-    return -weighted.colPivHouseholderQr().solve(roots().cwiseProduct(r));
+    const Eigen::MatrixXd weighted_jacobian = roots().asDiagonal() * J;
+    const Eigen::VectorXd weighted_residuals = roots().cwiseProduct(r);
+    const Eigen::VectorXd solution =
+        weighted_jacobian.colPivHouseholderQr().solve(weighted_residuals);
+    return -solution;
   }
 };
 
@@ -68,10 +71,8 @@ void expect_elimination_to_solve_for_all(const Problem& problem) {
 
 TEST(NormalEquations, EliminatingUnknownsSolvesForAll) {
   const Problem problem;
-  expect_elimination_to_solve_for_all<1>(problem);
-  expect_elimination_to_solve_for_all<2>(problem);
-  expect_elimination_to_solve_for_all<5>(problem);
-  expect_elimination_to_solve_for_all<7>(problem);
+  expect_elimination_to_solve_for_all<2>(problem);  // by the inverse of a block
+  expect_elimination_to_solve_for_all<6>(problem);  // by a decomposition
 }
 
 TEST(NormalEquations, EliminatedStepIsTheBestForAnyOtherStep) {
