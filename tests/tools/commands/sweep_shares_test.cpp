@@ -6,6 +6,7 @@
 
 #include "tests/support/folder_contents.h"
 #include "tests/support/program_test.h"
+#include "tests/support/sweep_matrix.h"
 
 namespace {
 
@@ -15,21 +16,9 @@ using support::ProgramResult;
 using support::run_program;
 using testing::HasSubstr;
 
-/// Two scenarios with two values of one option and two of another, each with two seeds: 16 trials.
-class SweepShares : public support::ProgramTest {
+/// The shares of a sweep.
+class SweepShares : public support::SweepMatrix {
  protected:
-  SweepShares() {
-    write_scenario("a", "0.5\n[sensor]\npreset = \"kinect-v1\"");
-    write_scenario("b", "0.5");
-  }
-
-  std::string matrix() const {
-    return path("scenarios") +
-           " --set 'sensor.noise.full_well=[6000,6000,6000],[900,900,900]' "
-           "--set odometry.preset=paper,default --seeds 2 --cache " +
-           path("cache");
-  }
-
   ProgramResult sweep(const std::string& rest) const {
     return run_program("sweep --quiet " + matrix() + " " + rest);
   }

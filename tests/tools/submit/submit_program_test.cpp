@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/program_test.h"
+#include "tests/support/sweep_matrix.h"
 #include "tests/tools/submit/stand_ins.h"
 
 namespace {
@@ -17,22 +18,9 @@ using support::run_program;
 using support::StandIns;
 using testing::HasSubstr;
 
-/// A sweep of two scenarios with two values of one option and two of another, each with two seeds:
-/// 16 trials.
-class SubmittedSweep : public support::ProgramTest {
+/// A sweep that is submitted.
+class SubmittedSweep : public support::SweepMatrix {
  protected:
-  SubmittedSweep() {
-    write_scenario("a", "0.5\n[sensor]\npreset = \"kinect-v1\"");
-    write_scenario("b", "0.5");
-  }
-
-  std::string matrix() const {
-    return path("scenarios") +
-           " --set 'sensor.noise.full_well=[6000,6000,6000],[900,900,900]' "
-           "--set odometry.preset=paper,default --seeds 2 --cache " +
-           path("cache");
-  }
-
   ProgramResult submit(const std::string& rest) const {
     return run_program("submit --sweep " + matrix() + " " + rest);
   }
