@@ -49,7 +49,8 @@ TEST(Foreground, RunsInTheFolderAndHasTheExitCodesOfAShell) {
 
 TEST(Foreground, EndsItsProgramWhenNobodyWaits) {
   const support::TempFolder folder;
-  const std::string script = "trap 'echo told > told; exit 75' TERM; echo > ready; sleep 60 & wait";
+  const std::string script =
+      "trap 'kill $!; echo told > told; exit 75' TERM; sleep 60 & echo > ready; wait";
   EXPECT_EQ(support::error_text([&] {
               run_in_foreground({.words = {"sh", "-c", script}, .folder = folder.path()}, [&] {
                 vo::require(!std::filesystem::exists(folder.path() / "ready"), "stopped");

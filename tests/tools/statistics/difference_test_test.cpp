@@ -100,7 +100,7 @@ TEST(DifferenceTest, NoChangeIsSignificantNoMoreOftenThanTheLevelSays) {
     std::cout << quantity.name;
     for (const int seeds : {2, 3, 5, 12}) {
       for (const bool paired : {true, false}) {
-        const int tests = seeds == 12 && !paired ? 3000 : 10000;
+        const int tests = seeds == 12 && !paired ? 1500 : 4000;
         const int count = count_significant(quantity, seeds, paired, tests, kLevel);
         const double expected = kLevel * tests;
         EXPECT_LE(count, expected + 3 * std::sqrt(expected))
