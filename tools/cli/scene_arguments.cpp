@@ -34,6 +34,14 @@ void add_scene_options(CLI::App& command, synth::GltfOptions& options) {
   add_field_options(command, fields, "Scene");
 }
 
+void add_actor_option(CLI::App& command, std::string& file) {
+  command
+      .add_option(
+          "--actor", file,
+          "FILE.toml with tables [[actor]], what goes through the scene: file, path, speed, ...")
+      ->group("Scene");
+}
+
 void add_camera_options(CLI::App& command, CameraArguments& arguments) {
   command.add_option("--size", arguments.size, "WIDTHxHEIGHT, px [640x480]")->group("Camera");
   command.add_option("--intrinsics", arguments.intrinsics, "fx,fy,cx,cy, px")->group("Camera");

@@ -14,6 +14,9 @@ namespace tools {
 /// Adds the options of a scene's file, of which `scale` is named --scene-scale.
 void add_scene_options(CLI::App& command, synth::GltfOptions& options);
 
+/// Adds the option `--actor` of a file of actors.
+void add_actor_option(CLI::App& command, std::string& file);
+
 /// Command-line options of the camera.
 struct CameraArguments {
   std::string size = "640x480";

@@ -14,6 +14,7 @@
 #include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "tools/json/document.h"
+#include "tools/scenario/actor_tables.h"
 
 namespace tools {
 namespace {
@@ -35,6 +36,7 @@ struct CheckArguments {
   CommonOptions common;
   std::string scene;
   synth::GltfOptions file;
+  std::string actors;
   CameraArguments camera;
   PathArguments path;
   synth::PathLimits limits;
@@ -105,7 +107,7 @@ void check(const CheckArguments& arguments, Session& session) {
   });
   ProgressBar bar("checking", arguments.common.verbosity());
   bar.announce("checking the path in " + arguments.scene);
-  const synth::SceneFile file(arguments.scene, arguments.file);
+  const synth::SceneFile file(arguments.scene, arguments.file, load_actors(arguments.actors));
   const synth::TimedPath timed = synth::make_path(chosen_path(arguments.path), file);
   const synth::PathReport report =
       synth::check_path(file.scene(), camera.pinhole, timed, arguments.limits);
@@ -132,9 +134,10 @@ void add_path_command(CLI::App& program, Session& session) {
   add_camera_options(command, arguments->camera);
   add_path_options(command, arguments->path);
   add_scene_options(command, arguments->file);
+  add_actor_option(command, arguments->actors);
   add_field_options(command, vo::fields_of(arguments->limits, "limit."), "Limits, 0 = none");
   add_common_options(command, arguments->common);
-  take_streams(command, {.inputs = {"SCENE", "--trajectory", "--camera"}});
+  take_streams(command, {.inputs = {"SCENE", "--trajectory", "--camera", "--actor"}});
   command.callback([arguments, &session] { check(*arguments, session); });
 }
 

@@ -27,6 +27,9 @@ std::vector<synth::ActorOptions> take_actors(std::vector<vo::TomlValue>& values,
 }
 
 std::vector<synth::ActorOptions> load_actors(const fs::path& file) {
+  if (file.empty()) {
+    return {};
+  }
   std::vector<vo::TomlValue> values = vo::read_toml(file);
   std::vector<synth::ActorOptions> actors = take_actors(
       values, file == vo::kStdinPath ? fs::current_path() : fs::absolute(file).parent_path());

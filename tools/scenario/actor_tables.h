@@ -14,7 +14,7 @@ std::vector<synth::ActorOptions> take_actors(std::vector<vo::TomlValue>& values,
                                              const std::filesystem::path& folder);
 
 /// Reads a TOML file of tables `[[actor]]`, at least one, and nothing else, whose files are in its
-/// folder. Throws as take_actors does.
+/// folder; no actors where no file is given. Throws as take_actors does.
 std::vector<synth::ActorOptions> load_actors(const std::filesystem::path& file);
 
 }  // namespace tools

@@ -117,6 +117,14 @@ def check_bytes(edvo):
     assert edvo.contents("one") == edvo.contents("two") == edvo.contents("shards")
 
 
+def check_path(edvo):
+    """A camera that rests on the figure's way is run into; without the figure it is a metre from everything."""
+    words = "path check wall.gltf --path still --move.eye 0,0.9,0.05 --move.target 0,0.9,-3 --rate 20 --duration 1.25 " \
+            "--limit.min-clearance 0.3"
+    edvo.run(words)
+    edvo.run(f"{words} --actor actor.toml", 4)
+
+
 def check_bad_input(edvo):
     def refusal(text):
         (edvo.work / "bad.toml").write_text(text, encoding="utf-8")
@@ -145,6 +153,7 @@ def main():
     prepare(work, source)
     check_truth(edvo)
     check_bytes(edvo)
+    check_path(edvo)
     check_bad_input(edvo)
     return 0
 
