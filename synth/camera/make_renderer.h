@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "synth/rendering/renderer.h"
 #include "synth/scene/scene.h"
@@ -16,5 +18,9 @@ std::unique_ptr<Renderer> make_renderer(const Scene& scene, const RenderOptions&
 /// within a capture and keeps lights as in `during.now`; the rasterizer keeps all as in
 /// `during.now`.
 std::unique_ptr<Renderer> make_renderer(const SceneDuring& during, const RenderOptions& options);
+
+/// Returns notes on what a renderer with these options does not draw of a scene's materials; one
+/// sentence each.
+std::vector<std::string> notes_on_materials(const Scene& scene, const RenderOptions& options);
 
 }  // namespace synth

@@ -5,16 +5,14 @@
 
 #include <tbb/parallel_for.h>
 
+#include "synth/depth_sensor/depth_materials.h"
+#include "synth/depth_sensor/depth_registration.h"
+#include "synth/ray_tracing/depth_sight_tracer.h"
 #include "synth/scene/scene_motion.h"
-#include "synth/sensor/depth_registration.h"
 #include "vo/core/hash.h"
 
 namespace synth {
 namespace {
-
-DepthView seen_by_depth_camera(const RenderedFrame& frame) {
-  return {frame.depth, frame.normal};
-}
 
 /// Returns the time span in which the capture's rows are exposed, s of the scene's animations.
 TimeSpan span_of(const Capture& capture) {
@@ -33,6 +31,11 @@ CameraPath path_through(const vo::Trajectory& poses) {
   return spline(poses);
 }
 
+bool sees_materials(const Scene& scene, const SensorOptions& options) {
+  const DepthMaterials& materials = options.depth.materials;
+  return materials.min_return > 0 || (materials.is_on() && may_show_clear_surfaces(scene));
+}
+
 SequenceCamera::SequenceCamera(const Scene& scene, const RenderersOverTime& renderers,
                                const vo::PinholeCamera& camera, const CameraTruth& motion,
                                const SensorOptions& options)
@@ -40,12 +43,14 @@ SequenceCamera::SequenceCamera(const Scene& scene, const RenderersOverTime& rend
       camera_(camera),
       motion_(motion),
       options_(seeded(options)),
+      sees_materials_(sees_materials(scene, options)),
       settings_(motion.truth.size()) {
   const double exposure = options.exposure > 0 ? options.exposure
                                                : meter_exposure(scene, renderers, camera,
                                                                 motion.truth, motion.scene_delay);
   for (std::size_t i = 0; i < settings_.size(); ++i) {
     settings_[i] = {.index = i,
+                    .stamp = motion.truth[i].timestamp,
                     .exposure = exposure,
                     .exposure_time = options.shutter.exposure_time,
                     .balance = {options.white_balance.red, 1, options.white_balance.blue}};
@@ -146,7 +151,7 @@ Capture SequenceCamera::color_capture(std::size_t index) const {
 Capture SequenceCamera::depth_capture(std::size_t index) const {
   const DepthSensorOptions& depth = options_.depth;
   Capture capture = color_capture(index);
-  capture.channels = {.color = false, .depth = true, .normal = true};
+  capture.channels = {.color = false, .depth = true, .normal = true, .sight = sees_materials_};
   if (!depth.offset.isZero(0)) {
     capture.camera = camera_.without_distortion();
   }
@@ -172,14 +177,16 @@ TimeSpan SequenceCamera::span(std::size_t index) const {
 vo::RgbdFrame SequenceCamera::take(std::size_t index, const Renderer& now) const {
   const bool apart = options_.depth.is_apart();
   Capture capture = color_capture(index);
-  capture.channels = {.color = true, .depth = !apart, .normal = !apart};
+  capture.channels = {
+      .color = true, .depth = !apart, .normal = !apart, .sight = !apart && sees_materials_};
   const RenderedFrame color = now.render(capture);
   vo::RgbdFrame frame{.timestamp = motion_.truth[index].timestamp,
                       .image = develop(color.radiance, camera_, options_, settings_[index])};
   if (apart) {
     capture = depth_capture(index);
   }
-  const DepthView view = seen_by_depth_camera(apart ? now.render(capture) : color);
+  const DepthView view =
+      seen_by_depth_camera(apart ? now.render(capture) : color, options_.depth.materials);
   frame.depth = measure_depth(view, capture.camera, options_, index);
   if (!options_.depth.offset.isZero(0)) {
     frame.depth = registered(frame.depth, camera_, options_.depth.offset);

@@ -26,6 +26,9 @@ struct CameraTruth {
 /// Returns the spline path through poses, or a path at rest for fewer than two poses.
 CameraPath path_through(const vo::Trajectory& poses);
 
+/// Returns whether what a sensor's depth camera makes of materials shows in a scene.
+bool sees_materials(const Scene& scene, const SensorOptions& options);
+
 /// Takes the frames of a sequence, from any thread and in any order: each depends only on its index
 /// and the constructor's arguments. `renderers`, `camera` and `motion` must outlive the sensor.
 class SequenceCamera {
@@ -61,6 +64,7 @@ class SequenceCamera {
   const vo::PinholeCamera& camera_;
   const CameraTruth& motion_;
   SensorOptions options_;
+  bool sees_materials_;
   std::vector<FrameSetting> settings_;
 };
 

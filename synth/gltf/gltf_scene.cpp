@@ -73,7 +73,7 @@ class SceneReader {
       : model_(model),
         options_(options),
         reading_{model, notes, budget_},
-        materials_(reading_, scene_, options.needed),
+        materials_(reading_, scene_, options),
         forest_(read_nodes(model.content, options.scale)),
         skins_(model.content.skins.size(), kNone),
         is_read_(model.content.meshes.size(), false) {

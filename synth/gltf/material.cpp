@@ -1,12 +1,15 @@
 #include "synth/gltf/material.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 #include "synth/gltf_document/notes.h"
 #include "synth/gltf_model/image.h"
 #include "synth/scene/texture.h"
+#include "vo/core/error.h"
 
 namespace synth {
 namespace {
@@ -84,40 +87,76 @@ AlphaMode read_alpha_mode(const std::string& name) {
   return name == "MASK" ? AlphaMode::mask : name == "BLEND" ? AlphaMode::blend : AlphaMode::opaque;
 }
 
-/// Returns the emissive factor times the emissive strength.
-Eigen::Vector3f read_emission(const tinygltf::Material& source) {
-  Eigen::Vector3f emission =
-      Eigen::Map<const Eigen::Vector3d>(source.emissiveFactor.data()).cast<float>();
-  const auto extension = source.extensions.find("KHR_materials_emissive_strength");
-  if (extension != source.extensions.end() && extension->second.Has("emissiveStrength")) {
-    emission *= static_cast<float>(extension->second.Get("emissiveStrength").GetNumberAsDouble());
-  }
-  return emission;
+/// The members of material extensions that are not read although the extension is.
+constexpr std::array<std::pair<const char*, const char*>, 8> kLeftOut = {
+    {{"KHR_materials_specular", "specularTexture"},
+     {"KHR_materials_specular", "specularColorFactor"},
+     {"KHR_materials_specular", "specularColorTexture"},
+     {"KHR_materials_transmission", "transmissionTexture"},
+     {"KHR_materials_volume", "thicknessTexture"},
+     {"KHR_materials_clearcoat", "clearcoatTexture"},
+     {"KHR_materials_clearcoat", "clearcoatRoughnessTexture"},
+     {"KHR_materials_clearcoat", "clearcoatNormalTexture"}}};
+
+/// Returns a member of a material's extension, null without it.
+const tinygltf::Value* member_of(const tinygltf::Material& source, const char* name,
+                                 const char* member) {
+  const auto extension = source.extensions.find(name);
+  return extension != source.extensions.end() && extension->second.Has(member)
+             ? &extension->second.Get(member)
+             : nullptr;
 }
 
-/// Returns the strength of dielectric reflection, 1 without KHR_materials_specular.
-float read_specular(const tinygltf::Material& source, Notes& notes) {
-  const auto extension = source.extensions.find("KHR_materials_specular");
-  if (extension == source.extensions.end()) {
-    return 1;
-  }
-  for (const char* name : {"specularTexture", "specularColorFactor", "specularColorTexture"}) {
-    if (extension->second.Has(name)) {
-      add_note(notes, std::string(name) + " of KHR_materials_specular is left out");
+void note_what_is_left_out(const tinygltf::Material& source, Notes& notes) {
+  for (const auto& [name, member] : kLeftOut) {
+    if (member_of(source, name, member) != nullptr) {
+      add_note(notes, vo::concat(member, " of ", name, " is left out"));
     }
   }
-  return extension->second.Has("specularFactor")
-             ? static_cast<float>(extension->second.Get("specularFactor").GetNumberAsDouble())
-             : 1;
+}
+
+/// Returns a number of a material's extension, `absent` without it.
+float number_of(const tinygltf::Material& source, const char* name, const char* member,
+                float absent) {
+  const tinygltf::Value* const value = member_of(source, name, member);
+  return value != nullptr ? static_cast<float>(value->GetNumberAsDouble()) : absent;
+}
+
+/// Returns the emissive factor times the emissive strength.
+Eigen::Vector3f read_emission(const tinygltf::Material& source) {
+  const Eigen::Vector3f factor =
+      Eigen::Map<const Eigen::Vector3d>(source.emissiveFactor.data()).cast<float>();
+  return number_of(source, "KHR_materials_emissive_strength", "emissiveStrength", 1) * factor;
+}
+
+/// Returns a material's layers; their lengths are times `scale`.
+MaterialLayers read_layers(const tinygltf::Material& source, double scale) {
+  MaterialLayers layers;
+  layers.transmission = number_of(source, "KHR_materials_transmission", "transmissionFactor", 0);
+  layers.clearcoat = number_of(source, "KHR_materials_clearcoat", "clearcoatFactor", 0);
+  layers.clearcoat_roughness =
+      number_of(source, "KHR_materials_clearcoat", "clearcoatRoughnessFactor", 0);
+  constexpr const char* kVolume = "KHR_materials_volume";
+  layers.is_solid = number_of(source, kVolume, "thicknessFactor", 0) > 0;
+  layers.attenuation_distance =
+      static_cast<float>(scale) *
+      number_of(source, kVolume, "attenuationDistance", layers.attenuation_distance);
+  if (const tinygltf::Value* const color = member_of(source, kVolume, "attenuationColor")) {
+    for (int i = 0; i < 3; ++i) {
+      layers.attenuation_color[i] = static_cast<float>(color->Get(i).GetNumberAsDouble());
+    }
+  }
+  return layers;
 }
 
 }  // namespace
 
-MaterialReader::MaterialReader(GltfReading& reading, Scene& scene, NeededTextures needed)
+MaterialReader::MaterialReader(GltfReading& reading, Scene& scene, const GltfOptions& options)
     : reading_(reading),
       model_(reading.model),
       scene_(scene),
-      needed_(needed),
+      needed_(options.needed),
+      scale_(options.scale),
       materials_(model_.content.materials.size(), kNone) {}
 
 int MaterialReader::material(int gltf_index) {
@@ -156,6 +195,7 @@ Material MaterialReader::read_material(const tinygltf::Material& source) {
   material.unlit = source.extensions.count("KHR_materials_unlit") > 0;
   if (!material.unlit) {
     read_maps(source, material);
+    material.layers = read_layers(source, scale_);
   }
   return material;
 }
@@ -169,7 +209,9 @@ void MaterialReader::read_surface(const tinygltf::Material& source, Material& ma
            is_opaque ? NeededTextures::base_color : NeededTextures::alpha);
   material.metallic = static_cast<float>(pbr.metallicFactor);
   material.roughness = static_cast<float>(pbr.roughnessFactor);
-  material.specular = read_specular(source, reading_.notes);
+  material.specular = number_of(source, "KHR_materials_specular", "specularFactor", 1);
+  material.ior = number_of(source, "KHR_materials_ior", "ior", material.ior);
+  note_what_is_left_out(source, reading_.notes);
 }
 
 /// Reads what only a lit material has: emission and all textures but the base colour's.

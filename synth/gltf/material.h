@@ -13,9 +13,9 @@ namespace synth {
 /// Reads a model's materials, with their textures and images, into a scene as they are asked for.
 class MaterialReader {
  public:
-  /// `reading` and `scene` must outlive the reader. Textures that are not `needed` are left out,
-  /// with a note, where their image's file does not exist.
-  MaterialReader(GltfReading& reading, Scene& scene, NeededTextures needed);
+  /// `reading` and `scene` must outlive the reader. Textures that the options do not need are left
+  /// out, with a note, where their image's file does not exist; lengths are times their scale.
+  MaterialReader(GltfReading& reading, Scene& scene, const GltfOptions& options);
 
   /// Returns the scene's index of a glTF material, kNone for kNone. Throws vo::Error if an image
   /// that the material needs cannot be decoded.
@@ -41,6 +41,7 @@ class MaterialReader {
   const GltfModel& model_;
   Scene& scene_;
   NeededTextures needed_;
+  double scale_;
   MemoryBudget image_budget_;
   std::vector<int> materials_;  ///< scene index by glTF index; kNone until it is read
   Read textures_, images_;

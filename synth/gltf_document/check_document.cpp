@@ -25,9 +25,11 @@ namespace {
 using vo::require;
 
 constexpr std::array kSupportedExtensions = {
-    "EXT_mesh_gpu_instancing", "EXT_meshopt_compression",         "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",     "KHR_materials_emissive_strength", "KHR_materials_specular",
-    "KHR_materials_unlit",     "KHR_mesh_quantization",           "KHR_texture_transform"};
+    "EXT_mesh_gpu_instancing", "EXT_meshopt_compression", "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",     "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
+    "KHR_materials_ior",       "KHR_materials_specular",  "KHR_materials_transmission",
+    "KHR_materials_unlit",     "KHR_materials_volume",    "KHR_mesh_quantization",
+    "KHR_texture_transform"};
 
 /// Unsupported extensions with the glTF Transform command that writes a file without each.
 constexpr std::array<std::pair<const char*, const char*>, 5> kConversions = {
@@ -132,6 +134,52 @@ void check_extended_textures(const JsonObject& material, std::size_t textures) {
   }
 }
 
+/// The numbers of material extensions that are shares, 0 to 1.
+constexpr std::array<std::pair<const char*, const char*>, 4> kShares = {
+    {{"KHR_materials_specular", "specularFactor"},
+     {"KHR_materials_transmission", "transmissionFactor"},
+     {"KHR_materials_clearcoat", "clearcoatFactor"},
+     {"KHR_materials_clearcoat", "clearcoatRoughnessFactor"}}};
+
+/// Returns where a member of a material's extension is, with the material's name.
+std::string place_in(const JsonObject& material, const JsonObject& extension) {
+  const std::string name = material.text("name").value_or("");
+  return name.empty() ? extension.place() : vo::concat(extension.place(), " of \"", name, "\"");
+}
+
+void check_volume(const JsonObject& material) {
+  const auto volume = material.extension("KHR_materials_volume");
+  if (!volume) {
+    return;
+  }
+  const std::string place = place_in(material, *volume);
+  const double thickness = volume->number("thicknessFactor").value_or(0);
+  require(thickness >= 0, place, ": thicknessFactor is ", thickness, ", expected 0 or more");
+  const double distance = volume->number("attenuationDistance").value_or(1);
+  require(distance > 0, place, ": attenuationDistance is ", distance,
+          ", expected a positive number");
+  for (const double color : volume->numbers("attenuationColor", 3)) {
+    require(color >= 0 && color <= 1, place, ": attenuationColor has ", color, ", expected 0 to 1");
+  }
+}
+
+/// Checks what material extensions say of how a surface reflects and transmits.
+void check_reflection(const JsonObject& material) {
+  for (const auto& [name, key] : kShares) {
+    if (const auto extension = material.extension(name)) {
+      const double share = extension->number(key).value_or(0);
+      require(share >= 0 && share <= 1, place_in(material, *extension), ": ", key, " is ", share,
+              ", expected 0 to 1");
+    }
+  }
+  if (const auto refraction = material.extension("KHR_materials_ior")) {
+    const double ior = refraction->number("ior").value_or(1.5);
+    require(ior == 0 || ior >= 1, place_in(material, *refraction), ": ior is ", ior,
+            ", expected 1 or more, or 0 for a surface that reflects all");
+  }
+  check_volume(material);
+}
+
 void check_material(const JsonObject& material, std::size_t textures) {
   material.numbers("emissiveFactor", 3);
   for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture"}) {
@@ -156,11 +204,7 @@ void check_material(const JsonObject& material, std::size_t textures) {
     require(strength->number("emissiveStrength").value_or(1) >= 0, strength->place(),
             ": emissiveStrength is negative, expected 0 or more");
   }
-  if (const auto specular = material.extension("KHR_materials_specular")) {
-    const double factor = specular->number("specularFactor").value_or(1);
-    require(factor >= 0 && factor <= 1, specular->place(), ": specularFactor is ", factor,
-            ", expected 0 to 1");
-  }
+  check_reflection(material);
 }
 
 }  // namespace

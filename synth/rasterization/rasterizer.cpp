@@ -231,6 +231,7 @@ void Rasterizer::set_material(const GlProgram& program, const GlMesh& mesh,
   program.set("base_color", material.base_color);
   program.set("factors", Eigen::Vector4f(material.metallic, material.roughness, material.specular,
                                          material.normal_scale));
+  program.set("straight", normal_reflectance(material.ior));
   program.set("emission", Eigen::Vector4f(material.emission.x(), material.emission.y(),
                                           material.emission.z(), material.occlusion_strength));
   const float least_alpha = material.alpha_mode == AlphaMode::opaque ? -1.0F

@@ -66,6 +66,7 @@ uniform sampler2D textures[5];
 uniform vec4 texture_rows[10];  // two of T_image_texcoord each, and then the coordinates' set
 uniform vec4 base_color;
 uniform vec4 factors;     // metallic, roughness, specular, normal scale
+uniform float straight;   // share of light along the normal that a dielectric reflects
 uniform vec4 emission;    // and occlusion strength
 uniform float least_alpha;  // less is not there
 uniform float log2_sample_width;  // of a colour sample, px
@@ -139,7 +140,7 @@ vec3 reflectance(vec3 base, vec3 surface, vec3 n, vec3 v, vec3 l) {
                    n_v * sqrt(n_l * n_l * (1 - alpha2) + alpha2));
   float m = 1 - v_h;
   float grazing = m * m * m * m * m;
-  float glass = surface.z * (0.04 + 0.96 * grazing);
+  float glass = surface.z * (straight + (1 - straight) * grazing);
   vec3 metal = (base + (1 - base) * grazing) * (D * V);
   vec3 dielectric = base * ((1 - glass) / kPi) + glass * D * V;
   return mix(dielectric, metal, surface.x);

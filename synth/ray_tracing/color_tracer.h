@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -22,16 +23,19 @@ namespace synth {
 /// A colour sample of a pixel, which determines the random numbers of its path.
 struct SampleId {
   cv::Point pixel;
-  int sample = 0;  ///< index among the pixel's samples
+  int sample = 0;  ///< index among the pixel's samples, or among those of its half
+  int half = 0;    ///< of two halves of the samples, which are independent of each other
 };
 
 /// A straight segment of a light path, followed from the camera.
 struct PathLeg {
   std::size_t sample;      ///< index of the path's sample in its packet
   Eigen::Vector3f weight;  ///< linear RGB throughput of the path up to here
-  int bounces;             ///< number of bounces before this segment
+  int bounces;             ///< number of reflections before this segment
   float travelled;         ///< m, path length before the ray's origin
-  float density = 0;       ///< 1/sr, of its direction, which the last bounce drew
+  float density = 0;       ///< 1/sr, of its direction if lights are drawn beside it, otherwise 0
+  const Material* medium = nullptr;  ///< of the body that it goes through; null in air
+  bool is_straight = true;  ///< it goes on from the camera, neither bounced nor through glass
 };
 
 /// Path segments that are traced together.
@@ -56,6 +60,17 @@ struct ColorMemory {
 
 using PacketColors = std::array<Eigen::Vector3f, kPacketSize>;
 
+/// A FirstSight is what a camera ray meets first, as far as no random number but the coverage
+/// of a blended surface decides it.
+struct FirstSight {
+  Eigen::Vector3f shown = Eigen::Vector3f::Zero();        ///< linear RGB radiance without noise
+  Eigen::Vector3f reflectance = Eigen::Vector3f::Zero();  ///< linear RGB
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();       ///< world, shading normal
+  float nearness = 0;  ///< 1/m, inverse of the depth along the optical axis; 0 if nothing is met
+};
+
+using PacketSights = std::array<FirstSight, kPacketSize>;
+
 /// Computes the radiance that comes back along camera rays. The world-space geometry and Embree's
 /// scene must outlive it.
 class ColorTracer {
@@ -63,16 +78,19 @@ class ColorTracer {
   ColorTracer(const WorldGeometry& world, const EmbreeScene& embree, const RenderOptions& options);
 
   /// Returns the linear RGB radiance of each ray. `memory` saves time but does not change it.
-  PacketColors trace(ColorPacket& packet, ColorMemory& memory) const;
+  /// `sights`, where given, are those of the rays, zero before.
+  PacketColors trace(ColorPacket& packet, ColorMemory& memory,
+                     PacketSights* sights = nullptr) const;
 
   ColorMemory new_memory() const;
 
  private:
+  struct Arrival;
   struct LitPoints;
   struct Step;
 
   void advance(PathLegs& bundle, Step& step) const;
-  void end_leg(const PathLegs& bundle, int lane, PacketColors& colors) const;
+  void end_leg(const PathLegs& bundle, int lane, Step& step) const;
   Eigen::Vector3f light_from_afar(const PathLeg& leg, const Eigen::Vector3f& direction) const;
   void meet_surface(const PathLegs& bundle, int lane, Step& step) const;
   void meet_lit_surface(const PathLegs& bundle, int lane, const SurfaceTriangle& triangle,
@@ -81,13 +99,24 @@ class ColorTracer {
   static void pass(const PathLegs& bundle, int lane, float hidden, Step& step);
   float weight_of_emission(const PathLegs& bundle, int lane, const SurfaceTriangle& triangle,
                            const SurfacePoint& point) const;
-  void bounce(const PathLeg& leg, const SurfacePoint& point, Step& step) const;
+  const Material* medium_before(const PathLeg& leg, const Material& met, bool is_from_behind) const;
+  static Eigen::Vector3f weight_at_end(const PathLegs& bundle, int lane, const Material* medium);
+  static void show(const Eigen::Vector3f& radiance, const PathLeg& leg, Step& step);
+  void scatter_from(Arrival arrival, Step& step) const;
+  bool meet_layer(Arrival& arrival, const Step& step) const;
+  void pass_glass(const Arrival& arrival, Step& step) const;
+  static void add_lit(const Arrival& arrival, bool is_drawn_to, Step& step);
+  static PathLeg leg_from(const Arrival& arrival);
+  void bounce(const Arrival& arrival, Step& step) const;
+  static void go_on(PathLeg next, float chance, const CameraRay& ray, Step& step);
   void add_lights(Step& step) const;
   void add_emitters(Step& step) const;
   void add_environment(Step& step) const;
-  void add_drawn(LightLanes& direct, const PacketColors& radiance, float reach, Occluder& occluder,
-                 Step& step) const;
-  bool cast_shadows(ShadowPacket& shadows, float reach, Occluder& occluder) const;
+  template <typename DrawLight>
+  void add_drawn(DrawLight draw_light, float reach, Occluder& occluder, Step& step) const;
+  bool cast_shadows(ShadowPacket& shadows, float reach, Occluder& occluder,
+                    ShadowCasters casters) const;
+  PacketColors light_through_walls(const ShadowPacket& shadows) const;
   Lanes3 places_on_light(std::size_t light_index, const Step& step) const;
   Eigen::Vector2f draw(const Step& step, const PathLeg& leg, std::size_t use) const;
   Eigen::Vector2f draw_on_light(const Step& step, const PathLeg& leg,
@@ -100,12 +129,14 @@ class ColorTracer {
   const EmbreeScene& embree_;
   RenderMode mode_;
   int bounces_;
-  float light_radius_;  ///< m
+  float light_radius_;            ///< m
+  bool has_clear_walls_ = false;  ///< in mode `path`, some that lamps light through
   vo::InstructionSet instruction_set_ = vo::available_instruction_set();
   AmbientLight ambient_;
   std::vector<PlacedLight> lights_;
-  Emitters emitters_;             ///< drawn from where paths bounce
-  EnvironmentLight environment_;  ///< likewise
+  EnvironmentLight environment_;
+  std::optional<Emitters> emitters_;  ///< in mode `path`, drawn from where paths bounce, if any
+  std::optional<EnvironmentDirections> environment_directions_;  ///< likewise
 };
 
 }  // namespace synth

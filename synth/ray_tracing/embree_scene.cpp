@@ -163,8 +163,8 @@ void EmbreeScene::intersect(HitPacket& packet, Sight sight) const {
                    packet.lanes);
 }
 
-void EmbreeScene::occlude(ShadowPacket& packet, ShadowHit& occluder) const {
-  EmbreeQuery query{.occluder = &occluder};
+void EmbreeScene::occlude(ShadowPacket& packet, ShadowHit& occluder, ShadowCasters casters) const {
+  EmbreeQuery query{.casters = casters, .occluder = &occluder};
   for (int lane = 0; lane < kPacketSize; ++lane) {
     if (packet.active[static_cast<std::size_t>(lane)] == 0) {
       retire_lane(packet.lanes, lane);
@@ -308,14 +308,17 @@ void View::add_ray_at_cell(const cv::Point& pixel, const PixelCell& cell, HitPac
   add_ray(packet, ray_from(poses_.at(time), place, share_at(time)));
 }
 
-DepthPlane View::plane_of(int mesh, int triangle, int v) const {
+PlaneView View::eye(int v) const {
   const CameraPose& camera_pose = poses_.of_row(v);
-  return depth_plane(world_.meshes[mesh], triangle,
-                     {camera_pose.position, camera_pose.R_world_camera.col(2), share_of_row(v)});
+  return {camera_pose.position, camera_pose.R_world_camera.col(2), share_of_row(v)};
+}
+
+DepthPlane View::plane_of(int mesh, int triangle, int v) const {
+  return depth_plane(world_.meshes[mesh], triangle, eye(v));
 }
 
 std::optional<double> View::depth_of(const DepthPlane& plane, const cv::Point& pixel) const {
-  return plane.depth_along(direction(poses_.of_row(pixel.y), {pixel.x, pixel.y}));
+  return plane.depth_along(direction(pixel));
 }
 
 float View::exact_depth(const cv::Point& pixel, const RTCRayHit& ray) const {

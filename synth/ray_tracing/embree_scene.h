@@ -64,6 +64,9 @@ struct ShadowHit {
 /// least a mask's cutoff, or 0.5 if blended. `layers`, for colour: also all other blended surfaces.
 enum class Sight { solid, layers };
 
+/// The surfaces that cast shadows: all that are solid, or those but clear walls (`is_clear_wall`).
+enum class ShadowCasters { all, all_but_clear_walls };
+
 /// Embree's bounding volume hierarchy of a world-space geometry, which must outlive it.
 class EmbreeScene {
  public:
@@ -79,7 +82,8 @@ class EmbreeScene {
 
   /// Deactivates the rays that hit something. `occluder` becomes the last opaque triangle that
   /// stopped a ray, if one did.
-  void occlude(ShadowPacket& packet, ShadowHit& occluder) const;
+  void occlude(ShadowPacket& packet, ShadowHit& occluder,
+               ShadowCasters casters = ShadowCasters::all) const;
 
   RTCScene hierarchy() const { return hierarchy_.get(); }
 
@@ -166,6 +170,15 @@ class View {
   /// triangle that `ray` hit; the single-precision depth of `ray` if depth_of() gives none.
   float exact_depth(const cv::Point& pixel, const RTCRayHit& ray) const;
   std::optional<double> depth_of(const DepthPlane& plane, const cv::Point& pixel) const;
+
+  /// Returns from where the camera sees in the middle of a row's exposure.
+  PlaneView eye(int v) const;
+
+  /// Returns the direction of the ray through a pixel's centre, world axes, with component 1 along
+  /// the optical axis.
+  Eigen::Vector3d direction(const cv::Point& pixel) const {
+    return direction(poses_.of_row(pixel.y), {pixel.x, pixel.y});
+  }
 
   /// Returns the plane of a triangle as the camera sees it in the middle of a row's exposure.
   DepthPlane plane_of(int mesh, int triangle, int v) const;

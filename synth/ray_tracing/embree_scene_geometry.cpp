@@ -1,7 +1,9 @@
 #include "synth/ray_tracing/embree_scene_geometry.h"
 
+#include <algorithm>
 #include <vector>
 
+#include "synth/shading/glass.h"
 #include "synth/shading/surface.h"
 
 namespace synth {
@@ -52,6 +54,17 @@ void drop_invisible(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
+/// Filter function of clear walls for shadow rays: drops their hits where they cast no shadow, and
+/// is the filter of other surfaces where they do.
+template <RTCFilterFunctionN kOtherwise>
+void drop_clear_wall(const RTCFilterFunctionNArguments* arguments) {
+  if (query_of(arguments).casters == ShadowCasters::all) {
+    kOtherwise(arguments);
+  } else {
+    std::fill_n(arguments->valid, arguments->N, 0);
+  }
+}
+
 /// Sets the vertices of a time step; the last position is only padding for Embree's reads.
 void set_vertices(RTCGeometry geometry, const std::vector<Eigen::Vector3f>& positions,
                   unsigned time_step) {
@@ -79,13 +92,17 @@ void set_triangles(RTCGeometry geometry, const Mesh& mesh) {
 }
 
 void set_filters(RTCGeometry geometry, const WorldGeometry& scene, const Mesh& mesh) {
-  if (material_of(*scene.scene, mesh).alpha_mode != AlphaMode::opaque) {
-    rtcSetGeometryUserData(geometry,
-                           const_cast<WorldGeometry*>(&scene));  // Embree's callbacks only read it
+  const Material& material = material_of(*scene.scene, mesh);
+  rtcSetGeometryUserData(geometry,
+                         const_cast<WorldGeometry*>(&scene));  // Embree's callbacks only read it
+  const bool is_wall = is_clear_wall(material);
+  if (material.alpha_mode != AlphaMode::opaque) {
     rtcSetGeometryIntersectFilterFunction(geometry, drop_invisible);
-    rtcSetGeometryOccludedFilterFunction(geometry, drop_invisible);
+    rtcSetGeometryOccludedFilterFunction(
+        geometry, is_wall ? drop_clear_wall<drop_invisible> : drop_invisible);
   } else {
-    rtcSetGeometryOccludedFilterFunction(geometry, note_blocker);
+    rtcSetGeometryOccludedFilterFunction(geometry,
+                                         is_wall ? drop_clear_wall<note_blocker> : note_blocker);
   }
 }
 

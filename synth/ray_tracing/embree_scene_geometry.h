@@ -12,6 +12,7 @@ namespace synth {
 struct EmbreeQuery {
   EmbreeContext context = embree_context();
   Sight sight = Sight::solid;
+  ShadowCasters casters = ShadowCasters::all;
   ShadowHit* occluder = nullptr;  ///< receives the triangle that cast a shadow, if not null
 };
 

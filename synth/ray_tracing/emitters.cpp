@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "synth/shading/layers.h"
+
 namespace synth {
 namespace {
 
@@ -103,6 +105,7 @@ DrawnLight Emitters::draw(const EmitterDraw& draw) const {
     light.to_light = line + triangle.rounding * facing;
     light.radiance =
         shining_share(world_, *triangle.mesh->material, {chosen->mesh, chosen->index, weights}) *
+        (1 - coat_reflectance(triangle.mesh->material->layers, std::abs(slant))) *
         surface_emission(triangle,
                          {weights, line, draw.sample_width * (draw.travelled + distance)});
   }

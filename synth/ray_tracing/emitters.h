@@ -11,7 +11,8 @@
 
 namespace synth {
 
-/// Where and by which random numbers a point of an emitter is drawn.
+/// An EmitterDraw says where a point of an emitter is seen from, and by which random numbers it is
+/// drawn.
 struct EmitterDraw {
   Eigen::Vector3f from;    ///< m, the lit point, in the world-space geometry's coordinates
   float share = 0;         ///< WorldGeometry::share_at of the time

@@ -9,7 +9,9 @@
 
 #include <Eigen/Core>
 
+#include "synth/denoising/denoise.h"
 #include "synth/ray_tracing/color_tracer.h"
+#include "synth/ray_tracing/depth_sight_tracer.h"
 #include "synth/ray_tracing/embree_scene.h"
 #include "synth/ray_tracing/hit_cache.h"
 #include "synth/rendering/surface_ids.h"
@@ -52,6 +54,24 @@ float depth_of_hit(const View& view, const cv::Point& pixel, const HitPacket& pa
   return exact ? static_cast<float>(*exact) : packet.lanes.ray.tfar[lane];
 }
 
+/// Returns each cell's part of the samples, which two `parts` share like a checkerboard, and the
+/// index of its sample in it.
+std::vector<SampleId> samples_of_cells(int per_edge, int parts) {
+  std::vector<SampleId> ids;
+  std::array<int, 2> counts{};
+  for (int y = 0; y < per_edge; ++y) {
+    for (int x = 0; x < per_edge; ++x) {
+      const int part = (x + y) % parts;
+      ids.push_back({{}, counts[static_cast<std::size_t>(part)]++, part});
+    }
+  }
+  return ids;
+}
+
+cv::Vec3f pixel_of(const Eigen::Vector3f& color) {
+  return {color.x(), color.y(), color.z()};
+}
+
 class RayTracer final : public Renderer {
  public:
   RayTracer(WorldGeometry world, const RenderOptions& options);
@@ -62,14 +82,21 @@ class RayTracer final : public Renderer {
  private:
   void render_surface(const View& view, const Tile& tile, const SurfaceIds& ids,
                       RenderedFrame& frame) const;
+  template <typename Add>
+  void trace_cells(const View& view, const Tile& tile, ColorMemory& memory, PacketSights* sights,
+                   Add add) const;
   void render_color(const View& view, const Tile& tile, ColorMemory& memory,
                     RenderedFrame& frame) const;
+  void render_noisy(const View& view, const Tile& tile, ColorMemory& memory,
+                    NoisyPicture& picture) const;
 
   WorldGeometry world_;
   EmbreeScene embree_;
   bool has_color_;
-  std::vector<PixelCell> cells_;  ///< cells of a pixel, one colour sample each
-  float width_of_cell_;           ///< px
+  bool denoises_;
+  std::vector<PixelCell> cells_;   ///< cells of a pixel, one colour sample each
+  std::vector<SampleId> samples_;  ///< of the cells
+  float width_of_cell_;            ///< px
   ColorTracer color_tracer_;
 };
 
@@ -77,7 +104,9 @@ RayTracer::RayTracer(WorldGeometry world, const RenderOptions& options)
     : world_(std::move(world)),
       embree_(world_),
       has_color_(options.mode != RenderMode::depth),
+      denoises_(options.denoise),
       cells_(grid_of_cells(options.samples_per_edge())),
+      samples_(samples_of_cells(options.samples_per_edge(), denoises_ ? 2 : 1)),
       width_of_cell_(1 / static_cast<float>(options.samples_per_edge())),
       color_tracer_(world_, embree_, options) {}
 
@@ -89,24 +118,33 @@ RenderedFrame RayTracer::render(const Capture& capture) const {
   RenderedFrame frame = empty_frame(camera, capture.channels);
   const SurfaceIds ids = capture.channels.ids ? surface_ids(world_) : SurfaceIds();
   ColorMemory memory = color_tracer_.new_memory();
+  const bool is_denoised = denoises_ && capture.channels.color;
+  NoisyPicture noisy = is_denoised ? NoisyPicture({camera.width, camera.height}) : NoisyPicture();
   for (int v = 0; v < camera.height; v += kTile) {
     for (int u = 0; u < camera.width; u += kTile) {
       const Tile tile({u, v}, {camera.width, camera.height});
-      if (capture.channels.depth || capture.channels.normal || capture.channels.ids) {
+      const Channels& channels = capture.channels;
+      if (channels.depth || channels.normal || channels.ids || channels.sight) {
         render_surface(view, tile, ids, frame);
       }
-      if (capture.channels.color && has_color_) {
+      if (is_denoised) {
+        render_noisy(view, tile, memory, noisy);
+      } else if (capture.channels.color && has_color_) {
         render_color(view, tile, memory, frame);
       }
     }
   }
+  if (is_denoised) {
+    frame.radiance = denoised(noisy);
+  }
   return frame;
 }
 
-/// Renders a tile's depth, normals and ids.
+/// Renders a tile's depth, normals, ids and sight.
 void RayTracer::render_surface(const View& view, const Tile& tile, const SurfaceIds& ids,
                                RenderedFrame& frame) const {
   HitCache<DepthPlane> last;
+  const DepthSightTracer sight_tracer(world_, embree_, view);
   for (std::size_t first = 0; first < tile.count; first += kPacketSize) {
     HitPacket packet;
     const cv::Point* pixels = &tile.pixels[first];
@@ -115,6 +153,9 @@ void RayTracer::render_surface(const View& view, const Tile& tile, const Surface
       view.add_ray_at_centre(pixels[i], packet);
     }
     embree_.intersect(packet, Sight::solid);
+    if (!frame.sight.first.empty()) {
+      sight_tracer.follow(pixels, packet, frame.sight);
+    }
     for (int i = 0; i < size; ++i) {
       if (!packet.has_hit(i)) {
         continue;
@@ -134,27 +175,28 @@ void RayTracer::render_surface(const View& view, const Tile& tile, const Surface
   }
 }
 
-/// Renders a tile's colour: the mean over each pixel's cells, traced in order, pixel by pixel.
-void RayTracer::render_color(const View& view, const Tile& tile, ColorMemory& memory,
-                             RenderedFrame& frame) const {
+/// Traces the cells of a tile in order, pixel by pixel, and calls `add` for each with the index of
+/// its pixel in the tile, the index of the cell, its lane and its colour.
+template <typename Add>
+void RayTracer::trace_cells(const View& view, const Tile& tile, ColorMemory& memory,
+                            PacketSights* sights, Add add) const {
   ColorPacket packet;
   packet.seed = view.seed();
   packet.sample_width = view.pixel_width() * width_of_cell_;
-  std::array<Eigen::Vector3f, kTile * kTile> sums;
-  sums.fill(Eigen::Vector3f::Zero());
-  std::array<std::size_t, kPacketSize> places;  // index in the tile of each ray's pixel
+  std::array<std::pair<std::size_t, std::size_t>, kPacketSize> places;  // pixel and cell of a ray
   const auto trace = [&] {
-    const PacketColors colors = color_tracer_.trace(packet, memory);
+    const PacketColors colors = color_tracer_.trace(packet, memory, sights);
     for (std::size_t i = 0; i < static_cast<std::size_t>(packet.start.rays.size); ++i) {
-      sums[places[i]] += colors[i];
+      add(places[i].first, places[i].second, i, colors[i]);
     }
     packet.start.rays.size = 0;
   };
   for (std::size_t place = 0; place < tile.count; ++place) {
     for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
       const auto lane = static_cast<std::size_t>(packet.start.rays.size);
-      places[lane] = place;
-      packet.ids[lane] = {tile.pixels[place], static_cast<int>(cell)};
+      places[lane] = {place, cell};
+      packet.ids[lane] = samples_[cell];
+      packet.ids[lane].pixel = tile.pixels[place];
       view.add_ray_at_cell(tile.pixels[place], cells_[cell], packet.start.rays);
       if (lane + 1 == kPacketSize) {
         trace();
@@ -164,9 +206,56 @@ void RayTracer::render_color(const View& view, const Tile& tile, ColorMemory& me
   if (packet.start.rays.size > 0) {
     trace();
   }
+}
+
+/// Renders a tile's colour: the mean over each pixel's cells.
+void RayTracer::render_color(const View& view, const Tile& tile, ColorMemory& memory,
+                             RenderedFrame& frame) const {
+  std::array<Eigen::Vector3f, kTile * kTile> sums;
+  sums.fill(Eigen::Vector3f::Zero());
+  trace_cells(view, tile, memory, nullptr,
+              [&](std::size_t place, std::size_t, std::size_t, const Eigen::Vector3f& color) {
+                sums[place] += color;
+              });
   for (std::size_t place = 0; place < tile.count; ++place) {
-    const Eigen::Vector3f mean = sums[place] / static_cast<float>(cells_.size());
-    frame.radiance(tile.pixels[place]) = {mean.x(), mean.y(), mean.z()};
+    frame.radiance(tile.pixels[place]) = pixel_of(sums[place] / static_cast<float>(cells_.size()));
+  }
+}
+
+/// Renders what a denoiser needs of a tile: means over each pixel's cells.
+void RayTracer::render_noisy(const View& view, const Tile& tile, ColorMemory& memory,
+                             NoisyPicture& picture) const {
+  struct Sums {
+    std::array<Eigen::Vector3f, 2> noisy{Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero()};
+    FirstSight sight;
+  };
+  std::array<Sums, kTile * kTile> sums;
+  PacketSights sights;
+  const auto add = [&](std::size_t place, std::size_t cell, std::size_t lane,
+                       const Eigen::Vector3f& color) {
+    FirstSight& sight = sights[lane];
+    Sums& sum = sums[place];
+    const Eigen::Vector3f noisy = color - sight.shown;
+    sum.noisy[static_cast<std::size_t>(samples_[cell].half)] += noisy;
+    sum.sight.shown += sight.shown;
+    sum.sight.reflectance += sight.reflectance;
+    sum.sight.normal += sight.normal;
+    sum.sight.nearness += sight.nearness;
+    sight = {};
+  };
+  trace_cells(view, tile, memory, &sights, add);
+  const std::size_t cells_of_half = cells_.size() / 2;
+  const auto per_half = static_cast<float>(cells_of_half);
+  const auto n = static_cast<float>(cells_.size());
+  for (std::size_t place = 0; place < tile.count; ++place) {
+    const cv::Point& pixel = tile.pixels[place];
+    const Sums& sum = sums[place];
+    picture.halves[0](pixel) = pixel_of(sum.noisy[0] / (n - per_half));
+    picture.halves[1](pixel) = pixel_of(sum.noisy[1] / per_half);
+    picture.shown(pixel) = pixel_of(sum.sight.shown / n);
+    picture.reflectance(pixel) = pixel_of(sum.sight.reflectance / n);
+    picture.normal(pixel) = pixel_of(sum.sight.normal / n);
+    picture.nearness(pixel) = sum.sight.nearness / n;
   }
 }
 

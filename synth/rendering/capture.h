@@ -45,7 +45,8 @@ struct Channels {
   bool color = true;
   bool depth = true;
   bool normal = false;
-  bool ids = false;  ///< instance and material ids
+  bool ids = false;    ///< instance and material ids
+  bool sight = false;  ///< DepthSight; the ray tracer alone makes it
 };
 
 /// One picture to take: camera, motion, shutter and channels.

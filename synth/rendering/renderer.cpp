@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "vo/core/error.h"
+#include "vo/core/fields.h"
 
 namespace synth {
 
@@ -17,6 +18,11 @@ void RenderOptions::validate() const {
               "render: expected light_radius at or above 0 m, got ", light_radius);
   vo::require(bounces >= 0 && bounces <= kMaxBounces, "render: expected bounces from 0 to ",
               kMaxBounces, ", got ", bounces);
+  vo::require(!denoise || (kind == RendererKind::ray_tracer && mode == RenderMode::path),
+              "render: denoise is for mode path of the ray tracer, got mode ", vo::to_string(mode),
+              " of the ", vo::to_string(kind));
+  vo::require(!denoise || samples_per_edge() > 1,
+              "render: denoise compares samples, expected at least 2 of them, got ", samples);
   vo::require(kind != RendererKind::rasterizer || mode != RenderMode::path,
               "render: the rasterizer cannot follow paths, expected mode direct, unlit or depth");
 }
@@ -37,6 +43,11 @@ RenderedFrame empty_frame(const vo::PinholeCamera& camera, const Channels& chann
   }
   if (channels.normal) {
     frame.normal = cv::Mat_<cv::Vec3f>(size, none);
+  }
+  if (channels.sight) {
+    frame.sight = {cv::Mat_<std::uint8_t>(size, std::uint8_t{0}), cv::Mat_<float>(size, 0.0F),
+                   vo::DepthImage(size, 0.0F), cv::Mat_<cv::Vec3f>(size, none),
+                   cv::Mat_<float>(size, 0.0F)};
   }
   if (channels.ids) {
     frame.instance = IdImage(size, std::uint16_t{0});

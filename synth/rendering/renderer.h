@@ -45,6 +45,7 @@ struct RenderOptions {
   double ambient = 0.3;     ///< ambient light, as a share of the mean irradiance
   double light_radius = 0;  ///< m, radius of point and spot lights; 0 casts sharp shadows
   int bounces = 4;          ///< mode `path`: number of reflections after the first
+  bool denoise = false;     ///< mode `path`: removes noise from the colour, 4 samples or more
 
   int samples_per_edge() const;  ///< side of the sample grid, ceil(sqrt(samples))
   void validate() const;         ///< throws vo::Error if out of range
@@ -58,9 +59,30 @@ void visit_fields(Visitor& visit, RenderOptions& options) {
   visit("ambient", options.ambient, "constant light from all sides, share of the lights' mean");
   visit("light_radius", options.light_radius, "of point and spot lights, m; 0: sharp shadows");
   visit("bounces", options.bounces, "mode path: reflections of light after the first");
+  visit("denoise", options.denoise, "mode path: remove noise from the colour");
 }
 
 using IdImage = cv::Mat_<std::uint16_t>;
+
+/// The kinds of surface that a depth camera meets first.
+enum class FirstSurface : std::uint8_t {
+  opaque,
+  glass,   ///< transmits half of the light or more, and is smooth
+  mirror,  ///< reflects half of the light or more, and is smooth
+};
+
+/// DepthSight holds what a depth camera meets at the pixels' centres if glass lets it see straight
+/// through and mirrors reflect it, up to the first surface that is neither. All is as from one
+/// straight ray, as if what a mirror shows were behind it; 0 where nothing was met. Light that
+/// returns is that of a lamp at the camera, as a share of what a white diffuse wall returns from 1
+/// m straight ahead; the mean of red, green and blue stands for the lamp's colour.
+struct DepthSight {
+  cv::Mat_<std::uint8_t> first;       ///< FirstSurface
+  cv::Mat_<float> returned;           ///< light that returns from the first surface
+  vo::DepthImage beyond;              ///< m along the optical axis, of the opaque surface
+  cv::Mat_<cv::Vec3f> beyond_normal;  ///< unit triangle normal, camera's axes, towards the camera
+  cv::Mat_<float> beyond_returned;    ///< light that returns from the opaque surface
+};
 
 /// The images of an ideal sensor. Depth, normals and ids of a row are those of the middle of its
 /// exposure; radiance is a mean over all of it.
@@ -70,6 +92,7 @@ struct RenderedFrame {
   cv::Mat_<cv::Vec3f> normal;  ///< unit triangle normal, camera's axes, towards the camera; or 0
   IdImage instance;            ///< SurfaceIds::instance at the pixel's centre; 0 = nothing hit
   IdImage material;            ///< SurfaceIds::material at the pixel's centre; 0 = nothing hit
+  DepthSight sight;
 };
 
 /// Returns a frame whose requested channels are allocated and 0 everywhere.

@@ -184,7 +184,7 @@ RenderOutcome render_rig(const RigJob& job, const fs::path& folder, const vo::Ou
   }
   RenderOutcome outcome =
       render_share(share_of_rig(job, plan), folder, policy, {progress, first_camera});
-  outcome.notes = job.body.scene.notes();
+  outcome.notes = notes_on_scene(job.body);
   add_coverage(job, plan, outcome);
   return outcome;
 }

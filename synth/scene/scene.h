@@ -56,6 +56,20 @@ struct TextureSlot {
 
 enum class AlphaMode { opaque, mask, blend };
 
+/// The layers that KHR_materials_transmission, _volume and _clearcoat give a material. Mode `path`
+/// of the ray tracer alone draws them.
+struct MaterialLayers {
+  float transmission = 0;  ///< 0 to 1, of the light that enters a dielectric what passes through
+  bool is_solid = false;   ///< encloses a body that refracts; if false, transmits as a thin wall
+  Eigen::Vector3f attenuation_color = Eigen::Vector3f::Ones();  ///< linear RGB
+  /// m in the body, after which white light has the attenuation colour
+  float attenuation_distance = std::numeric_limits<float>::infinity();
+  float clearcoat = 0;            ///< 0 to 1, strength of the coat
+  float clearcoat_roughness = 0;  ///< 0 to 1, of the coat; square root of GGX's alpha
+
+  bool any() const { return transmission > 0 || clearcoat > 0; }
+};
+
 /// A material of glTF's metallic-roughness model. Each factor is multiplied by its texture, if
 /// there is one. The defaults give a white diffuse surface.
 struct Material {
@@ -66,6 +80,7 @@ struct Material {
   float roughness = 1;  ///< 0 to 1, square root of GGX's alpha; times the texture's green channel
   TextureSlot metallic_roughness_texture;
   float specular = 0;             ///< 0 to 1, strength of dielectric reflection; 1 in glTF
+  float ior = 1.5F;               ///< index of refraction, 1 or more; 0 reflects all that arrives
   TextureSlot normal_texture;     ///< tangent-space normal 2 c - 1 of linear texels c
   float normal_scale = 1;         ///< factor of the mapped normal's x and y
   TextureSlot occlusion_texture;  ///< red channel: fraction of ambient light that arrives
@@ -76,6 +91,7 @@ struct Material {
   float alpha_cutoff = 0.5F;  ///< `mask`: less alpha is fully transparent
   bool double_sided = false;  ///< if false, only the counter-clockwise side is meant to be seen
   bool unlit = false;         ///< KHR_materials_unlit: shows the base colour unshaded
+  MaterialLayers layers;      ///< none if unlit
 };
 
 inline constexpr int kTexcoordSets = 2;

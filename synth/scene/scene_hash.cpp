@@ -46,6 +46,18 @@ void add(vo::ContentHash& hash, const TextureSlot& slot) {
   add_matrix(hash, slot.T_image_texcoord.matrix());
 }
 
+/// Adds what most materials do not have, so that the hash of these does not depend on it.
+void add_layers(vo::ContentHash& hash, const Material& material) {
+  const MaterialLayers& layers = material.layers;
+  if (material.ior != Material().ior || layers.any()) {
+    add_matrix(hash, layers.attenuation_color);
+    const std::array factors = {material.ior, layers.transmission, layers.attenuation_distance,
+                                layers.clearcoat, layers.clearcoat_roughness};
+    hash.add_values(std::span<const float>(factors));
+    add_numbers(hash, {static_cast<int>(layers.is_solid)});
+  }
+}
+
 void add(vo::ContentHash& hash, const Material& material) {
   add_matrix(hash, material.base_color);
   add_matrix(hash, material.emission);
@@ -60,6 +72,7 @@ void add(vo::ContentHash& hash, const Material& material) {
         &material.normal_texture, &material.occlusion_texture, &material.emissive_texture}) {
     add(hash, *slot);
   }
+  add_layers(hash, material);
 }
 
 void add(vo::ContentHash& hash, const Texture& texture) {

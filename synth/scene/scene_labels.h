@@ -7,7 +7,8 @@
 
 namespace synth {
 
-/// Where one of Scene::instances comes from. All indices but `file` are those of its glTF file.
+/// An InstanceLabel says where one of Scene::instances comes from. All indices but `file` are those
+/// of its glTF file.
 struct InstanceLabel {
   int file = 0;  ///< index in SceneLabels::files
   int node = kNone;
@@ -16,7 +17,7 @@ struct InstanceLabel {
   int copy = kNone;   ///< number, from 0, of the node's instance (EXT_mesh_gpu_instancing)
 };
 
-/// Where one of Scene::materials comes from.
+/// A MaterialLabel says where one of Scene::materials comes from.
 struct MaterialLabel {
   int file = 0;  ///< index in SceneLabels::files
   int index = kNone;
@@ -35,7 +36,8 @@ struct FileLabels {
   std::vector<std::string> meshes;  ///< empty if there is none, by index in the file
 };
 
-/// What the elements of a Scene are called where they come from, and where they stand there.
+/// SceneLabels say what the elements of a Scene are called in their files, and where they stand
+/// there.
 struct SceneLabels {
   std::vector<FileLabels> files;
   std::vector<InstanceLabel> instances;  ///< of each of Scene::instances

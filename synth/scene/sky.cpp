@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "vo/core/error.h"
+#include "vo/geometry/equirectangular.h"
 
 namespace synth {
 namespace {
@@ -126,11 +127,6 @@ Eigen::Vector3d direction_of(int v, int u) {
           -std::sin(colatitude) * std::cos(longitude)};
 }
 
-/// Returns the solid angle of a pixel, sr.
-double solid_angle_of(int v) {
-  return pi / kRows * (std::cos(pi * v / kRows) - std::cos(pi * (v + 1) / kRows));
-}
-
 }  // namespace
 
 void SkyOptions::validate() const {
@@ -154,7 +150,7 @@ Environment clear_sky(const SkyOptions& options) {
       const Eigen::Vector3d direction = direction_of(v, u);
       const double from_sun = std::acos(std::clamp(direction.dot(sun), -1.0, 1.0));
       const Eigen::Vector3d light = rgb_of(sky.colour(direction.y(), from_sun));
-      irradiance += solid_angle_of(v) * direction.y() * light;
+      irradiance += vo::pixel_solid_angle(v, kRows) * direction.y() * light;
       const Eigen::Vector3d nits = kPerKilo * light;
       environment.radiance(v, u) = cv::Vec3d(nits.x(), nits.y(), nits.z());
     }
@@ -164,7 +160,7 @@ Environment clear_sky(const SkyOptions& options) {
       cv::Vec3f(cv::Vec3d(ground.x(), ground.y(), ground.z()));
   const int row =
       std::clamp(static_cast<int>((0.5 - options.sun_elevation / pi) * kRows), 0, kRows / 2 - 1);
-  const Eigen::Vector3d disc = kPerKilo / solid_angle_of(row) * sunlight(options);
+  const Eigen::Vector3d disc = kPerKilo / vo::pixel_solid_angle(row, kRows) * sunlight(options);
   environment.radiance(row, kRows) += cv::Vec3f(cv::Vec3d(disc.x(), disc.y(), disc.z()));
   return environment;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synth/sensor/gaussian.h"
+#include "synth/depth_sensor/gaussian.h"
 #include "vo/core/error.h"
 
 namespace synth {

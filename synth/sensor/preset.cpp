@@ -16,6 +16,7 @@ SensorOptions kinect_v1() {
   DepthSensorOptions& depth = sensor.depth;
   depth.offset = {-0.025, 0, 0};
   depth.delay = 0.01;
+  depth.materials = {.glass = ClearSurface::lost, .mirrors = ClearSurface::beyond};
   depth.lateral = {.sigma = 0.8, .grazing = 0.035};
   depth.axial = {.constant = 0.0012,
                  .quadratic = 0.0019,
@@ -43,6 +44,7 @@ SensorOptions azure_kinect() {
   DepthSensorOptions& depth = sensor.depth;
   depth.offset = {-0.032, 0, 0};
   depth.shutter = DepthShutter::global;
+  depth.materials = {.glass = ClearSurface::beyond, .mirrors = ClearSurface::beyond};
   depth.lateral = {.sigma = 0.25, .sampling = DepthSampling::linear};
   depth.axial = {.constant = 0.0005, .linear = 0.001, .linear_from = 0.5};
   depth.flying = {.share = 0.4};
@@ -61,6 +63,7 @@ SensorOptions realsense_d435() {
   DepthSensorOptions& depth = sensor.depth;
   depth.offset = {-0.015, 0, 0};
   depth.shutter = DepthShutter::global;
+  depth.materials = {.glass = ClearSurface::beyond, .mirrors = ClearSurface::beyond};
   depth.disparity = {
       .focal_baseline = 21.2, .sigma = 0.08, .step = 0.03125, .correlation = 2};  // 424 px, 50 mm
   depth.flying = {.share = 0.2};

@@ -55,7 +55,7 @@ void DepthSensorOptions::validate() const {
   for (const double sigma :
        {normal.sigma, normal.grazing, lateral.sigma, lateral.grazing, axial.constant, axial.linear,
         axial.quadratic, axial.grazing, disparity.focal_baseline, disparity.sigma, disparity.step,
-        disparity.depth_step, holes.max_step, holes.dark_level, step}) {
+        disparity.depth_step, holes.max_step, holes.dark_level, materials.min_return, step}) {
     vo::require(sigma >= 0 && std::isfinite(sigma),
                 "sensor.depth: expected standard deviations, steps and levels at or above 0, got ",
                 sigma);
@@ -80,6 +80,7 @@ void SensorOptions::validate() const {
   vo::require(exposure == 0 || !auto_exposure.enabled,
               "sensor: auto_exposure expects exposure = 0 (metered), got ", exposure);
   shutter.validate();
+  flicker.validate();
   lens.validate();
   auto_exposure.validate();
   white_balance.validate();
@@ -105,6 +106,10 @@ vo::ColorImage develop(const cv::Mat_<cv::Vec3f>& radiance, const vo::PinholeCam
                        const SensorOptions& options, const FrameSetting& setting) {
   cv::Mat_<cv::Vec3f> linear = scaled(through_lens(radiance, camera, options.lens),
                                       Eigen::Vector3d::Constant(setting.exposure));
+  if (options.flicker.is_on()) {
+    linear = with_flicker(linear, options.flicker,
+                          {setting.exposure_time, options.shutter.readout_time}, setting.stamp);
+  }
   if (options.noise.is_on()) {
     linear = with_image_noise(linear, options.noise, setting.amplification, setting.index);
   }

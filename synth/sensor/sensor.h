@@ -6,11 +6,13 @@
 
 #include <Eigen/Core>
 
+#include "synth/depth_sensor/depth_holes.h"
+#include "synth/depth_sensor/depth_materials.h"
+#include "synth/depth_sensor/depth_noise.h"
 #include "synth/rendering/capture.h"
 #include "synth/rendering/renderer.h"
-#include "synth/sensor/depth_holes.h"
-#include "synth/sensor/depth_noise.h"
 #include "synth/sensor/exposure_control.h"
+#include "synth/sensor/flicker.h"
 #include "synth/sensor/image_noise.h"
 #include "synth/sensor/jpeg.h"
 #include "synth/sensor/lens.h"
@@ -41,12 +43,13 @@ constexpr auto enum_names(DepthShutter) {
                     std::pair{DepthShutter::global, "global"}};
 }
 
-/// The depth camera and its effects on depth, in this order: noise, flying pixels, holes, rounding,
-/// registration to the colour image.
+/// The depth camera and its effects on depth, in this order: materials, noise, flying pixels,
+/// holes, rounding, registration to the colour image.
 struct DepthSensorOptions {
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();  ///< m, position in the colour camera's axes
   double delay = 0;  ///< s, from the colour image's stamp to depth's
   DepthShutter shutter = DepthShutter::as_color;
+  DepthMaterials materials;
   NormalNoise normal;
   LateralNoise lateral;
   AxialNoise axial;
@@ -67,6 +70,7 @@ struct SensorOptions {
   double min_depth = 0.01;  ///< m; nearer surfaces have no depth
   double max_depth = 1000;  ///< m; farther surfaces have no depth
   Shutter shutter;
+  FlickerOptions flicker;
   LensOptions lens;
   AutoExposureOptions auto_exposure;
   WhiteBalanceOptions white_balance;
@@ -83,6 +87,7 @@ void visit_fields(Visitor& visit, DepthSensorOptions& options) {
   visit("offset", options.offset, "of the depth camera, in the colour camera's axes, m");
   visit("delay", options.delay, "of depth's stamp after the colour image's, s");
   visit("shutter", options.shutter, "when the rows of depth are measured");
+  visit("materials", options.materials, "");
   visit("normal", options.normal, "");
   visit("lateral", options.lateral, "");
   visit("axial", options.axial, "");
@@ -100,6 +105,7 @@ void visit_fields(Visitor& visit, SensorOptions& options) {
   visit("min_depth", options.min_depth, "nearer surfaces have no depth, m");
   visit("max_depth", options.max_depth, "farther surfaces have no depth, m");
   visit("shutter", options.shutter, "");
+  visit("flicker", options.flicker, "");
   visit("lens", options.lens, "");
   visit("auto_exposure", options.auto_exposure, "");
   visit("white_balance", options.white_balance, "");
@@ -115,14 +121,15 @@ SensorOptions seeded(const SensorOptions& options);
 /// The exposure and white balance of one frame.
 struct FrameSetting {
   std::uint64_t index = 0;   ///< frame index, for the noise
+  double stamp = 0;          ///< s, for the flicker
   double exposure = 1;       ///< gain from radiance to 0..1
   double amplification = 1;  ///< factor of `exposure` due to signal gain, not light
   double exposure_time = 0;  ///< s in which each row collects light
   Eigen::Vector3d balance = Eigen::Vector3d::Ones();  ///< gains of red, green, blue
 };
 
-/// Returns the image of linear radiance after lens, noise, saturation, white balance, response and
-/// JPEG.
+/// Returns the image of linear radiance after lens, flicker, noise, saturation, white balance,
+/// response and JPEG.
 vo::ColorImage develop(const cv::Mat_<cv::Vec3f>& radiance, const vo::PinholeCamera& camera,
                        const SensorOptions& options, const FrameSetting& setting);
 

@@ -42,7 +42,10 @@ CameraPath path_of(const SequenceRecipe& recipe) {
 }
 
 NeededTextures needed_textures(const SequenceRecipe& recipe) {
-  if (recipe.channels.has(TruthChannel::edges)) {  // some of which are edges in textures
+  const bool depends_on_all = recipe.channels.has(TruthChannel::edges) ||  // some are in textures
+                              recipe.channels.has(TruthChannel::depth_beyond) ||
+                              recipe.sensor.depth.materials.is_on();
+  if (depends_on_all) {
     return NeededTextures::all;
   }
   switch (recipe.render.mode) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "synth/camera/make_renderer.h"
+#include "synth/camera/sequence_camera.h"
 #include "synth/scene/scene_hash.h"
 #include "synth/sequence/depth_coverage.h"
 #include "synth/sequence/labels_file.h"
@@ -100,6 +102,13 @@ std::string motion_hash(const SequenceRecipe& recipe) {
   return vo::content_hash(vo::format_trajectory(around));
 }
 
+/// Removes the fields whose keys begin with `prefix` unless what they set `is_on`, so that a
+/// sequence without it has the bytes that versions without it gave.
+void keep_if_on(std::vector<vo::Field>& fields, const std::string& prefix, bool is_on) {
+  std::erase_if(fields,
+                [&](const vo::Field& field) { return !is_on && field.key.starts_with(prefix); });
+}
+
 /// Returns the manifest: conventions that a reader must know, and the inputs that identify a
 /// folder.
 std::string format_manifest(const RenderJob& job, const Scene& scene) {
@@ -142,7 +151,7 @@ RenderOutcome render_sequence(const RenderJob& job, const fs::path& folder,
   const vo::StagedContent content = sequence_content(job);
   RenderOutcome outcome =
       render_share(share_job(job, content), folder, policy, {progress, observe});
-  outcome.notes = job.scene.notes();
+  outcome.notes = notes_on_scene(job);
   for (std::string& note : notes_on_classes(job.scene, job.recipe.channels)) {
     outcome.notes.push_back(std::move(note));
   }
@@ -151,6 +160,20 @@ RenderOutcome render_sequence(const RenderJob& job, const fs::path& folder,
     outcome.warning = warn_of_coverage(scene, job.recipe, *outcome.depth_coverage);
   }
   return outcome;
+}
+
+std::vector<std::string> notes_on_scene(const RenderJob& job) {
+  std::vector<std::string> notes = job.scene.notes();
+  for (std::string& note : notes_on_materials(job.scene.scene(), job.recipe.render)) {
+    notes.push_back(std::move(note));
+  }
+  if (job.recipe.render.kind == RendererKind::rasterizer &&
+      sees_materials(job.scene.scene(), job.recipe.sensor)) {
+    notes.emplace_back(
+        "sensor.depth.materials is left out: the rasterizer measures every surface; the ray tracer "
+        "sees what glass, mirrors and dark surfaces do to depth");
+  }
+  return notes;
 }
 
 ShareJob share_job(const RenderJob& job, const vo::StagedContent& content) {
@@ -190,8 +213,12 @@ std::string format_recipe(const RenderJob& job) {
           (recipe.float_depth == vo::FloatDepth::npy ? "true" : "false") + "\n";
   vo::RgbdCamera camera = written_camera(recipe);
   text += vo::format_toml(vo::fields_of(camera, "camera."));
-  text += vo::format_toml(vo::fields_of(recipe.render, "render."));
-  text += vo::format_toml(vo::fields_of(recipe.sensor, "sensor."));
+  std::vector<vo::Field> render = vo::fields_of(recipe.render, "render.");
+  keep_if_on(render, "render.denoise", recipe.render.denoise);
+  std::vector<vo::Field> sensor = vo::fields_of(recipe.sensor, "sensor.");
+  keep_if_on(sensor, "sensor.flicker.", recipe.sensor.flicker.is_on());
+  keep_if_on(sensor, "sensor.depth.materials.", sees_materials(job.scene.scene(), recipe.sensor));
+  text += vo::format_toml(render) + vo::format_toml(sensor);
   return text + describe_channels(recipe) + format_actors(job.scene.actors());
 }
 

@@ -52,6 +52,9 @@ struct RenderOutcome {
   std::string warning;                   ///< about little coverage; empty where it is enough
 };
 
+/// Returns notes on what the pictures of a job leave out of its scene's file and materials.
+std::vector<std::string> notes_on_scene(const RenderJob& job);
+
 /// Renders a job's share into a folder that appears when the sequence is complete. Its
 /// sequence.toml records the inputs: an existing folder with equal inputs is left alone. Until
 /// completion the frames lie in `<folder>.part`, which any number of processes with equal inputs

@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "vo/geometry/equirectangular.h"
+
 namespace synth {
 namespace {
 
@@ -110,36 +112,12 @@ Eigen::Matrix3f R_world_environment(const Environment& environment) {
 }  // namespace
 
 EnvironmentLight::EnvironmentLight(const Environment& environment)
-    : environment_(&environment), R_world_environment_(R_world_environment(environment)) {
-  const cv::Mat_<cv::Vec3f>& image = environment.radiance;
-  rows_.resize(static_cast<std::size_t>(image.rows));
-  columns_.resize(image.total());
-  std::vector<double> of_rows(rows_.size());
-  std::vector<double> of_columns(static_cast<std::size_t>(image.cols));
-  for (int v = 0; v < image.rows; ++v) {
-    for (int u = 0; u < image.cols; ++u) {
-      of_columns[static_cast<std::size_t>(u)] = mean_brightness(image, v, u);
-    }
-    of_rows[static_cast<std::size_t>(v)] =
-        normalise(&columns_[column_begin(v)], of_columns) * solid_angle(v);
-  }
-  normalise(rows_.data(), of_rows);
-}
-
-std::size_t EnvironmentLight::column_begin(int row) const {
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(environment_->radiance.cols);
-}
-
-float EnvironmentLight::solid_angle(int row) const {
-  const int rows = environment_->radiance.rows;
-  return 2 * pi_v<float> / static_cast<float>(environment_->radiance.cols) *
-         (height_of_edge(row, rows) - height_of_edge(row + 1, rows));
-}
+    : environment_(environment), R_world_environment_(R_world_environment(environment)) {}
 
 Eigen::Vector3f EnvironmentLight::radiance(const Eigen::Vector3f& direction) const {
-  const cv::Mat_<cv::Vec3f>& image = environment_->radiance;
+  const cv::Mat_<cv::Vec3f>& image = environment_.radiance;
   const Eigen::Vector2f place =
-      place_of(image, R_world_environment_.transpose() * direction) - Eigen::Vector2f(0.5F, 0.5F);
+      place_of(image, in_image_axes(direction)) - Eigen::Vector2f(0.5F, 0.5F);
   const auto u = static_cast<int>(std::floor(place.x()));
   const auto v = static_cast<int>(std::floor(place.y()));
   const float right = place.x() - static_cast<float>(u);
@@ -151,8 +129,32 @@ Eigen::Vector3f EnvironmentLight::radiance(const Eigen::Vector3f& direction) con
   return (1 - below) * row(v) + below * row(v + 1);
 }
 
-DrawnLight EnvironmentLight::draw(const Eigen::Vector2f& square) const {
-  const cv::Mat_<cv::Vec3f>& image = environment_->radiance;
+EnvironmentDirections::EnvironmentDirections(const EnvironmentLight& light) : light_(light) {
+  const cv::Mat_<cv::Vec3f>& image = light.image();
+  rows_.resize(static_cast<std::size_t>(image.rows));
+  columns_.resize(image.total());
+  std::vector<double> of_rows(rows_.size());
+  std::vector<double> of_columns(static_cast<std::size_t>(image.cols));
+  for (int v = 0; v < image.rows; ++v) {
+    for (int u = 0; u < image.cols; ++u) {
+      of_columns[static_cast<std::size_t>(u)] = mean_brightness(image, v, u);
+    }
+    of_rows[static_cast<std::size_t>(v)] =
+        normalise(&columns_[column_begin(v)], of_columns) * vo::pixel_solid_angle(v, image.rows);
+  }
+  normalise(rows_.data(), of_rows);
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    const double solid_angle = vo::pixel_solid_angle(static_cast<int>(row), image.rows);
+    per_sr_.push_back(static_cast<float>(step_of(rows_.data(), row) / solid_angle));
+  }
+}
+
+std::size_t EnvironmentDirections::column_begin(int row) const {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(light_.image().cols);
+}
+
+DrawnLight EnvironmentDirections::draw(const Eigen::Vector2f& square) const {
+  const cv::Mat_<cv::Vec3f>& image = light_.image();
   float across = square.x();
   float down = square.y();
   const auto row = static_cast<int>(chosen_of(rows_.data(), rows_.size(), down));
@@ -164,20 +166,17 @@ DrawnLight EnvironmentLight::draw(const Eigen::Vector2f& square) const {
   const float upper = height_of_edge(row, image.rows);
   const float height = upper + down * (height_of_edge(row + 1, image.rows) - upper);
   DrawnLight light;
-  light.to_light = R_world_environment_ * direction_of(longitude, height);
-  light.radiance = radiance(light.to_light);
+  light.to_light = light_.in_world_axes(direction_of(longitude, height));
+  light.radiance = light_.radiance(light.to_light);
   light.density = density(light.to_light);
   return light;
 }
 
-float EnvironmentLight::density(const Eigen::Vector3f& direction) const {
-  const cv::Mat_<cv::Vec3f>& image = environment_->radiance;
-  const cv::Point pixel =
-      pixel_of(image, place_of(image, R_world_environment_.transpose() * direction));
-  const float of_row = step_of(rows_.data(), static_cast<std::size_t>(pixel.y));
-  const float of_column =
-      step_of(&columns_[column_begin(pixel.y)], static_cast<std::size_t>(pixel.x));
-  return of_row * of_column / solid_angle(pixel.y);
+float EnvironmentDirections::density(const Eigen::Vector3f& direction) const {
+  const cv::Mat_<cv::Vec3f>& image = light_.image();
+  const cv::Point pixel = pixel_of(image, place_of(image, light_.in_image_axes(direction)));
+  return per_sr_[static_cast<std::size_t>(pixel.y)] *
+         step_of(&columns_[column_begin(pixel.y)], static_cast<std::size_t>(pixel.x));
 }
 
 EnvironmentIrradiance::EnvironmentIrradiance(const Environment& environment) {
@@ -188,7 +187,7 @@ EnvironmentIrradiance::EnvironmentIrradiance(const Environment& environment) {
   for (int v = 0; v < image.rows; ++v) {
     const float upper = height_of_edge(v, image.rows);
     const float lower = height_of_edge(v + 1, image.rows);
-    const float solid_angle = 2 * pi_v<float> / static_cast<float>(image.cols) * (upper - lower);
+    const auto solid_angle = static_cast<float>(vo::pixel_solid_angle(v, image.rows));
     for (int u = 0; u < image.cols; ++u) {
       const float longitude =
           2 * pi_v<float> *
@@ -201,7 +200,7 @@ EnvironmentIrradiance::EnvironmentIrradiance(const Environment& environment) {
       }
     }
   }
-  // What a surface's cosine leaves of each band.
+  // A surface's cosine weakens each band by its own factor.
   constexpr std::array<double, 3> kCosine = {std::numbers::pi, 2 * std::numbers::pi / 3,
                                              std::numbers::pi / 4};
   for (std::size_t i = 0; i < sums.size(); ++i) {

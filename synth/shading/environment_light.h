@@ -11,18 +11,34 @@
 
 namespace synth {
 
-/// The light that comes from infinitely far, of a scene's environment, and directions drawn by how
-/// much of it comes from there.
+/// The light that comes from infinitely far, of a scene's environment, which must outlive it.
 class EnvironmentLight {
  public:
-  EnvironmentLight() = default;  ///< no light
-  /// The environment must outlive its light.
   explicit EnvironmentLight(const Environment& environment);
 
-  bool empty() const { return environment_ == nullptr; }
+  bool empty() const { return environment_.empty(); }
+  const cv::Mat_<cv::Vec3f>& image() const { return environment_.radiance; }
 
   /// Returns the radiance, linear RGB, from a unit direction, interpolated between pixels.
   Eigen::Vector3f radiance(const Eigen::Vector3f& direction) const;
+
+  Eigen::Vector3f in_image_axes(const Eigen::Vector3f& direction) const {
+    return R_world_environment_.transpose() * direction;
+  }
+  Eigen::Vector3f in_world_axes(const Eigen::Vector3f& direction) const {
+    return R_world_environment_ * direction;
+  }
+
+ private:
+  const Environment& environment_;
+  Eigen::Matrix3f R_world_environment_;
+};
+
+/// Directions drawn by how much of an environment's light comes from there. The light must outlive
+/// them and not be empty.
+class EnvironmentDirections {
+ public:
+  explicit EnvironmentDirections(const EnvironmentLight& light);
 
   /// Returns the light from a direction drawn at random, which surfaces may hide; `square` is
   /// random in [0, 1) x [0, 1).
@@ -33,11 +49,10 @@ class EnvironmentLight {
 
  private:
   std::size_t column_begin(int row) const;
-  float solid_angle(int row) const;  ///< sr, of one pixel
 
-  const Environment* environment_ = nullptr;
-  Eigen::Matrix3f R_world_environment_ = Eigen::Matrix3f::Identity();
+  const EnvironmentLight& light_;
   std::vector<float> rows_;     ///< probability of all rows up to and including this one
+  std::vector<float> per_sr_;   ///< per row: its probability over a pixel's solid angle, 1/sr
   std::vector<float> columns_;  ///< per row: probability in it of all columns up to this one
 };
 

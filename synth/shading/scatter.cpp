@@ -20,11 +20,11 @@ float specular_share(const SurfacePoint& point) {
   if (!(n_v > 0) || (point.metallic == 0 && point.specular == 0)) {
     return 0;
   }
-  constexpr float kDielectric = 0.04F;  // reflectance of glass at normal incidence
   constexpr float kLeast = 0.1F;
   const float m = 1 - std::min(1.0F, n_v);
   const float grazing = m * m * m * m * m;
-  const float glass = point.specular * (kDielectric + (1 - kDielectric) * grazing);
+  const float straight = point.normal_reflectance;
+  const float glass = point.specular * (straight + (1 - straight) * grazing);
   const float base = point.base_color.maxCoeff();
   const float metal = base + (1 - base) * grazing;
   const float gloss = glass + point.metallic * (metal - glass);
@@ -40,31 +40,6 @@ Eigen::Vector3f cosine_direction(const Frame& frame, const Eigen::Vector2f& squa
   const Eigen::Vector2f disc = on_disc(square);
   const float z = std::sqrt(std::max(0.0F, 1 - disc.squaredNorm()));
   return place(frame, {disc.x(), disc.y(), z});
-}
-
-/// Returns a random microfacet normal of those that the viewer sees: the viewer's direction is
-/// stretched to a surface of alpha 1, whose visible normals fill a disc, part of it foreshortened.
-Eigen::Vector3f visible_normal(const Frame& frame, float alpha, const Eigen::Vector3f& to_viewer,
-                               const Eigen::Vector2f& square) {
-  const Eigen::Vector3f viewer =
-      Eigen::Vector3f(alpha * to_viewer.dot(frame.x), alpha * to_viewer.dot(frame.y),
-                      to_viewer.dot(frame.z))
-          .normalized();
-  const Eigen::Vector2f disc = on_disc(square);
-  // The viewer leans from the normal about `across`, along which the disc is not foreshortened.
-  const Eigen::Vector3f leaning = Eigen::Vector3f::UnitZ().cross(viewer);
-  const float sine = leaning.norm();
-  const Eigen::Vector3f across =
-      sine > 1e-6F ? Eigen::Vector3f(leaning / sine) : Eigen::Vector3f::UnitX();
-  const Eigen::Vector3f along = viewer.cross(across);
-  const float half = 0.5F * (1 + viewer.z());
-  const float whole = std::sqrt(std::max(0.0F, 1 - disc.x() * disc.x()));
-  const float y = (1 - half) * whole + half * disc.y();
-  const float z = std::sqrt(std::max(0.0F, 1 - disc.x() * disc.x() - y * y));
-  const Eigen::Vector3f stretched = disc.x() * across + y * along + z * viewer;
-  const Eigen::Vector3f normal(alpha * stretched.x(), alpha * stretched.y(),
-                               std::max(1e-6F, stretched.z()));
-  return place(frame, normal.normalized());
 }
 
 /// Returns the density, 1/sr, of the directions mirrored by visible normals: G1 D / (4 n.v).
@@ -94,6 +69,31 @@ Eigen::Vector2f on_disc(const Eigen::Vector2f& square) {
   const float radius = std::sqrt(square.x());
   const float angle = 2 * kPi * square.y();
   return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+/// The viewer's direction is stretched to a surface of alpha 1, whose visible normals fill a disc,
+/// part of it foreshortened.
+Eigen::Vector3f visible_normal(const Frame& frame, float alpha, const Eigen::Vector3f& to_viewer,
+                               const Eigen::Vector2f& square) {
+  const Eigen::Vector3f viewer =
+      Eigen::Vector3f(alpha * to_viewer.dot(frame.x), alpha * to_viewer.dot(frame.y),
+                      to_viewer.dot(frame.z))
+          .normalized();
+  const Eigen::Vector2f disc = on_disc(square);
+  // The viewer leans from the normal about `across`, along which the disc is not foreshortened.
+  const Eigen::Vector3f leaning = Eigen::Vector3f::UnitZ().cross(viewer);
+  const float sine = leaning.norm();
+  const Eigen::Vector3f across =
+      sine > 1e-6F ? Eigen::Vector3f(leaning / sine) : Eigen::Vector3f::UnitX();
+  const Eigen::Vector3f along = viewer.cross(across);
+  const float half = 0.5F * (1 + viewer.z());
+  const float whole = std::sqrt(std::max(0.0F, 1 - disc.x() * disc.x()));
+  const float y = (1 - half) * whole + half * disc.y();
+  const float z = std::sqrt(std::max(0.0F, 1 - disc.x() * disc.x() - y * y));
+  const Eigen::Vector3f stretched = disc.x() * across + y * along + z * viewer;
+  const Eigen::Vector3f normal(alpha * stretched.x(), alpha * stretched.y(),
+                               std::max(1e-6F, stretched.z()));
+  return place(frame, normal.normalized());
 }
 
 float scatter_density(const SurfacePoint& point, const Eigen::Vector3f& direction) {

@@ -18,6 +18,11 @@ struct Frame {
 /// Returns a point of the unit disc, uniform if `square` is, by the area-preserving polar mapping.
 Eigen::Vector2f on_disc(const Eigen::Vector2f& square);
 
+/// Returns a random microfacet normal of those that the viewer sees of GGX's (Heitz, Sampling the
+/// GGX distribution of visible normals, 2018). `to_viewer` is unit, `square` random in [0, 1).
+Eigen::Vector3f visible_normal(const Frame& frame, float alpha, const Eigen::Vector3f& to_viewer,
+                               const Eigen::Vector2f& square);
+
 /// A sampled direction of incident light, and its weight in the radiance towards the viewer.
 struct Scattered {
   Eigen::Vector3f direction;  ///< unit, from the surface towards the light
@@ -26,8 +31,7 @@ struct Scattered {
 };
 
 /// Returns an importance-sampled direction: by the cosine for the diffuse lobe, by the normals that
-/// the viewer sees of GGX's for the specular one (Heitz, Sampling the GGX distribution of visible
-/// normals, 2018). `lobe` and `square` are random in [0, 1).
+/// the viewer sees for the specular one. `lobe` and `square` are random in [0, 1).
 Scattered scatter(const SurfacePoint& point, float lobe, const Eigen::Vector2f& square);
 
 /// Returns the density, 1/sr, with which `scatter` returns a unit direction; zero behind the

@@ -124,7 +124,7 @@ DirectLight direct_light(const PlacedLight& light, const SurfacePoint& point) {
 
 SurfaceFinish finish_of(const SurfacePoint& point) {
   const float alpha = ggx_alpha(point);
-  return {point.metallic, point.specular, alpha * alpha};
+  return {point.metallic, point.specular, alpha * alpha, point.normal_reflectance};
 }
 
 Eigen::Vector3f reflectance(const SurfacePoint& point, const Eigen::Vector3f& to_light) {

@@ -88,6 +88,7 @@ struct SurfaceFinish {
   float metallic = 0;
   float specular = 0;
   float alpha2 = 1;  ///< GGX's alpha^2
+  float normal_reflectance = kGlassReflectance;
 };
 
 /// Returns GGX's alpha, at least 0.001: in a perfect mirror a light without a size is invisible.
@@ -114,12 +115,11 @@ struct Reflectance {
 /// Returns the BRDF of glTF 2.0's metallic-roughness model (its appendix B):
 ///   (1 - metallic) (1 - F) base / pi + F D V,
 /// D and V of GGX with alpha = roughness^2 (V: Smith's, height-correlated, over 4 n.l n.v), F after
-/// Schlick from 0.04 specular, or the base colour of a metal. A point with neither metallic nor
-/// specular is Lambertian. With h halfway between l and v, v.h = cos(angle(l, v) / 2) and n.h =
-/// (n.l + n.v) / (2 v.h).
+/// Schlick from the normal reflectance and times specular, or from the base colour of a metal. A
+/// point with neither metallic nor specular is Lambertian. With h halfway between l and v, v.h =
+/// cos(angle(l, v) / 2) and n.h = (n.l + n.v) / (2 v.h).
 EDVO_INLINE Reflectance reflectance(const SurfaceFinish& finish, const LightCosines& cosines) {
   constexpr float kInvPi = std::numbers::inv_pi_v<float>;
-  constexpr float kDielectric = 0.04F;  // reflectance of glass at normal incidence
   constexpr float kLeastCosine = 1e-4F;
   const float n_l = std::max(kLeastCosine, cosines.n_l);
   const float n_v = std::max(kLeastCosine, cosines.n_v);
@@ -134,7 +134,8 @@ EDVO_INLINE Reflectance reflectance(const SurfaceFinish& finish, const LightCosi
   const float lobe = alpha2 * (0.5F * kInvPi) / (spread * spread * smith);
   const float m = 1 - v_h;
   const float grazing = m * m * m * m * m;
-  const float glass = finish.specular * (kDielectric + (1 - kDielectric) * grazing);
+  const float straight = finish.normal_reflectance;
+  const float glass = finish.specular * (straight + (1 - straight) * grazing);
   const Reflectance dielectric{(1 - glass) * kInvPi, glass * lobe};
   const Reflectance metal{(1 - grazing) * lobe, grazing * lobe};
   return {dielectric.tint + finish.metallic * (metal.tint - dielectric.tint),

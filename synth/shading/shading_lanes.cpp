@@ -59,7 +59,7 @@ EDVO_INLINE void reflect(const LitLanes& lit, const LightLanes& light,
     const float distance2 = dot(light.to_light, light.to_light, i);
     const float per_length = 1 / std::sqrt(distance2);
     const Reflectance reflected =
-        reflectance({lit.metallic[i], lit.specular[i], lit.alpha2[i]},
+        reflectance({lit.metallic[i], lit.specular[i], lit.alpha2[i], lit.normal_reflectance[i]},
                     {.n_l = dot(light.to_light, lit.normal, i) * per_length,
                      .n_v = dot(lit.to_viewer, lit.normal, i),
                      .l_v = dot(light.to_light, lit.to_viewer, i) * per_length});
@@ -101,6 +101,7 @@ void add_point(LitLanes& lit, const SurfacePoint& point) {
   lit.metallic[lane] = finish.metallic;
   lit.specular[lane] = finish.specular;
   lit.alpha2[lane] = finish.alpha2;
+  lit.normal_reflectance[lane] = finish.normal_reflectance;
 }
 
 Lanes3 same_place(const PlacedLight& light) {

@@ -180,6 +180,7 @@ void read_maps(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights, 
   point.metallic = material.metallic;
   point.roughness = material.roughness;
   point.specular = material.specular;
+  point.normal_reflectance = normal_reflectance(material.ior);
   if (triangle.metallic_roughness.texture != nullptr) {
     const Eigen::Vector4f texel = triangle.metallic_roughness.color(weights, log2_width);
     point.roughness *= texel.y();
@@ -241,16 +242,19 @@ SurfacePoint surface_point(const SurfaceTriangle& triangle, const SurfaceRay& ra
   point.to_viewer = -ray.direction.normalized();
   point.rounding = triangle.rounding;
   const float slant = triangle.normal.dot(point.to_viewer);
+  point.is_from_behind = slant < 0;
   point.face_normal = slant < 0 ? Eigen::Vector3f(-triangle.normal) : triangle.normal;
   const float log2_width = log2_footprint(ray, std::abs(slant));
   point.normal = vertex_normal(triangle, ray.weights);
   if (triangle.normal.isZero(0)) {
     point.face_normal = point.to_viewer;
     point.normal = point.to_viewer;
+    point.smooth_normal = point.to_viewer;
   } else {
     if (point.normal.dot(triangle.normal) < 0) {
       point.normal = -point.normal;
     }
+    point.smooth_normal = slant < 0 ? Eigen::Vector3f(-point.normal) : point.normal;
     if (triangle.normal_map.texture != nullptr) {
       point.normal = mapped_normal(triangle, ray.weights, point.normal, log2_width);
     }

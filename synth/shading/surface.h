@@ -16,21 +16,34 @@ struct SurfaceHit {
   Eigen::Vector3f weights = Eigen::Vector3f::Zero();  ///< barycentric, sum 1
 };
 
-/// A surface point as a ray sees it. All directions are unit; both normals face the viewer.
+/// The share of light along the normal that glass of an index of refraction of 1.5 reflects.
+inline constexpr float kGlassReflectance = 0.04F;
+
+/// Returns the share of light along the normal that a dielectric of this index of refraction
+/// reflects, in air: 1 for 0, which stands for a surface that reflects all.
+inline float normal_reflectance(float ior) {
+  const double root = (ior - 1.0) / (ior + 1.0);
+  return static_cast<float>(root * root);
+}
+
+/// A surface point as a ray sees it. All directions are unit; all normals face the viewer.
 struct SurfacePoint {
-  Eigen::Vector3f position;     ///< m, in the world-space geometry's coordinates
-  Eigen::Vector3f face_normal;  ///< normal of the triangle
-  Eigen::Vector3f normal;       ///< shading normal: of the vertices and the normal map
+  Eigen::Vector3f position;       ///< m, in the world-space geometry's coordinates
+  Eigen::Vector3f face_normal;    ///< normal of the triangle
+  Eigen::Vector3f normal;         ///< shading normal: of the vertices and the normal map
+  Eigen::Vector3f smooth_normal;  ///< shading normal without the normal map
   Eigen::Vector3f to_viewer;
-  Eigen::Vector3f base_color;  ///< linear RGB
-  Eigen::Vector3f emission;    ///< linear RGB
-  float alpha = 1;             ///< alpha of the base colour
-  float metallic = 0;          ///< 0 to 1
-  float roughness = 1;         ///< 0 to 1
-  float specular = 0;          ///< Material::specular
-  float openness = 1;          ///< share of the ambient light that arrives
-  float rounding = 0;          ///< m, how far the position may be off the triangle
-  float share = 0;             ///< WorldGeometry::share_at of the ray's time
+  Eigen::Vector3f base_color;                    ///< linear RGB
+  Eigen::Vector3f emission;                      ///< linear RGB
+  float alpha = 1;                               ///< alpha of the base colour
+  float metallic = 0;                            ///< 0 to 1
+  float roughness = 1;                           ///< 0 to 1
+  float specular = 0;                            ///< Material::specular
+  float normal_reflectance = kGlassReflectance;  ///< of a dielectric for light along the normal
+  float openness = 1;                            ///< share of the ambient light that arrives
+  float rounding = 0;           ///< m, how far the position may be off the triangle
+  float share = 0;              ///< WorldGeometry::share_at of the ray's time
+  bool is_from_behind = false;  ///< the viewer is behind the triangle's front
 };
 
 /// A texture mapped onto one triangle.

@@ -13,7 +13,7 @@ namespace {
 
 bool is_float(TruthChannel channel) {
   return channel == TruthChannel::depth || channel == TruthChannel::normal ||
-         channel == TruthChannel::disparity;
+         channel == TruthChannel::disparity || channel == TruthChannel::depth_beyond;
 }
 
 bool is_of_frames(TruthChannel channel) {
@@ -79,8 +79,9 @@ std::vector<TruthChannel> parse_channels(std::string_view text) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string_view name = text.substr(begin, end - begin);
     for (const auto& [channel, channel_name] : enum_names(TruthChannel{})) {
-      const bool is_asked_for_by_name =
-          channel == TruthChannel::surface_class || is_of_pair(channel);
+      const bool is_asked_for_by_name = channel == TruthChannel::surface_class ||
+                                        channel == TruthChannel::depth_beyond ||
+                                        is_of_pair(channel);
       if (name == "all" && !is_asked_for_by_name && !options.has(channel)) {
         options.channels.push_back(channel);
       }
@@ -143,6 +144,10 @@ std::string truth_convention(TruthChannel channel, vo::FloatFormat format) {
       return folder +
              "8 bit, the pixel's point is 0 = visible to the partner, 255 = hidden from it, 128 = "
              "outside its image, 64 = nothing there";
+    case TruthChannel::depth_beyond:
+      return folder +
+             "float32, m, as depth, of the first surface that is neither smooth glass, seen "
+             "straight through, nor a mirror, along the way that light takes, 0 = nothing there";
   }
   return "";
 }

@@ -32,6 +32,7 @@ enum class TruthChannel {
   imu,
   disparity,  ///< needs a stereo partner, as `stereo_occlusion` does
   stereo_occlusion,
+  depth_beyond,  ///< of DepthSight
 };
 
 constexpr auto enum_names(TruthChannel) {
@@ -48,7 +49,8 @@ constexpr auto enum_names(TruthChannel) {
                     std::pair{velocity, "velocity"},
                     std::pair{imu, "imu"},
                     std::pair{disparity, "disparity"},
-                    std::pair{stereo_occlusion, "stereo_occlusion"}};
+                    std::pair{stereo_occlusion, "stereo_occlusion"},
+                    std::pair{depth_beyond, "depth_beyond"}};
 }
 
 struct TruthOptions {
@@ -68,7 +70,7 @@ struct TruthOptions {
 bool is_of_pair(TruthChannel channel);
 
 /// Parses names separated by commas, of which `all` is every one that a single camera has but
-/// `class`. Throws vo::Error for unknown or repeated names.
+/// `class` and `depth_beyond`. Throws vo::Error for unknown or repeated names.
 std::vector<TruthChannel> parse_channels(std::string_view text);
 
 /// Returns a channel's folder, file type, unit, frame and sign convention, in one sentence.

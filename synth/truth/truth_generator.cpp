@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "synth/ray_tracing/point_tracer.h"
+#include "synth/ray_tracing/ray_tracer.h"
 #include "synth/ray_tracing/surface_tracer.h"
 #include "synth/scene/scene_motion.h"
 #include "synth/truth/motion_truth.h"
@@ -27,16 +28,28 @@ class TruthGenerator::Instant {
     if (options.has(TruthChannel::edges)) {
       surfaces_ = std::make_unique<const SurfaceTracer>(scene_, subject.ambient);
     }
+    if (options.has(TruthChannel::depth_beyond)) {
+      renderer_ = make_ray_tracer(scene_, {.mode = RenderMode::depth});
+    }
   }
 
   const PointTracer& tracer() const { return tracer_; }
   const SurfaceTracer& surfaces() const { return *surfaces_; }  ///< requires TruthChannel::edges
+
+  /// Requires TruthChannel::depth_beyond.
+  vo::DepthImage depth_beyond(const vo::PinholeCamera& camera,
+                              const vo::SE3& T_world_camera) const {
+    Capture capture = still(camera, T_world_camera);
+    capture.channels = {.color = false, .depth = false, .sight = true};
+    return renderer_->render(capture).sight.beyond;
+  }
 
  private:
   std::optional<Scene> moved_;
   const Scene& scene_;
   PointTracer tracer_;
   std::unique_ptr<const SurfaceTracer> surfaces_;
+  std::unique_ptr<const Renderer> renderer_;
 };
 
 namespace {
@@ -110,6 +123,9 @@ std::string TruthGenerator::encode(const Frame& frame, TruthChannel channel) con
       return vo::encode_png(
           occlusion(frame.points, {tracer, subject_.camera,
                                    frame.T_world_camera * T_left_right(options_.stereo_baseline)}));
+    case TruthChannel::depth_beyond:
+      return vo::encode_float_image(frame.now.depth_beyond(subject_.camera, frame.T_world_camera),
+                                    options_.float_format);
     case TruthChannel::velocity:
     case TruthChannel::imu:
       break;

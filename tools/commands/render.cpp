@@ -71,6 +71,7 @@ struct RenderArguments {
   std::string frames;
   std::string shard;
   bool plan = false;
+  bool strict = false;
   bool float_depth = false;
   std::string channels;
   std::string classes;
@@ -205,9 +206,7 @@ synth::RenderJob chosen_job(const RenderArguments& arguments) {
   });
   synth::GltfOptions file = arguments.file;
   file.needed = synth::needed_textures(job.recipe);
-  job.scene = synth::SceneFile(arguments.scene, file,
-                               arguments.actors.empty() ? std::vector<synth::ActorOptions>()
-                                                        : load_actors(arguments.actors));
+  job.scene = synth::SceneFile(arguments.scene, file, load_actors(arguments.actors));
   if (!arguments.frames.empty()) {
     synth::parse_frames(arguments.frames, job.share);
   }
@@ -243,6 +242,13 @@ synth::RenderOutcome rendered(const RenderArguments& arguments, WatchedRun& watc
       rendered_frames_on(watched, arguments.job.recipe.camera.depth_units_per_m));
 }
 
+/// Throws vo::Error if the scene has what would be left out of the pictures.
+void refuse_what_is_left_out(const RenderArguments& arguments) {
+  const std::vector<std::string> notes = synth::notes_on_scene(arguments.job);
+  vo::require(notes.empty(), arguments.scene, ": ", notes.empty() ? "" : notes.front(),
+              ", expected a scene of which nothing is left out, as --strict says");
+}
+
 void render(RenderArguments& arguments, const Session& session) {
   const auto limit = arguments.common.limit_threads();
   ProgressBar bar("rendering", arguments.common.verbosity());
@@ -251,6 +257,9 @@ void render(RenderArguments& arguments, const Session& session) {
     arguments.rig = vo::read_rig(arguments.rig_file);
   }
   arguments.job = chosen_job(arguments);
+  if (arguments.strict) {
+    refuse_what_is_left_out(arguments);
+  }
   if (arguments.plan) {
     bar.announce("planning");
     const synth::RenderPlan plan = arguments.rig
@@ -270,6 +279,7 @@ void render(RenderArguments& arguments, const Session& session) {
 
 std::vector<vo::Field> render_fields(synth::RenderJob& job) {
   std::vector<vo::Field> fields = vo::fields_of(job.recipe.render);
+  std::erase_if(fields, [](const vo::Field& field) { return field.key == "denoise"; });  // a flag
   for (vo::Field& field : fields) {
     field.key = field.key == "kind" ? "renderer" : field.key;
   }
@@ -303,6 +313,8 @@ void add_render_command(CLI::App& program, Session& session) {
   add_path_options(command, arguments->path);
   command.add_flag("--plan", arguments->plan, "frames, bytes and CPU time, nothing written")
       ->group("Scale");
+  command.add_flag("--strict", arguments->strict,
+                   "refuse a scene of which anything is left out, which is a note otherwise");
   command.add_option("--frames", arguments->frames, "A:B, only frames A to B - 1")->group("Scale");
   command.add_option("--shard", arguments->shard, "K/N, only the K-th of N parts, K from 1")
       ->group("Scale");
@@ -312,7 +324,8 @@ void add_render_command(CLI::App& program, Session& session) {
                   "exact ground truth, all or some of depth,normal,instance,material,flow,\n"
                   "occlusion,edges,moving,velocity,imu, and of a rig's stereo pairs disparity and\n"
                   "stereo_occlusion; sequence.toml says how each is written; class is one more,\n"
-                  "which needs --classes and is not in all")
+                  "which needs --classes, and depth_beyond, behind glass and in mirrors, which\n"
+                  "are not in all")
       ->group("Ground truth");
   command
       .add_option("--classes", arguments->classes,
@@ -327,12 +340,12 @@ void add_render_command(CLI::App& program, Session& session) {
   add_field_options(command, vo::fields_of(truth.edges, "edges."), "Ground truth");
   add_field_options(command, vo::fields_of(truth.imu, "imu."), "Ground truth");
   add_scene_options(command, arguments->file);
-  command
-      .add_option(
-          "--actor", arguments->actors,
-          "FILE.toml with tables [[actor]], what goes through the scene: file, path, speed, ...")
-      ->group("Scene");
+  add_actor_option(command, arguments->actors);
   add_field_options(command, render_fields(arguments->job), "Rendering");
+  command
+      .add_flag("--denoise", arguments->job.recipe.render.denoise,
+                "with --mode path: remove noise from the colour")
+      ->group("Rendering");
   add_field_options(command, sensor_fields(arguments->job.recipe.sensor), "Sensor");
   add_live_options(command, arguments->live);
   add_common_options(command, arguments->common);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "synth/sensor/plane_view.h"
+#include "synth/depth_sensor/plane_view.h"
 #include "synth/sensor/preset.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"

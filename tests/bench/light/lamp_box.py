@@ -5,7 +5,8 @@ import json
 import math
 import struct
 
-SAMPLES = 48  # rows of a ball's triangles
+ROWS = 48  # of a ball's triangles
+WIDTH, HEIGHT, FOCAL, EYE = 80, 60, 60, (0, 0, 1.8)  # of the camera: px, px, px, m in glTF's axes, along -z
 
 
 def material(colour, metallic=0.0, roughness=1.0, emission=0.0):
@@ -39,17 +40,17 @@ def quad(corner, right, down):
 def ball(centre, radius):
     """Return positions, normals and triangles of a ball."""
     normals = []
-    for row in range(SAMPLES + 1):
-        for column in range(2 * SAMPLES + 1):
-            polar, turn = math.pi * row / SAMPLES, math.pi * column / SAMPLES
+    for row in range(ROWS + 1):
+        for column in range(2 * ROWS + 1):
+            polar, turn = math.pi * row / ROWS, math.pi * column / ROWS
             level = math.sin(polar)
             normals.append([level * math.cos(turn), math.cos(polar), -level * math.sin(turn)])
     points = [[c + radius * n for c, n in zip(centre, normal)] for normal in normals]
     indices = []
-    for row in range(SAMPLES):
-        for column in range(2 * SAMPLES):
-            a = row * (2 * SAMPLES + 1) + column
-            b = a + 2 * SAMPLES + 1
+    for row in range(ROWS):
+        for column in range(2 * ROWS):
+            a = row * (2 * ROWS + 1) + column
+            b = a + 2 * ROWS + 1
             indices += [a, b, a + 1, a + 1, b, b + 1]
     return points, normals, indices
 

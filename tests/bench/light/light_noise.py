@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """light_noise.py OUT [--samples 4,16,64,256] [--reference 4096]: noise of path tracing against its time.
 
-Renders a box with a lamp by `edvo` (its Python module, e.g. PYTHONPATH=build/release/python) and, where Blender is
-installed, by Cycles, one thread each, and prints for each number of samples the CPU time and the noise: the
-root-mean-square difference from the same renderer's picture of --reference samples, over its mean, in pixels
-below the lamp's brightness. Writes OUT/noise.json and, where matplotlib is installed, OUT/noise.svg."""
+Renders a box with a lamp by `edvo` (its Python module, e.g. PYTHONPATH=build/release/python), with and without its
+denoiser, and, where Blender is installed, by Cycles, one thread each, and prints for each number of samples the CPU
+time, the noise and the change of brightness: the root-mean-square difference, and that of the means, from the same
+renderer's picture of --reference samples without a denoiser, over its mean, in pixels below the lamp's brightness. Writes OUT/noise.json and, where matplotlib is installed, OUT/noise.svg."""
 
 import argparse
+import functools
 import json
 import os
 import pathlib
@@ -17,16 +18,16 @@ import time
 import numpy as np
 
 import edvo
-from lamp_box import lamp_box
+from lamp_box import EYE, FOCAL, HEIGHT, WIDTH, lamp_box
 
-WIDTH, HEIGHT, FOCAL, EYE = 80, 60, 60, (0, 0, 1.8)  # px, px, px, m
 REFLECTIONS = 8
 LAMP = 6  # radiance; what is brighter is the lamp or shows it
 
 
-def render_by_edvo(scene, samples):
+def render_by_edvo(scene, samples, denoise=False):
     options = edvo.RenderOptions()
     options.mode, options.samples, options.ambient, options.bounces = "path", samples, 0, REFLECTIONS
+    options.denoise = denoise
     camera = edvo.Camera(width=WIDTH, height=HEIGHT, fx=FOCAL, fy=FOCAL, cx=(WIDTH - 1) / 2, cy=(HEIGHT - 1) / 2)
     pose = np.diag([1.0, -1.0, -1.0, 1.0])
     pose[:3, 3] = EYE
@@ -47,17 +48,26 @@ def render_by_cycles(scene, samples):
     return picture, seconds[0]
 
 
-def curve_of(render, scene, samples, reference):
-    """Return the converged picture and a list of samples, CPU seconds and noise."""
-    converged, _ = render(scene, reference)
+def curve_of(render, scene, samples, converged):
+    """Return a list of samples, CPU seconds, noise and change of brightness beside the converged picture."""
     is_lit = converged.max(axis=-1) < LAMP
+    mean = converged[is_lit].mean()
     curve = []
     for count in samples:
         picture, seconds = render(scene, count)
         error = (picture - converged)[is_lit]
-        noise = float(np.sqrt((error**2).mean()) / converged[is_lit].mean())
-        curve.append({"samples": count, "cpu_s": seconds, "noise": noise})
-    return converged, curve
+        noise = float(np.sqrt((error**2).mean()) / mean)
+        curve.append({"samples": count, "cpu_s": seconds, "noise": noise, "brighter": float(error.mean() / mean)})
+    return curve
+
+
+def seconds_at(noise, curve):
+    """Return the CPU seconds after which a curve has this noise, interpolated in logarithms, beyond its ends too."""
+    points = [(np.log(point["noise"]), np.log(point["cpu_s"])) for point in curve]
+    pairs = list(zip(points, points[1:]))
+    first, second = next((pair for pair in pairs if pair[1][0] <= np.log(noise)), pairs[-1])
+    slope = (second[1] - first[1]) / (second[0] - first[0])
+    return float(np.exp(first[1] + slope * (np.log(noise) - first[0])))
 
 
 def plot(curves, path):
@@ -89,15 +99,24 @@ def main():
     scene = arguments.out.resolve() / "lamp_box.gltf"
     scene.write_text(lamp_box())
     samples = [int(count) for count in arguments.samples.split(",")]
-    renderers = {"edvo": render_by_edvo}
+    denoised = functools.partial(render_by_edvo, denoise=True)
+    renderers = {"edvo": {"edvo": render_by_edvo, "edvo, denoised": denoised}}
     if shutil.which("blender"):
-        renderers["Cycles"] = render_by_cycles
+        renderers["Cycles"] = {"Cycles": render_by_cycles}
     curves, converged = {}, {}
-    print("renderer  samples   CPU s   noise")
-    for name, render in renderers.items():
-        converged[name], curves[name] = curve_of(render, scene, samples, arguments.reference)
-        for point in curves[name]:
-            print(f"{name:8} {point['samples']:8} {point['cpu_s']:7.2f} {point['noise']:7.4f}")
+    print("renderer        samples   CPU s   noise  brighter")
+    for name, variants in renderers.items():
+        converged[name], _ = variants[name](scene, arguments.reference)
+        for variant, render in variants.items():
+            curves[variant] = curve_of(render, scene, samples, converged[name])
+            for point in curves[variant]:
+                print(f"{variant:14} {point['samples']:8} {point['cpu_s']:7.2f} {point['noise']:7.4f} "
+                      f"{point['brighter']:9.4f}")
+    if "Cycles" in curves:
+        for variant in ("edvo", "edvo, denoised"):
+            for point in curves[variant]:
+                point["cycles_s_over"] = seconds_at(point["noise"], curves["Cycles"]) / point["cpu_s"]
+                print(f"{variant:14} {point['samples']:8}: Cycles takes {point['cycles_s_over']:.2f} times as long")
     result = {"curves": curves}
     if len(converged) == 2:
         ours, theirs = converged["edvo"], converged["Cycles"]

@@ -1,6 +1,6 @@
 """blender -b -P render_by_cycles.py -- SCENE OUT.npy SAMPLES REFLECTIONS: render as `light_noise` does.
 
-One thread, box filter, no denoiser, no clamping; linear RGB, the camera of `light_noise.py`. Prints the CPU time."""
+One thread, box filter, no denoiser, no clamping; linear RGB, the camera of `lamp_box`. Prints the CPU time."""
 
 import math
 import os
@@ -10,10 +10,11 @@ import time
 import numpy
 
 numpy.bool = bool  # Debian 12's importer of glTF uses the name that NumPy 1.24 has removed
+sys.path.insert(0, os.path.dirname(__file__))
 import bpy  # noqa: E402  (needs the name)
+from lamp_box import EYE, FOCAL, HEIGHT, WIDTH  # noqa: E402
 
 scene_file, out, samples, reflections = sys.argv[sys.argv.index("--") + 1 :]
-WIDTH, HEIGHT, FOCAL, EYE = 80, 60, 60, (0, 0, 1.8)  # px, px, px, m in glTF's axes
 
 bpy.ops.wm.read_factory_settings(use_empty=True)
 bpy.ops.import_scene.gltf(filepath=scene_file)

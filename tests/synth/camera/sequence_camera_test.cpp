@@ -171,5 +171,43 @@ TEST(SensorOptions, DoNotMeterWhatIsGiven) {
   EXPECT_THAT(error_text([&] { options.validate(); }), HasSubstr("expects exposure = 0"));
 }
 
+Material clear_glass() {
+  Material glass = diffuse({1, 1, 1});
+  glass.roughness = 0;
+  glass.layers.transmission = 1;
+  return glass;
+}
+
+TEST(SequenceCamera, LooksAtMaterialsWhereTheSensorTellsThemApart) {
+  Scene scene = lit_room();
+  EXPECT_FALSE(sees_materials(scene, {}));
+  EXPECT_FALSE(sees_materials(scene, preset_options(SensorPreset::kinect_v1)));
+  SensorOptions with_dark = {};
+  with_dark.depth.materials.min_return = 0.01;
+  EXPECT_TRUE(sees_materials(scene, with_dark)) << "any surface may be dark";
+  add(scene, square_at(1, 0.2F), clear_glass());
+  EXPECT_FALSE(sees_materials(scene, {}));
+  EXPECT_TRUE(sees_materials(scene, preset_options(SensorPreset::kinect_v1)));
+}
+
+TEST(SequenceCamera, MeasuresThroughGlassWhatTheSensorSeesThere) {
+  Scene scene = lit_room();
+  add(scene, square_at(1, 0.1F), clear_glass());
+  const vo::PinholeCamera camera = wide_camera();
+  const CameraTruth motion{.truth = {{0, {}}}, .path = [](double) { return vo::SE3(); }};
+  const RenderersOverTime renderers(scene, {});
+  const auto middle_of = [&](ClearSurface measured, double delay) {
+    SensorOptions options{.exposure = 0.3};
+    options.depth.delay = delay;
+    options.depth.materials.glass = measured;
+    return SequenceCamera(scene, renderers, camera, motion, options).take(0).depth(24, 32);
+  };
+  for (const double delay : {0.0, 0.01}) {  // in one capture with colour, and in its own
+    EXPECT_NEAR(middle_of(ClearSurface::surface, delay), 1, 1e-6);
+    EXPECT_NEAR(middle_of(ClearSurface::beyond, delay), 2, 1e-6);
+    EXPECT_EQ(middle_of(ClearSurface::lost, delay), 0);
+  }
+}
+
 }  // namespace
 }  // namespace synth

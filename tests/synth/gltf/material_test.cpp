@@ -86,6 +86,44 @@ TEST(MaterialReader, ReadsHowStrongADielectricReflectsAndNotesItsColour) {
   EXPECT_THAT(notes, Contains(HasSubstr("specularColorFactor")));
 }
 
+TEST(MaterialReader, ReadsGlassAndItsCoat) {
+  GltfDocument document = textured_document();
+  document.json["extensionsRequired"] = {"KHR_materials_transmission", "KHR_materials_volume",
+                                         "KHR_materials_ior", "KHR_materials_clearcoat"};
+  document.json["materials"][0] = {
+      {"extensions",
+       {{"KHR_materials_ior", {{"ior", 1.25}}},
+        {"KHR_materials_transmission",
+         {{"transmissionFactor", 0.75}, {"transmissionTexture", {{"index", 0}}}}},
+        {"KHR_materials_volume",
+         {{"thicknessFactor", 0.5},
+          {"attenuationDistance", 2},
+          {"attenuationColor", {0.25, 0.5, 1}}}},
+        {"KHR_materials_clearcoat",
+         {{"clearcoatFactor", 0.5}, {"clearcoatRoughnessFactor", 0.125}}}}}};
+  Notes notes;
+  const Material material = load(document, kRed, &notes).materials.at(0);
+  EXPECT_EQ(material.ior, 1.25F);
+  EXPECT_EQ(material.layers.transmission, 0.75F);
+  EXPECT_TRUE(material.layers.is_solid);
+  EXPECT_EQ(material.layers.attenuation_distance, 2);
+  EXPECT_EQ(material.layers.attenuation_color, Vector3f(0.25F, 0.5F, 1));
+  EXPECT_EQ(material.layers.clearcoat, 0.5F);
+  EXPECT_EQ(material.layers.clearcoat_roughness, 0.125F);
+  EXPECT_THAT(notes, testing::ElementsAre(HasSubstr("transmissionTexture")));
+}
+
+TEST(MaterialReader, GlassIsAThinWallThatAbsorbsNothingUnlessItSaysSo) {
+  GltfDocument document = textured_document();
+  document.json["materials"][0] = {{"extensions",
+                                    {{"KHR_materials_transmission", {{"transmissionFactor", 1}}},
+                                     {"KHR_materials_volume", nlohmann::json::object()}}}};
+  const Material material = load(document, kRed).materials.at(0);
+  EXPECT_EQ(material.ior, 1.5F);
+  EXPECT_FALSE(material.layers.is_solid);
+  EXPECT_TRUE(std::isinf(material.layers.attenuation_distance));
+}
+
 TEST(MaterialReader, ReadsTheSurfaceAndItsMaps) {
   GltfDocument document = textured_document();
   document.json["materials"][0] = {{"name", "brass"},

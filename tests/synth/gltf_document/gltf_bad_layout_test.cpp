@@ -172,6 +172,31 @@ TEST(BadLayout, ReferencesOfExtensionsThatAreIgnoredMustHold) {
               HasSubstr("material is 0, expected none"));
 }
 
+TEST(BadLayout, GlassIsPossible) {
+  const auto material = [](const json& extension) {
+    return error_after({{"materials", {{{"name", "pane"}, {"extensions", extension}}}}});
+  };
+  const auto volume = [&](const json& members) {
+    return material({{"KHR_materials_volume", members}});
+  };
+  EXPECT_THAT(material({{"KHR_materials_ior", {{"ior", 0.9}}}}),
+              HasSubstr("of \"pane\": ior is 0.9, expected 1 or more"));
+  EXPECT_THAT(material({{"KHR_materials_transmission", {{"transmissionFactor", -0.5}}}}),
+              HasSubstr("of \"pane\": transmissionFactor is -0.5, expected 0 to 1"));
+  EXPECT_THAT(material({{"KHR_materials_clearcoat", {{"clearcoatFactor", 2}}}}),
+              HasSubstr("of \"pane\": clearcoatFactor is 2, expected 0 to 1"));
+  EXPECT_THAT(volume({{"thicknessFactor", -1}}),
+              HasSubstr("of \"pane\": thicknessFactor is -1, expected 0 or more"));
+  EXPECT_THAT(volume({{"attenuationDistance", 0}}),
+              HasSubstr("of \"pane\": attenuationDistance is 0, expected a positive number"));
+  EXPECT_THAT(volume({{"attenuationColor", {1, 1, 1.5}}}),
+              HasSubstr("of \"pane\": attenuationColor has 1.5, expected 0 to 1"));
+  const TempFolder folder;
+  GltfDocument document = triangle_document();
+  document.json["materials"] = {{{"extensions", {{"KHR_materials_ior", {{"ior", 0}}}}}}};
+  EXPECT_EQ(error_of(document.write(folder)), "");
+}
+
 TEST(BadLayout, DataUrisAreDecodedWhetherTheyAreUsedOrNot) {
   const auto image = [](const std::string& uri) {
     return error_after({{"images", {{{"uri", uri}}}}});

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "synth/camera/make_renderer.h"
+#include "tests/support/balls.h"
 #include "tests/support/quads.h"
 
 namespace synth {
@@ -93,33 +94,6 @@ TEST(Path, AMaskedLampShinesByItsShare) {
   const double whole =
       mean_green(render(wall_before_lamp(1, diffuse({1, 1, 1})), options).radiance);
   EXPECT_NEAR(mean_green(render(half, options).radiance), whole / 4, 0.01 * whole);
-}
-
-/// A ball of flat triangles and this material in an environment of radiance 1 on all sides.
-Scene ball_in_white(const Material& material) {
-  Scene scene;
-  constexpr int kRows = 24;
-  Mesh ball;
-  for (int v = 0; v <= kRows; ++v) {
-    for (int u = 0; u <= 2 * kRows; ++u) {
-      const double colatitude = kPi * v / kRows;
-      const double longitude = kPi * u / kRows;
-      const Vector3d out(std::sin(colatitude) * std::cos(longitude), std::cos(colatitude),
-                         std::sin(colatitude) * std::sin(longitude));
-      ball.positions.push_back((0.5 * out + Vector3d(0, 0, 2)).cast<float>());
-    }
-  }
-  for (int v = 0; v < kRows; ++v) {
-    for (int u = 0; u < 2 * kRows; ++u) {
-      const int a = v * (2 * kRows + 1) + u;
-      const int b = a + 2 * kRows + 1;
-      ball.triangles.insert(ball.triangles.end(), {{a, a + 1, b}, {a + 1, b + 1, b}});
-    }
-  }
-  add(scene, ball, material);
-  scene.environment.radiance.create(16, 32);
-  scene.environment.radiance = cv::Vec3f(1, 1, 1);
-  return scene;
 }
 
 TEST(Environment, AWhiteBallCannotBeSeenBeforeAWhiteSky) {

@@ -31,6 +31,21 @@ TEST(RenderOptions, AmbientMustNotBeNegative) {
               HasSubstr("expected ambient at or above 0, got -0.1"));
 }
 
+TEST(RenderOptions, DenoisingIsForPathsOfTheRayTracer) {
+  const RenderOptions path{.mode = RenderMode::path, .denoise = true};
+  EXPECT_NO_THROW(path.validate());
+  for (const RenderMode mode : {RenderMode::direct, RenderMode::unlit, RenderMode::depth}) {
+    EXPECT_THAT(error_text([&] { RenderOptions{.mode = mode, .denoise = true}.validate(); }),
+                HasSubstr("denoise is for mode path of the ray tracer, got mode"));
+  }
+  RenderOptions raster = path;
+  raster.kind = RendererKind::rasterizer;
+  EXPECT_THAT(error_text([&] { raster.validate(); }), HasSubstr("of the rasterizer"));
+  RenderOptions one = path;
+  one.samples = 1;
+  EXPECT_THAT(error_text([&] { one.validate(); }), HasSubstr("expected at least 2 of them, got 1"));
+}
+
 TEST(MakeRenderer, RefusesOptionsThatAreNotValid) {
   EXPECT_THROW(make_renderer(Scene{}, {.samples = 0}), vo::Error);
 }

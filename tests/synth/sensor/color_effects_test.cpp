@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "synth/depth_sensor/gaussian.h"
 #include "synth/scene/srgb.h"
 #include "synth/sensor/exposure_control.h"
-#include "synth/sensor/gaussian.h"
 #include "synth/sensor/image_noise.h"
 #include "synth/sensor/jpeg.h"
 #include "synth/sensor/lens.h"

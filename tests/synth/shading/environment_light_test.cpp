@@ -68,10 +68,11 @@ TEST(EnvironmentLight, TurnsAboutTheVertical) {
 TEST(EnvironmentLight, DensityIntegratesToOneAndIsThatOfWhatIsDrawn) {
   const Environment environment = environment_of(sky_with_sun);
   const EnvironmentLight light(environment);
+  const EnvironmentDirections directions(light);
   double integral = 0;
   constexpr int kRows = 800;
   for_directions(kRows, [&](const Vector3f& direction) {
-    integral += light.density(direction) * 4 * std::numbers::pi / (2.0 * kRows * kRows);
+    integral += directions.density(direction) * 4 * std::numbers::pi / (2.0 * kRows * kRows);
   });
   EXPECT_NEAR(integral, 1, 2e-3);
 }
@@ -80,6 +81,7 @@ TEST(EnvironmentLight, DrawnLightOverItsDensitySumsToAllOfIt) {
   Environment environment = environment_of(sky_with_sun);
   environment.turn = 1;
   const EnvironmentLight light(environment);
+  const EnvironmentDirections directions(light);
   Vector3d integral = Vector3d::Zero();
   constexpr int kRows = 800;
   for_directions(kRows, [&](const Vector3f& direction) {
@@ -89,7 +91,7 @@ TEST(EnvironmentLight, DrawnLightOverItsDensitySumsToAllOfIt) {
   Vector3d drawn = Vector3d::Zero();
   constexpr int kDraws = 1 << 14;
   for (int i = 0; i < kDraws; ++i) {
-    const DrawnLight sample = light.draw(scrambled_sobol(vo::mixed(3), i));
+    const DrawnLight sample = directions.draw(scrambled_sobol(vo::mixed(3), i));
     ASSERT_GT(sample.density, 0);
     EXPECT_NEAR(sample.to_light.norm(), 1, 1e-5);
     drawn += (sample.radiance / sample.density).cast<double>() / kDraws;

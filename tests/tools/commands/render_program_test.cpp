@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/folder_contents.h"
+#include "tests/support/gltf_document.h"
 #include "tests/support/program_test.h"
 #include "vo/dataset/sequence.h"
 #include "vo/files/input.h"
@@ -132,6 +133,32 @@ TEST_F(RunProgram, NamesFileAndLineOfAnUnknownKey) {
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_THAT(result.err, HasSubstr("small.toml:19: unknown key"));
   EXPECT_FALSE(exists("r"));
+}
+
+TEST_F(RenderProgram, NotesWhatItsModeLeavesOutOfMaterialsAndRefusesItIfStrict) {
+  synth::GltfDocument document = synth::triangle_document();
+  document.json["extensionsUsed"] = {"KHR_materials_transmission"};
+  document.json["materials"] = {
+      {{"name", "pane"},
+       {"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 1}}}}}}};
+  document.primitive()["material"] = 0;
+  const support::TempFolder folder;
+  const std::string render =
+      "render '" + document.write(folder).string() +
+      "' --path orbit --orbit.centre=0.3,0.3,0 --orbit.radius 2 --orbit.height 0.5 --rate 4 "
+      "--duration 0.3 --size 32x24 --samples 1 --out ";
+  const char* note = "transmission is drawn opaque";
+  const ProgramResult direct = run_program(render + path("direct"));
+  EXPECT_EQ(direct.exit_code, 0) << direct.err;
+  EXPECT_THAT(direct.err, HasSubstr(note));
+  EXPECT_THAT(direct.err, HasSubstr("\"pane\""));
+  const ProgramResult strict = run_program(render + path("strict") + " --strict");
+  EXPECT_EQ(strict.exit_code, 3);
+  EXPECT_THAT(strict.err, HasSubstr(note));
+  EXPECT_FALSE(exists("strict"));
+  const ProgramResult traced = run_program(render + path("traced") + " --mode path --strict");
+  EXPECT_EQ(traced.exit_code, 0) << traced.err;
+  EXPECT_THAT(traced.err, testing::Not(HasSubstr(note)));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "synth/sensor/depth_noise.h"
+#include "synth/depth_sensor/depth_noise.h"
 #include "vo/geometry/camera.h"
 
 namespace synth {

@@ -1,11 +1,11 @@
-#include "synth/sensor/depth_noise.h"
+#include "synth/depth_sensor/depth_noise.h"
 
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "synth/sensor/plane_view.h"
+#include "synth/depth_sensor/plane_view.h"
 
 namespace synth {
 namespace {

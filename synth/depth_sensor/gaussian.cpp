@@ -1,4 +1,4 @@
-#include "synth/sensor/gaussian.h"
+#include "synth/depth_sensor/gaussian.h"
 
 #include <algorithm>
 #include <cmath>

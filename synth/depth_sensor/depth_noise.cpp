@@ -1,10 +1,10 @@
-#include "synth/sensor/depth_noise.h"
+#include "synth/depth_sensor/depth_noise.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "synth/sensor/gaussian.h"
+#include "synth/depth_sensor/gaussian.h"
 #include "vo/core/random_field.h"
 
 namespace synth {

@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "synth/sensor/depth_noise.h"
+#include "synth/depth_sensor/depth_noise.h"
 #include "vo/core/image.h"
 #include "vo/geometry/camera.h"
 

@@ -1,4 +1,4 @@
-#include "synth/sensor/depth_registration.h"
+#include "synth/depth_sensor/depth_registration.h"
 
 #include <algorithm>
 #include <cmath>

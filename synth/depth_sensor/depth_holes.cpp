@@ -1,11 +1,11 @@
-#include "synth/sensor/depth_holes.h"
+#include "synth/depth_sensor/depth_holes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "synth/sensor/gaussian.h"
+#include "synth/depth_sensor/gaussian.h"
 #include "vo/core/random_field.h"
 
 namespace synth {

@@ -1,4 +1,4 @@
-#include "synth/sensor/plane_view.h"
+#include "synth/depth_sensor/plane_view.h"
 
 #include <cmath>
 #include <numbers>

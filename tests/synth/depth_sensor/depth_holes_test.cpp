@@ -1,11 +1,11 @@
-#include "synth/sensor/depth_holes.h"
+#include "synth/depth_sensor/depth_holes.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "synth/sensor/depth_registration.h"
-#include "synth/sensor/plane_view.h"
+#include "synth/depth_sensor/depth_registration.h"
+#include "synth/depth_sensor/plane_view.h"
 
 namespace synth {
 namespace {

@@ -1,0 +1,197 @@
+#include "synth/ray_tracing/depth_sight_tracer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+#include <Eigen/Core>
+
+#include "synth/shading/glass.h"
+#include "synth/shading/shading.h"
+#include "synth/shading/surface.h"
+
+namespace synth {
+namespace {
+
+constexpr int kMostClear = 16;           // clear surfaces on one line; a further one is opaque
+constexpr float kSmooth = 0.1F;          // greatest roughness of a surface that shows an image
+constexpr float kLeastShare = 0.5F;      // least part of the light that a clear surface sends on
+constexpr float kGrazingCosine = 0.05F;  // at which the rounding of a position counts in full
+constexpr double kDepthError = 1e-6;     // relative, of a depth in single precision
+
+/// Returns what the mean of red, green and blue of a mirror reflects, by Schlick's approximation.
+float mirror_share(const SurfacePoint& point, float cosine) {
+  const float straight = point.metallic * point.base_color.mean();
+  return straight + (1 - straight) * std::pow(1 - cosine, 5.0F);
+}
+
+/// Returns what passes one surface of glass, straight; a thin wall has two boundaries, between
+/// which light goes to and fro: (1 - F) / (1 + F).
+float glass_share(const SurfacePoint& point, const Material& material, float cosine) {
+  if (material.ior == 0) {
+    return 0;
+  }
+  const float mirrored = point.specular * fresnel_reflectance(cosine, material.ior);
+  const float passed = material.layers.is_solid ? 1 - mirrored : (1 - mirrored) / (1 + mirrored);
+  return material.layers.transmission * passed * point.base_color.mean();
+}
+
+/// Returns how bright a surface is to a camera that lights it, as a share of a white diffuse wall
+/// straight ahead.
+float brightness(const SurfacePoint& point) {
+  const float cosine = std::max(0.0F, point.normal.dot(point.to_viewer));
+  return std::numbers::pi_v<float> * reflectance(point, point.to_viewer).mean() * cosine;
+}
+
+FirstSurface kind_of(const SurfacePoint& point, const Material& material) {
+  if (point.roughness > kSmooth) {
+    return FirstSurface::opaque;
+  }
+  if (material.layers.transmission * (1 - point.metallic) >= kLeastShare) {
+    return FirstSurface::glass;
+  }
+  return point.metallic * point.base_color.mean() >= kLeastShare ? FirstSurface::mirror
+                                                                 : FirstSurface::opaque;
+}
+
+/// Returns the part of the light that a clear surface sends on; `cosine` is that of the incidence.
+float share_sent_on(FirstSurface kind, const SurfacePoint& point, const Material& material,
+                    float cosine) {
+  switch (kind) {
+    case FirstSurface::glass:
+      return glass_share(point, material, cosine);
+    case FirstSurface::mirror:
+      return mirror_share(point, cosine);
+    case FirstSurface::opaque:
+      break;
+  }
+  return 0;
+}
+
+}  // namespace
+
+bool may_show_clear_surfaces(const Scene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {
+    const bool may_be_smooth =
+        material.roughness <= kSmooth || material.metallic_roughness_texture.texture != kNone;
+    return may_be_smooth &&
+           (material.layers.transmission >= kLeastShare || material.metallic >= kLeastShare);
+  });
+}
+
+/// A line of sight, made straight: behind a mirror it goes on from the mirror's image of the eye.
+struct DepthSightTracer::Line {
+  cv::Point pixel;
+  PlaneView eye;
+  Eigen::Vector3d direction;  ///< world axes, with component 1 along the eye's axis
+  /// From world axes as the mirrors show them to world axes.
+  Eigen::Matrix3d R_world_mirrored = Eigen::Matrix3d::Identity();
+  float near = 0;   ///< m, depth of the last clear surface, with a margin
+  float share = 1;  ///< of light, what clear surfaces send on, one way
+};
+
+/// A surface on a line of sight.
+struct DepthSightTracer::Met {
+  FirstSurface kind = FirstSurface::opaque;
+  DepthPlane plane;
+  double depth = 0;    ///< m along the optical axis
+  float returned = 0;  ///< light that returns, as in DepthSight
+  float share = 0;     ///< of the light, what a clear surface sends on
+  float margin = 0;    ///< m of depth, within which the surface may be met again
+};
+
+DepthSightTracer::Met DepthSightTracer::meet(const Line& line, const HitPacket& packet,
+                                             int lane) const {
+  const int mesh = packet.mesh(lane);
+  const int triangle = packet.triangle(lane);
+  const float share = packet.share(lane);
+  Met met{.plane = depth_plane(world_.meshes[static_cast<std::size_t>(mesh)], triangle, line.eye)};
+  const float traced = packet.lanes.ray.tfar[lane];
+  met.depth = met.plane.depth_along(line.direction).value_or(traced);
+  const SurfaceTriangle surface(world_, mesh, triangle, share);
+  const SurfacePoint point = surface_point(
+      surface,
+      {packet.weights(lane), line.direction.cast<float>(), view_.pixel_width() * traced, share});
+  const float cosine = std::clamp(point.face_normal.dot(point.to_viewer), 0.0F, 1.0F);
+  if (!met.plane.normal.isZero(0)) {  // a triangle without area has no plane to mirror in
+    met.kind = kind_of(point, *surface.mesh->material);
+  }
+  met.share = share_sent_on(met.kind, point, *surface.mesh->material, cosine);
+  const auto per_depth = static_cast<float>(line.direction.norm());  // m of distance per m of depth
+  const float shares = line.share / (per_depth * traced);
+  met.returned = shares * shares * brightness(point);
+  met.margin = static_cast<float>(kDepthError * met.depth) +
+               2 * point.rounding / (per_depth * std::max(kGrazingCosine, cosine));
+  return met;
+}
+
+/// Leads a line on behind glass, or to what a mirror shows.
+void DepthSightTracer::go_on(const Met& met, Line& line) {
+  line.near = static_cast<float>(met.depth) + met.margin;
+  line.share *= met.share;
+  if (met.kind == FirstSurface::mirror) {
+    const Eigen::Vector3d& n = met.plane.normal;
+    const Eigen::Matrix3d mirror =
+        Eigen::Matrix3d::Identity() - 2 / n.squaredNorm() * n * n.transpose();
+    line.eye.eye += 2 * met.plane.offset / n.squaredNorm() * n;
+    line.eye.optical_axis = mirror * line.eye.optical_axis;
+    line.direction = mirror * line.direction;
+    line.R_world_mirrored = line.R_world_mirrored * mirror;
+  }
+}
+
+void DepthSightTracer::record(const Line& line, const Met& met, DepthSight& sight) const {
+  const Eigen::Vector3d& n = met.plane.normal;
+  const Eigen::Vector3d towards = n.dot(line.direction) > 0 ? Eigen::Vector3d(-n) : n;
+  const Eigen::Vector3d normal = view_.R_world_camera(line.pixel.y).transpose() *
+                                 (line.R_world_mirrored * towards).normalized();
+  sight.beyond(line.pixel) = static_cast<float>(met.depth);
+  sight.beyond_normal(line.pixel) = cv::Vec3d(normal.x(), normal.y(), normal.z());
+  sight.beyond_returned(line.pixel) = met.returned;
+}
+
+CameraRay DepthSightTracer::ray_along(const Line& line) const {
+  return {(line.eye.eye - world_.origin).cast<float>(), line.direction.cast<float>(), line.near,
+          std::numeric_limits<float>::infinity(), line.eye.share};
+}
+
+void DepthSightTracer::follow(const cv::Point* pixels, const HitPacket& first,
+                              DepthSight& sight) const {
+  HitPacket packet = first;
+  std::array<Line, kPacketSize> lines;
+  for (int lane = 0; lane < packet.size; ++lane) {
+    lines[static_cast<std::size_t>(lane)] = {pixels[lane], view_.eye(pixels[lane].y),
+                                             view_.direction(pixels[lane])};
+  }
+  for (int met_before = 0; packet.size > 0; ++met_before) {
+    HitPacket onward;
+    for (int lane = 0; lane < packet.size; ++lane) {
+      if (!packet.has_hit(lane)) {
+        continue;
+      }
+      Line line = lines[static_cast<std::size_t>(lane)];
+      const Met met = meet(line, packet, lane);
+      if (met_before == 0) {
+        sight.first(line.pixel) = static_cast<std::uint8_t>(met.kind);
+        sight.returned(line.pixel) = met.returned;
+      }
+      if (met.kind == FirstSurface::opaque || met_before == kMostClear) {
+        record(line, met, sight);
+      } else {
+        go_on(met, line);
+        lines[static_cast<std::size_t>(onward.size)] = line;
+        add_ray(onward, ray_along(line));
+      }
+    }
+    if (onward.size > 0) {
+      embree_.intersect(onward, Sight::solid);
+    }
+    packet = onward;
+  }
+}
+
+}  // namespace synth
