@@ -153,6 +153,32 @@ class Laboratory(unittest.TestCase):
         self.assertGreater(depths[0][middle], 0)
         self.assertAlmostEqual(float(depths[0][middle] - depths[1][middle]), 0.5, delta=0.01)
 
+    def test_actors_walk_as_the_program_lets_them(self):
+        walker = {"file": str(ASSETS / "walker/walker.gltf"), "path": [[-0.5, 0, 0.5], [0.5, 0, 0.5]], "speed": 1.5}
+        scene = edvo.Scene(str(ASSETS / "plane_and_box/plane_and_box.gltf"), actors=[walker])
+        with tempfile.TemporaryDirectory() as folder:
+            actor = pathlib.Path(folder) / "actor.toml"
+            actor.write_text(f'[[actor]]\nfile = "{walker["file"]}"\npath = {walker["path"]}\nspeed = 1.5\n')
+            sequence = pathlib.Path(folder) / "sequence"
+            subprocess.run([os.environ["EDVO_PROGRAM"], "render", ASSETS / "plane_and_box/plane_and_box.gltf", "--actor", actor,
+                            "--path", "still", "--move.eye", "0,1,4", "--move.target", "0,1,0", "--rate", "10",
+                            "--duration", "0.4", "--size", "80x60", "--float-depth", "--out", sequence, "--quiet"],
+                           check=True, stdout=subprocess.DEVNULL)
+            camera = edvo.load_camera(str(sequence / "camera.toml"))
+            pose = looking_down_minus_z([0, 1, 4])
+            for frame in (0, 4):
+                depth = edvo.Renderer(scene).render(camera, pose, ["depth"], time=frame / 10)["depth"]
+                np.testing.assert_allclose(depth, np.load(sequence / f"depth_float/{frame:06}.npy"), atol=1e-6)
+        with self.assertRaisesRegex(edvo.Error, "actor"):
+            edvo.Scene(str(ASSETS / "plane_and_box/plane_and_box.gltf"), actors=[{"file": walker["file"]}])
+
+    def test_depth_beyond_goes_through_a_window(self):
+        renderer = edvo.Renderer(edvo.Scene(str(ASSETS / "kitchen/kitchen.gltf")))
+        frame = renderer.render(small_camera(), looking_down_minus_z([0.6, 1.5, 1.5]), ["depth", "depth_beyond"])
+        middle = (SIZE[1] // 2, SIZE[0] // 2)
+        self.assertAlmostEqual(float(frame["depth"][middle]), 3.73, delta=1e-3)  # the pane at z = -2.23
+        self.assertAlmostEqual(float(frame["depth_beyond"][middle]), 7.73, delta=1e-3)  # the view behind it
+
     def test_program_and_module_track_to_the_same_bytes(self):
         program = os.environ["EDVO_PROGRAM"]
         with tempfile.TemporaryDirectory() as folder:

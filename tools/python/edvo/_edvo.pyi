@@ -218,6 +218,7 @@ class Scene:
         environment: str = "",
         environment_turn: float = 0.0,
         environment_strength: float = 1.0,
+        actors: _Sequence[dict[str, Any]] = ...,
     ) -> None: ...
     @property
     def notes(self) -> list[str]: ...
@@ -235,6 +236,7 @@ class Renderer:
         camera: Camera,
         T_world_camera: NDArray[np.float64],
         channels: _Sequence[str] = ...,
+        time: float = 0.0,
     ) -> dict[str, Optional[NDArray[Any]]]: ...
 
 def evaluate(
