@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "synth/gltf/environment.h"
 #include "tools/datasets/layout.h"
 #include "tools/datasets/part_folder.h"
 #include "tools/datasets/plan_file.h"
@@ -24,27 +25,45 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMaxSequenceFrames = 4000;  // files of one kind in one folder
 constexpr std::size_t kMaxParts = 1'000'000;
 
+using Identity = std::map<std::string, std::string>;
+
 /// Adds the hash of a file that a path is read from, if it is.
-void add_path_file(const DatasetSequence& sequence, const fs::path& file,
-                   std::map<std::string, std::string>& identity) {
+void add_path_file(const DatasetSequence& sequence, const fs::path& file, Identity& identity) {
   if (!file.empty()) {
     identity.emplace(vo::concat("paths.", sequence.path, " file ", file.filename().string()),
                      vo::content_hash(vo::read_file(file)));
   }
 }
 
+/// Adds the hashes of the files of a sequence's scene, its actors and its environment.
+void add_scene_files(const DatasetSequence& sequence, std::map<fs::path, std::string>& hashes,
+                     Identity& identity) {
+  const auto add = [&](const std::string& name, const fs::path& file) {
+    std::string& hash = hashes[file];
+    hash = hash.empty() ? scene_files_hash(file) : hash;
+    identity.emplace(vo::concat("scenes.", sequence.scene, name), hash);
+  };
+  add(" files", sequence.scenario.scene_file());
+  for (const synth::ActorOptions& actor : sequence.scenario.actors) {
+    add(" actor " + actor.file.filename().string(), actor.file);
+  }
+  const std::string environment = sequence.scenario.resolved_parts().environment;
+  if (synth::is_environment_file(environment)) {
+    identity.emplace(vo::concat("scenes.", sequence.scene, " environment"),
+                     vo::content_hash(vo::read_file(environment)));
+  }
+}
+
 /// Returns what determines a data set: all that the spec says, the files that it names, and the
 /// program that renders.
-std::map<std::string, std::string> identity_of(const DatasetSpec& spec) {
-  std::map<std::string, std::string> identity;
+Identity identity_of(const DatasetSpec& spec) {
+  Identity identity;
   for (const vo::TomlValue& value : spec.values) {
     identity.emplace(value.key, value.text);
   }
   std::map<fs::path, std::string> hashes;
   for (const DatasetSequence& sequence : spec.sequences) {
-    std::string& hash = hashes[sequence.scenario.scene_file()];
-    hash = hash.empty() ? scene_files_hash(sequence.scenario.scene_file()) : hash;
-    identity.emplace(vo::concat("scenes.", sequence.scene, " files"), hash);
+    add_scene_files(sequence, hashes, identity);
     const synth::PathOptions path = sequence.scenario.resolved_path();
     add_path_file(sequence, path.file, identity);
     add_path_file(sequence, path.file_times, identity);

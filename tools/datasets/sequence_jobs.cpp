@@ -13,7 +13,9 @@ const synth::SceneFile& SequenceJobs::scene_of(const DatasetSequence& sequence) 
   synth::GltfOptions parts = sequence.scenario.resolved_parts();
   parts.needed = synth::needed_textures(
       {.render = sequence.scenario.render, .channels = {.channels = spec_.channels()}});
-  return scenes_.emplace(sequence.scene, synth::SceneFile(sequence.scenario.scene_file(), parts))
+  return scenes_
+      .emplace(sequence.scene,
+               synth::SceneFile(sequence.scenario.scene_file(), parts, sequence.scenario.actors))
       .first->second;
 }
 

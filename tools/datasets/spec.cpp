@@ -6,11 +6,13 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <string_view>
 #include <utility>
 
+#include "synth/gltf/environment.h"
+#include "tools/datasets/name_list.h"
 #include "tools/datasets/part_folder.h"
+#include "tools/datasets/spec_actors.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 
@@ -20,8 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The tables of a spec that are as in a scenario.
-constexpr std::array<std::string_view, 5> kScenarioTables{"camera.", "render.", "path.", "sensor.",
-                                                          "class."};
+constexpr std::array<std::string_view, 6> kScenarioTables{"camera.", "render.", "path.",
+                                                          "sensor.", "class.",  "actor."};
 
 /// A named scene, path or sensor of a spec.
 struct Alternative {
@@ -58,19 +60,6 @@ bool is_name(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
   });
-}
-
-/// Returns the names of a list `room, desk`.
-std::vector<std::string> names_in(const std::string& list) {
-  std::vector<std::string> names;
-  std::istringstream text(list);
-  for (std::string name; std::getline(text, name, ',');) {
-    const std::size_t first = name.find_first_not_of(' ');
-    if (first != std::string::npos) {
-      names.push_back(name.substr(first, name.find_last_not_of(' ') - first + 1));
-    }
-  }
-  return names;
 }
 
 /// Adds a value of an alternative; `key` is within the alternative's table.
@@ -141,16 +130,29 @@ void require_known(const std::vector<Alternative>& with_lists, std::string_view 
   }
 }
 
+/// Throws vo::Error where an actor goes through a scene that there is not.
+void require_known(const std::vector<SpecActor>& actors, const std::vector<Alternative>& scenes) {
+  for (const SpecActor& actor : actors) {
+    for (const std::string& name : actor.scenes) {
+      const bool is_known = std::any_of(scenes.begin(), scenes.end(),
+                                        [&](const Alternative& a) { return a.name == name; });
+      vo::require(is_known, actor.place, ": actor.scenes: there is no '", name, "'");
+    }
+  }
+}
+
 std::string own_text(const Alternative& alternative, std::string_view key,
                      const std::string& otherwise) {
   const auto text = alternative.own.find(key);
   return text == alternative.own.end() ? otherwise : text->second;
 }
 
-/// Makes the scene's file absolute, as seen from the spec's folder.
+/// Makes the files of a scene absolute, as seen from the spec's folder.
 void resolve_scene(const fs::path& spec, Alternative& scene) {
   for (vo::TomlValue& value : scene.values) {
-    if (value.key == "scene.gltf") {
+    const bool is_environment_file =
+        value.key == "scene.environment" && synth::is_environment_file(value.text);
+    if (value.key == "scene.gltf" || is_environment_file) {
       value.text = (fs::absolute(spec).parent_path() / value.text).lexically_normal().string();
     }
   }
@@ -159,6 +161,7 @@ void resolve_scene(const fs::path& spec, Alternative& scene) {
 /// All that sequences of a spec are combined of.
 struct Alternatives {
   std::vector<vo::TomlValue> common;  ///< values of all sequences
+  std::vector<SpecActor> actors;
   std::vector<Alternative> scenes;
   std::vector<Alternative> paths;
   std::vector<Alternative> sensors;  ///< one without a name where the spec has none
@@ -174,6 +177,7 @@ Alternatives read_alternatives(const SpecFile& file) {
       all.common.push_back(value);
     }
   }
+  all.actors = take_spec_actors(all.common, file.path);
   all.scenes = alternatives_of(scene_kind(), file);
   all.paths = alternatives_of(path_kind(), file);
   all.sensors = alternatives_of(sensor_kind(), file);
@@ -183,6 +187,7 @@ Alternatives read_alternatives(const SpecFile& file) {
   require_known(all.paths, "scenes", all.scenes);
   require_known(all.sensors, "scenes", all.scenes);
   require_known(all.sensors, "paths", all.paths);
+  require_known(all.actors, all.scenes);
   if (all.sensors.empty()) {
     all.sensors.emplace_back();
   }
@@ -209,6 +214,11 @@ void add_sequences(const Combination& combination, const Alternatives& all, Data
   std::vector<vo::TomlValue> values = all.common;
   for (const Alternative* part : {&combination.scene, &combination.path, &combination.sensor}) {
     values.insert(values.end(), part->values.begin(), part->values.end());
+  }
+  for (const SpecActor& actor : all.actors) {
+    if (actor.goes_through(combination.scene.name)) {
+      values.insert(values.end(), actor.values.begin(), actor.values.end());
+    }
   }
   const Scenario scenario = make_scenario(values, spec.file);
   for (int seed = 0; seed < spec.options.seeds; ++seed) {
@@ -289,13 +299,18 @@ void require_classes(const DatasetSpec& spec) {
   }
 }
 
-/// Throws vo::Error that names all scene files that are missing.
+/// Throws vo::Error that names all files of scenes and actors that are missing.
 void require_scenes(const DatasetSpec& spec) {
   std::set<std::string> missing;
+  const auto look = [&](const std::string& key, const fs::path& file) {
+    if (!path_exists(file)) {
+      missing.insert(vo::concat(key, ": ", file.string(), " does not exist"));
+    }
+  };
   for (const DatasetSequence& sequence : spec.sequences) {
-    if (!path_exists(sequence.scenario.scene_file())) {
-      missing.insert(vo::concat("scenes.", sequence.scene, ".gltf: ",
-                                sequence.scenario.scene_file().string(), " does not exist"));
+    look(vo::concat("scenes.", sequence.scene, ".gltf"), sequence.scenario.scene_file());
+    for (const synth::ActorOptions& actor : sequence.scenario.actors) {
+      look("actor.file", actor.file);
     }
   }
   std::string sentence;

@@ -223,7 +223,7 @@ synth::PathOptions Scenario::resolved_path() const {
 synth::GltfOptions Scenario::resolved_parts() const {
   synth::GltfOptions result = scene.parts;
   if (synth::is_environment_file(result.environment)) {
-    result.environment = resolved(result.environment, folder_of(file) / ".." / "assets").string();
+    result.environment = resolved(result.environment, assets_of(file)).string();
   }
   return result;
 }

@@ -249,6 +249,44 @@ def check_filter():
     assert left_out and kept and len(left_out) + len(kept) == len(flows) and not left_out & kept, (left_out, kept, flows)
 
 
+ACTOR = """[[actor]]
+file = "{assets}/walker/walker.gltf"
+path = [[-0.5, 0, -0.3], [0.5, 0, -0.3]]
+"""
+
+
+def check_actors():
+    """An actor goes through the scenes that it names alone, as `edvo render --actor` lets it."""
+    actor = ACTOR.format(assets=REPOSITORY / "assets")
+    (SCRATCH / "actor.toml").write_text(actor)
+    write_spec("acted.toml", more=actor + 'scenes = "box"')
+    edvo("render", "acted.toml", "--out", "acted")
+    edvo("merge", "acted.toml", "--out", "acted")
+    subprocess.run([EDVO, "render", REPOSITORY / "assets/plane_and_box/plane_and_box.gltf", "--actor", SCRATCH / "actor.toml",
+                    "--camera", SCRATCH / "acted/train/box/box_orbit_plain_0/camera.toml", "--path", "orbit", "--orbit.radius", "2",
+                    "--rate", "10", "--duration", "0.8", "--out", SCRATCH / "rendered", "--quiet"], check=True, capture_output=True)
+    theirs = files_of(SCRATCH / "rendered")
+    theirs.pop(".edvo-files")
+    assert files_of(SCRATCH / "acted/train/box/box_orbit_plain_0") == theirs
+    walked = "train/box/box_orbit_plain_0/depth/000004.png"
+    assert (SCRATCH / "acted" / walked).read_bytes() != (SCRATCH / "one" / walked).read_bytes()
+    assert files_of(SCRATCH / "acted/test") == files_of(SCRATCH / "one/test")
+    for folder in ("rendered", "acted"):
+        shutil.rmtree(SCRATCH / folder)
+
+
+def check_environment():
+    """An environment is a file of the spec's folder, and another one is another data set."""
+    header, grey = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n", bytes([128, 128, 128, 129])
+    (SCRATCH / "sky.hdr").write_bytes(header + 8 * grey)
+    write_spec("lit.toml", duration=0.2, lit=('licence = "CC0', 'environment = "sky.hdr"\nlicence = "CC0'))
+    edvo("render", "lit.toml", "--out", "lit")
+    (SCRATCH / "sky.hdr").write_bytes(header + 7 * grey + bytes([128, 128, 128, 130]))
+    assert "other values of scenes.box environment;" in edvo("status", "lit.toml", "--out", "lit", code=6)
+    (SCRATCH / "sky.hdr").unlink()
+    shutil.rmtree(SCRATCH / "lit.part")
+
+
 FULL_DISK = """set -e
 mount -t tmpfs -o size=$1 tmpfs full
 cd full
@@ -339,6 +377,9 @@ def check_bad_input():
             (("seeds = 2", "seeds = 0"), "seeds: expected 1 to"),
             (("seeds = 2", "seedz = 2"), "seedz"),
             (("plane_and_box.gltf", "missing.gltf"), "missing.gltf does not exist"),
+            (("part_frames = 3", "[[actor]]\nfile = \"nobody.gltf\"\npath = [[0, 0, 0], [1, 0, 0]]"), "nobody.gltf does not exist"),
+            (("part_frames = 3", "[[actor]]\nfile = \"nobody.gltf\"\nscenes = \"bux\""), "actor.scenes: there is no 'bux'"),
+            (("part_frames = 3", "[[actor]]\nscenes = \"box\""), "bad.toml:6: actor: expected a file"),
             (("[paths.orbit]", "[paths.'or_bit']"), "or_bit"),
             (("part_frames = 3", "part_frames = 3\nformats = \"tum\""), "formats"),
             (("part_frames = 3", "part_frames = 3\nchannels = \"flaw\""), "flaw")):
@@ -362,7 +403,7 @@ def main():
     SCRATCH.mkdir(parents=True)
     for check in (check_shares, check_checksums, check_index, check_as_rendered, check_damage, check_kills, check_merges,
                   check_full_disk, check_node_without_opengl, check_archives,
-                  check_formats_and_channels, check_filter, check_bad_input):
+                  check_formats_and_channels, check_filter, check_actors, check_environment, check_bad_input):
         check()
         print(check.__name__, "ok", flush=True)
     shutil.rmtree(SCRATCH)
