@@ -42,17 +42,25 @@ Json json_material(const Material& material) {
   Json json = {{"name", material.name},
                {"pbrMetallicRoughness",
                 {{"baseColorFactor", {color.x(), color.y(), color.z(), 1.0}},
-                 {"metallicFactor", 0.0},
-                 {"roughnessFactor", 1.0}}}};
+                 {"metallicFactor", material.metallic},
+                 {"roughnessFactor", material.roughness}}}};
   if (!material.emission.isZero()) {
-    const Color& emission = material.emission;
-    json["emissiveFactor"] = {emission.x(), emission.y(), emission.z()};
+    const double strength = std::max(material.emission.maxCoeff(), 1.0);
+    const Color factor = material.emission / strength;
+    json["emissiveFactor"] = {factor.x(), factor.y(), factor.z()};
+    if (strength > 1) {
+      json["extensions"]["KHR_materials_emissive_strength"] = {{"emissiveStrength", strength}};
+    }
   }
   if (material.double_sided) {
     json["doubleSided"] = true;
   }
   if (material.unlit) {
     json["extensions"]["KHR_materials_unlit"] = Json::object();
+  }
+  if (material.transmission > 0) {
+    json["extensions"]["KHR_materials_transmission"] = {
+        {"transmissionFactor", material.transmission}};
   }
   return json;
 }

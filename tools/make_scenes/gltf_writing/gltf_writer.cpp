@@ -168,9 +168,15 @@ void name_extensions(Json& json, const Model& model, const std::vector<Material>
   if (!model.lights.empty()) {
     used.push_back("KHR_lights_punctual");
   }
-  if (std::any_of(materials.begin(), materials.end(),
-                  [](const Material& material) { return material.unlit; })) {
+  const auto any = [&](auto has) { return std::any_of(materials.begin(), materials.end(), has); };
+  if (any([](const Material& material) { return material.unlit; })) {
     used.push_back("KHR_materials_unlit");
+  }
+  if (any([](const Material& material) { return material.emission.maxCoeff() > 1; })) {
+    used.push_back("KHR_materials_emissive_strength");
+  }
+  if (any([](const Material& material) { return material.transmission > 0; })) {
+    used.push_back("KHR_materials_transmission");
   }
   if (!used.empty()) {
     json["extensionsUsed"] = used;

@@ -138,6 +138,25 @@ std::vector<Material> visitor_materials() {
   };
 }
 
+Material shiny(Material material, double metallic, double roughness) {
+  material.metallic = metallic;
+  material.roughness = roughness;
+  return material;
+}
+
+std::vector<Material> kitchen_materials() {
+  Material glass = two_sided(shiny(plain("window_glass", {0.97, 0.985, 0.975}), 0, 0));
+  glass.transmission = 1;
+  return {
+      glass,
+      shiny(plain("mirror", {0.92, 0.92, 0.91}), 1, 0),
+      shiny(plain("polished_steel", {0.63, 0.63, 0.62}), 1, 0.08),
+      shiny(plain("brushed_steel", {0.6, 0.6, 0.6}), 1, 0.35),
+      shiny(plain("black_glass", {0.015, 0.015, 0.017}), 0, 0.05),
+      glowing(plain("light_panel", {0.8, 0.8, 0.8}), {13, 12.4, 11.2}),
+  };
+}
+
 void extend(std::vector<Material>& all, const std::vector<Material>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
@@ -151,6 +170,7 @@ std::vector<Material> materials() {
   extend(all, picture_materials());
   extend(all, test_materials());
   extend(all, visitor_materials());
+  extend(all, kitchen_materials());
   return all;
 }
 

@@ -71,6 +71,12 @@ enum class Finish {
   trousers,
   skin,
   hair,
+  window_glass,
+  mirror,
+  polished_steel,
+  brushed_steel,
+  black_glass,
+  light_panel,
 };
 
 enum class Wrap { repeat = 10497, clamp_to_edge = 33071, mirrored_repeat = 33648 };
@@ -97,9 +103,12 @@ struct Material {
   std::string image;                               ///< name of its texture's image; empty = none
   Eigen::Vector2d tile = Eigen::Vector2d::Ones();  ///< m (or share of 0..1) the image covers
   Sampler sampler;
-  Color emission = Color::Zero();  ///< linear RGB
+  Color emission = Color::Zero();  ///< linear RGB, above 1 where it lights a room
   bool unlit = false;
   bool double_sided = false;
+  double metallic = 0;
+  double roughness = 1;
+  double transmission = 0;  ///< of a thin wall
 };
 
 /// Returns the material of each Finish, in the enumerators' order.

@@ -13,7 +13,8 @@ int main(int argc, char** argv) try {
   for (const scenes::Model& model :
        {scenes::make_room(), scenes::make_corridor(), scenes::make_desk(),
         scenes::make_white_room(), scenes::make_plane_and_box(), scenes::make_moving_room(),
-        scenes::make_visited_room(), scenes::make_walker()}) {
+        scenes::make_visited_room(), scenes::make_walker(), scenes::make_kitchen(),
+        scenes::make_hall(), scenes::make_staircase(), scenes::make_courtyard()}) {
     scenes::write_gltf(model, std::filesystem::path(argv[1]) / model.name);
   }
   return 0;

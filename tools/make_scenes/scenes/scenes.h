@@ -13,6 +13,10 @@ Model make_white_room();     ///< white surfaces with shading but little texture
 Model make_plane_and_box();  ///< unlit, for closed-form truth; see assets/README.md
 Model make_visited_room();   ///< a person walks to and fro in it, period 6.4 s
 Model make_walker();         ///< a skinned figure that walks on the spot, facing +z; an actor
+Model make_kitchen();        ///< steel, glass and a mirror, 4 x 4.4 x 2.5 m
+Model make_hall();           ///< columns and tall windows with sun, 7 x 12 x 4.2 m
+Model make_staircase();      ///< two flights and a landing, 2.8 x 5.6 x 5.8 m
+Model make_courtyard();      ///< walls, trees and a fountain under the open sky, 10 x 12 m
 Model make_moving_room();    ///< animated door, ball and crate, period 8 s
 
 }  // namespace scenes

@@ -16,10 +16,7 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 // The body, m. It faces +z.
-constexpr double kHipHeight = 0.9;
-constexpr double kHipX = 0.09;
 constexpr double kThigh = 0.43;
-constexpr double kShoulderHeight = 1.4;
 constexpr double kShoulderX = 0.215;
 constexpr double kUpperArm = 0.28;
 

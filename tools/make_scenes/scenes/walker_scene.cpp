@@ -17,11 +17,8 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 // The body, m. It faces +z.
-constexpr double kHipHeight = 0.9;
-constexpr double kHipX = 0.09;
 constexpr double kKneeHeight = 0.47;
 constexpr double kWaistHeight = 1.02;
-constexpr double kShoulderHeight = 1.4;
 constexpr double kShoulderX = 0.225;
 constexpr double kElbowHeight = 1.12;
 
