@@ -21,8 +21,6 @@ using tools::Submission;
 
 class Submitting : public testing::Test {
  protected:
-  Submitting() { programs_.add_slurm(); }
-
   fs::path folder() const { return files_.path() / "it's out.submit"; }
 
   Submission submission(const std::vector<std::size_t>& shares, std::size_t throttle = 0) const {
@@ -39,7 +37,7 @@ class Submitting : public testing::Test {
     return record;
   }
 
-  StandIns programs_;
+  support::SlurmStandIns programs_;  // before the queue, which looks for sbatch
   support::TempFolder files_;
   tools::SlurmQueue queue_{[] {}};
 };

@@ -65,6 +65,12 @@ class StandIns {
   std::string old_path_;
 };
 
+/// StandIns with Slurm's programs from the start.
+class SlurmStandIns : public StandIns {
+ public:
+  SlurmStandIns() { add_slurm(); }
+};
+
 /// Names that a shell could take for something else.
 inline std::vector<std::string> odd_names() {
   return {"it's", "a b",  "$HOME",   "`id`",        "\"q\"", "a;b&c|d", "*",
