@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -118,6 +120,22 @@ void keep_freed_memory() {
 #endif
 }
 
+/// Ends the process as where memory ends elsewhere, if that is why an exception was not caught: a
+/// library that is loaded throws it before any of its functions can be called, or a thread of its.
+[[noreturn]] void end_uncaught() {
+  try {
+    if (const std::exception_ptr uncaught = std::current_exception()) {
+      std::rethrow_exception(uncaught);
+    }
+  } catch (const std::bad_alloc&) {
+    std::fputs("edvo: out of memory\n", stderr);
+    std::_Exit(tools::exit_code::kTemporary);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "edvo: internal error: %s\n", error.what());
+  }
+  std::abort();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -128,6 +146,7 @@ int main(int argc, char** argv) {
     return code;
   };
   try {
+    std::set_terminate(end_uncaught);
     tools::remember_signals();
     cv::setNumThreads(1);
     keep_freed_memory();
