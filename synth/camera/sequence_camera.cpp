@@ -152,13 +152,12 @@ Capture SequenceCamera::depth_capture(std::size_t index) const {
   const DepthSensorOptions& depth = options_.depth;
   Capture capture = color_capture(index);
   capture.channels = {.color = false, .depth = true, .normal = true, .sight = sees_materials_};
-  if (!depth.offset.isZero(0)) {
+  if (depth.is_elsewhere()) {
     capture.camera = camera_.without_distortion();
   }
   const double stamp = motion_.truth[index].timestamp + depth.delay;
   capture.scene_time += depth.delay;
-  const vo::SE3 T_color_depth(Eigen::Quaterniond::Identity(), depth.offset);
-  capture.motion = [this, stamp, T_color_depth](double time) {
+  capture.motion = [this, stamp, T_color_depth = depth.T_color_depth()](double time) {
     return motion_.path(stamp + time) * T_color_depth;
   };
   capture.shutter.exposure_time = 0;
@@ -188,8 +187,8 @@ vo::RgbdFrame SequenceCamera::take(std::size_t index, const Renderer& now) const
   const DepthView view =
       seen_by_depth_camera(apart ? now.render(capture) : color, options_.depth.materials);
   frame.depth = measure_depth(view, capture.camera, options_, index);
-  if (!options_.depth.offset.isZero(0)) {
-    frame.depth = registered(frame.depth, camera_, options_.depth.offset);
+  if (options_.depth.is_elsewhere()) {
+    frame.depth = registered(frame.depth, camera_, options_.depth.T_color_depth());
   }
   frame.depth = without_dark(frame.depth, frame.image, options_.depth.holes.dark_level);
   return frame;

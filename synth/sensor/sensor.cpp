@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "vo/core/error.h"
 #include "vo/core/hash.h"
@@ -44,14 +45,27 @@ bool is_share(double value) {
 
 }  // namespace
 
+vo::SE3 DepthSensorOptions::T_color_depth() const {
+  vo::Vector6d rotation = vo::Vector6d::Zero();
+  rotation.tail<3>() = turn * std::numbers::pi / 180;
+  return {vo::SE3::exp(rotation).rotation(), offset};
+}
+
+bool DepthSensorOptions::is_elsewhere() const {
+  return !offset.isZero(0) || !turn.isZero(0);
+}
+
 bool DepthSensorOptions::is_apart() const {
-  return !offset.isZero(0) || delay != 0 || shutter == DepthShutter::global;
+  return is_elsewhere() || delay != 0 || shutter == DepthShutter::global;
 }
 
 void DepthSensorOptions::validate() const {
   constexpr double kMaxCorrelation = 50;  // px
+  constexpr double kMaxTurn = 90;         // deg, beyond which the cameras see nothing in common
   vo::require(offset.allFinite() && std::isfinite(delay),
               "sensor.depth: expected a finite offset and delay");
+  vo::require(turn.allFinite() && turn.norm() < kMaxTurn,
+              "sensor.depth: expected a turn of less than ", kMaxTurn, " deg");
   for (const double sigma :
        {normal.sigma, normal.grazing, lateral.sigma, lateral.grazing, axial.constant, axial.linear,
         axial.quadratic, axial.grazing, disparity.focal_baseline, disparity.sigma, disparity.step,

@@ -19,6 +19,7 @@
 #include "synth/sensor/response.h"
 #include "vo/core/image.h"
 #include "vo/geometry/camera.h"
+#include "vo/geometry/se3.h"
 
 namespace synth {
 
@@ -47,6 +48,7 @@ constexpr auto enum_names(DepthShutter) {
 /// holes, rounding, registration to the colour image.
 struct DepthSensorOptions {
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();  ///< m, position in the colour camera's axes
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();    ///< deg, rotation vector in those axes
   double delay = 0;  ///< s, from the colour image's stamp to depth's
   DepthShutter shutter = DepthShutter::as_color;
   DepthMaterials materials;
@@ -58,8 +60,10 @@ struct DepthSensorOptions {
   DepthHoles holes;
   double step = 0;  ///< m, quantisation of depth; 0 = continuous
 
-  bool is_apart() const;  ///< whether depth needs a capture of its own
-  void validate() const;  ///< throws vo::Error if out of range
+  vo::SE3 T_color_depth() const;  ///< of offset and turn
+  bool is_elsewhere() const;      ///< whether depth is registered to the colour image
+  bool is_apart() const;          ///< whether depth needs a capture of its own
+  void validate() const;          ///< throws vo::Error if out of range
 };
 
 /// All effects between ideal images and what a sensor measures. The defaults are a perfect sensor.
@@ -85,6 +89,7 @@ struct SensorOptions {
 template <typename Visitor>
 void visit_fields(Visitor& visit, DepthSensorOptions& options) {
   visit("offset", options.offset, "of the depth camera, in the colour camera's axes, m");
+  visit("turn", options.turn, "of the depth camera, rotation vector in those axes, deg");
   visit("delay", options.delay, "of depth's stamp after the colour image's, s");
   visit("shutter", options.shutter, "when the rows of depth are measured");
   visit("materials", options.materials, "");

@@ -217,6 +217,7 @@ std::string format_recipe(const RenderJob& job) {
   keep_if_on(render, "render.denoise", recipe.render.denoise);
   std::vector<vo::Field> sensor = vo::fields_of(recipe.sensor, "sensor.");
   keep_if_on(sensor, "sensor.flicker.", recipe.sensor.flicker.is_on());
+  keep_if_on(sensor, "sensor.depth.turn", !recipe.sensor.depth.turn.isZero(0));
   keep_if_on(sensor, "sensor.depth.materials.", sees_materials(job.scene.scene(), recipe.sensor));
   text += vo::format_toml(render) + vo::format_toml(sensor);
   return text + describe_channels(recipe) + format_actors(job.scene.actors());

@@ -1,6 +1,7 @@
 #include "synth/depth_sensor/depth_holes.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -19,6 +20,17 @@ DepthView box_before_wall() {
   DepthView view = plane_view(plain_camera(), 2, 0);
   view.depth.colRange(60, 100).setTo(1);
   return view;
+}
+
+/// A depth camera beside and behind the colour camera, m.
+vo::SE3 at(double x, double z) {
+  return {Eigen::Quaterniond::Identity(), {x, 0, z}};
+}
+
+/// A depth camera that is turned about an axis of the colour camera's.
+vo::SE3 turned(double angle_deg, const Eigen::Vector3d& axis) {
+  const Eigen::AngleAxisd rotation(angle_deg * std::numbers::pi / 180, axis);
+  return {Eigen::Quaterniond(rotation), Eigen::Vector3d::Zero()};
 }
 
 TEST(SecondView, LosesTheDifferenceOfDisparitiesBesideTheNearerSurface) {
@@ -100,7 +112,7 @@ TEST(FlyingPixels, AreBetweenBothSurfacesAndOnlyBesideEdges) {
 
 TEST(Registered, DepthMovesByItsDisparityAndKeepsTheNearest) {
   // The depth camera is 25 mm to the left: 3.5 px at 1 m, 1.75 px at 2 m to the left in colour.
-  const vo::DepthImage depth = registered(box_before_wall().depth, plain_camera(), {-0.025, 0, 0});
+  const vo::DepthImage depth = registered(box_before_wall().depth, plain_camera(), at(-0.025, 0));
   EXPECT_EQ(depth(60, 70), 1);
   EXPECT_EQ(depth(60, 57), 1) << "60 - 3.5 rounded";
   EXPECT_EQ(depth(60, 54), 2);
@@ -111,8 +123,35 @@ TEST(Registered, DepthMovesByItsDisparityAndKeepsTheNearest) {
 
 TEST(Registered, DepthOfACameraFurtherBackIsLess) {
   const vo::DepthImage depth =
-      registered(plane_view(plain_camera(), 2, 0).depth, plain_camera(), {0, 0, -0.1});
+      registered(plane_view(plain_camera(), 2, 0).depth, plain_camera(), at(0, -0.1));
   EXPECT_FLOAT_EQ(depth(60, 80), 1.9F);
+}
+
+TEST(Registered, DepthOfACameraTurnedAboutItsAxisHasNoHoles) {
+  const vo::DepthImage wall = plane_view(plain_camera(), 2, 0).depth;
+  for (const double angle_deg : {10, 45, 80}) {
+    const vo::DepthImage depth =
+        registered(wall, plain_camera(), turned(angle_deg, Eigen::Vector3d::UnitZ()));
+    for (int v = 20; v < 100; ++v) {
+      for (int u = 40; u < 120; ++u) {
+        ASSERT_FLOAT_EQ(depth(v, u), 2) << angle_deg << " deg, " << u << ", " << v;
+      }
+    }
+    EXPECT_EQ(depth(0, 0), 0) << "beyond the turned image";
+  }
+}
+
+TEST(Registered, DepthOfACameraTurnedAsideIsThatOfALeaningWall) {
+  const vo::PinholeCamera camera = plain_camera();
+  const vo::SE3 T_color_depth = turned(20, Eigen::Vector3d::UnitY());
+  const vo::DepthImage depth = registered(plane_view(camera, 2, 0).depth, camera, T_color_depth);
+  const Eigen::Vector3d normal = T_color_depth.rotation() * Eigen::Vector3d::UnitZ();
+  for (int u = 60; u < 150; ++u) {
+    const double expected = 2 / normal.dot(camera.unproject({u, 59}, 1));
+    const double beside = 2 / normal.dot(camera.unproject({u - 1, 59}, 1));
+    // A pixel covers those beside it, too, and the nearest depth wins.
+    EXPECT_NEAR(depth(59, u), expected, 1.5 * std::abs(beside - expected)) << u;
+  }
 }
 
 }  // namespace
