@@ -24,6 +24,7 @@ ONLY_IN = {  # header of a library: the files that may name it
     "tiny_gltf.h": ["synth/gltf_model/", "synth/gltf/"],
     "draco/": ["synth/gltf_model/draco.cpp"],
     "meshoptimizer.h": ["synth/gltf_model/meshopt.cpp"],
+    "openexr.h": ["synth/environment/exr.cpp"],
     "toml++/": ["vo/text_files/toml_file.cpp"],
     "png.h": ["vo/image_files/png.cpp"],
     "turbojpeg.h": ["vo/image_files/jpeg_codec.cpp"],

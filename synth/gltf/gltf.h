@@ -39,7 +39,7 @@ void visit_fields(Visitor& visit, GltfOptions& options) {
   visit("loop", options.loop, "animations start again at their end instead of holding still");
   visit("scale", options.scale, "factor of the whole scene, 0.001 for a file in millimetres");
   visit("environment", options.environment,
-        "light from all sides: FILE.hdr, or sky:ELEVATION[,TURBIDITY], deg");
+        "light from all sides: FILE.hdr or .exr, or sky:ELEVATION[,TURBIDITY], deg");
   visit("environment_turn", options.environment_turn, "of the environment about the vertical, deg");
   visit("environment_strength", options.environment_strength, "factor of the environment's light");
 }

@@ -1,11 +1,23 @@
 #include "synth/gltf/scene_file.h"
 
+#include <numbers>
 #include <utility>
 
+#include "synth/environment/environment.h"
 #include "synth/gltf/actors.h"
-#include "synth/gltf/environment.h"
 
 namespace synth {
+
+namespace {
+
+Environment environment_of(const GltfOptions& options) {
+  Environment environment = read_environment(options.environment);
+  environment.turn = options.environment_turn * std::numbers::pi / 180;
+  environment.radiance *= options.environment_strength;
+  return environment;
+}
+
+}  // namespace
 
 SceneFile::SceneFile(std::filesystem::path path, GltfOptions options,
                      std::vector<ActorOptions> actors)
@@ -19,7 +31,7 @@ const SceneFile::Content& SceneFile::content() const {
     Content read;
     read.labelled = actors_.empty() ? load_labelled_gltf(path_, options_, &read.notes)
                                     : load_with_actors(path_, options_, actors_, &read.notes);
-    read.labelled.scene.environment = read_environment(options_);
+    read.labelled.scene.environment = environment_of(options_);
     *content_ = std::make_unique<const Content>(std::move(read));
   }
   return **content_;

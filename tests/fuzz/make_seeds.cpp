@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/support/bag_file.h"
+#include "tests/support/exr_file.h"
 #include "tests/support/recordings.h"
 #include "tests/support/small_forest.h"
 #include "vo/archives/gzip.h"
@@ -77,6 +78,10 @@ void add_images(Seeds& seeds) {
   seeds.push_back({"rgbe/packed", std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 8\n"
                                               "\x02\x02\x00\x08\x88\x01\x88\x02\x88\x03\x88\x81",
                                               57)});
+  const cv::Mat_<cv::Vec3f> light(kHeight, kWidth, cv::Vec3f(1, 2, 3));
+  seeds.push_back({"exr/plain", support::encode_exr(light, Imf::NO_COMPRESSION, Imf::FLOAT)});
+  seeds.push_back({"exr/zip", support::encode_exr(light, Imf::ZIP_COMPRESSION, Imf::HALF)});
+  seeds.push_back({"exr/piz", support::encode_exr(light, Imf::PIZ_COMPRESSION, Imf::HALF)});
   const cv::Mat_<cv::Vec2f> flow(kHeight, kWidth, cv::Vec2f(1, 2));
   seeds.push_back({"flow/small", vo::encode_flow(flow)});
   for (const auto& [chroma, name] : enum_names(vo::ChromaSampling{})) {

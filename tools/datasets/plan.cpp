@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "synth/gltf/environment.h"
+#include "synth/environment/environment.h"
 #include "tools/datasets/layout.h"
 #include "tools/datasets/part_folder.h"
 #include "tools/datasets/plan_file.h"

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "synth/gltf/environment.h"
+#include "synth/environment/environment.h"
 #include "tools/datasets/name_list.h"
 #include "tools/datasets/part_folder.h"
 #include "tools/datasets/spec_actors.h"

@@ -138,11 +138,12 @@ py::dict render(const PyRenderer& self, const vo::RgbdCamera& camera,
 
 void bind_rendering(py::module_& module) {
   py::class_<PyScene, std::shared_ptr<PyScene>>(module, "Scene", "A glTF 2.0 scene.")
-      .def(py::init(&load_scene), py::arg("path"), py::arg("environment") = "",
-           py::arg("environment_turn") = 0.0, py::arg("environment_strength") = 1.0,
-           py::arg("actors") = std::vector<py::dict>{},
-           "environment: equirectangular image of light from all sides (.hdr), turned in deg\n"
-           "actors: dicts of what goes through the scene, with the keys of a table [[actor]]")
+      .def(
+          py::init(&load_scene), py::arg("path"), py::arg("environment") = "",
+          py::arg("environment_turn") = 0.0, py::arg("environment_strength") = 1.0,
+          py::arg("actors") = std::vector<py::dict>{},
+          "environment: equirectangular image of light from all sides (.hdr, .exr), turned in deg\n"
+          "actors: dicts of what goes through the scene, with the keys of a table [[actor]]")
       .def_readonly("notes", &PyScene::notes, "what was left out of the file")
       .def_property_readonly("meshes", [](const PyScene& s) { return s.scene.meshes.size(); })
       .def_property_readonly(

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "synth/gltf/environment.h"
+#include "synth/environment/environment.h"
 #include "synth/sensor/preset.h"
 #include "tools/scenario/actor_tables.h"
 #include "tools/scenario/class_tables.h"

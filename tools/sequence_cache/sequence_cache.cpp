@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "synth/gltf/environment.h"
+#include "synth/environment/environment.h"
 #include "synth/gltf/gltf.h"
 #include "tools/sequence_cache/folder_hash.h"
 #include "tools/sequence_cache/generator_hash.h"

@@ -1,5 +1,7 @@
 #include "vo/image_files/new_image.h"
 
+#include <cstdint>
+
 #include "vo/core/error.h"
 
 namespace vo {
@@ -17,6 +19,13 @@ cv::Mat new_image(cv::Size size, int type, const std::filesystem::path& path) {
             " px needs ", static_cast<double>(size.area()) * CV_ELEM_SIZE(type),
             " bytes of memory, which are not there");
   }
+}
+
+cv::Mat_<cv::Vec3f> new_light_image(cv::Size size, const std::filesystem::path& path) {
+  constexpr std::int64_t kMostPixels = 1 << 26;
+  require(std::int64_t{size.width} * size.height <= kMostPixels, path.string(), ": is ", size.width,
+          " x ", size.height, " px, expected at most ", kMostPixels, " pixels");
+  return new_image(size, CV_32FC3, path);
 }
 
 }  // namespace vo

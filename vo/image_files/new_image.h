@@ -11,4 +11,8 @@ namespace vo {
 /// enough memory.
 cv::Mat new_image(cv::Size size, int type, const std::filesystem::path& path);
 
+/// Returns an image of linear light, RGB, as `new_image` does. Throws Error naming the file, too,
+/// beyond 2^26 px, 800 MB, which a short file may stand for.
+cv::Mat_<cv::Vec3f> new_light_image(cv::Size size, const std::filesystem::path& path);
+
 }  // namespace vo

@@ -17,11 +17,9 @@ namespace {
 
 constexpr int kBias = 128;  // of the exponent
 constexpr int kMantissaBits = 8;
-constexpr std::int64_t kMostPixels = 1
-                                     << 26;  // 800 MB of numbers, which a short file may stand for
-constexpr double kBrightest = 1e30;          // of a channel; what is brighter is taken as this
-constexpr int kShortestPacked = 8;           // px, rows from this length
-constexpr int kLongestPacked = 32767;        // to this one may be packed channel by channel
+constexpr double kBrightest = 1e30;    // of a channel; what is brighter is taken as this
+constexpr int kShortestPacked = 8;     // px, rows from this length
+constexpr int kLongestPacked = 32767;  // to this one may be packed channel by channel
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
@@ -75,9 +73,6 @@ Header read_header(Reader& reader, const std::filesystem::path& path) {
       std::sscanf(line.c_str(), "-Y %d +X %d", &header.size.height, &header.size.width);
   require(values == 2, path.string(), ": has a size of \"", line,
           "\", expected -Y HEIGHT +X WIDTH");
-  require(std::int64_t{header.size.width} * header.size.height <= kMostPixels, path.string(),
-          ": is ", header.size.width, " x ", header.size.height, " px, expected at most ",
-          kMostPixels, " pixels");
   return header;
 }
 
@@ -164,7 +159,7 @@ cv::Mat_<cv::Vec3f> read_rgbe(const std::filesystem::path& path) {
           ": expected an image of linear light in Radiance's format (.hdr)");
   Reader reader(bytes, path);
   const Header header = read_header(reader, path);
-  cv::Mat_<cv::Vec3f> image = new_image(header.size, CV_32FC3, path);
+  cv::Mat_<cv::Vec3f> image = new_light_image(header.size, path);
   std::vector<Rgbe> row(static_cast<std::size_t>(image.cols));
   for (int v = 0; v < image.rows; ++v) {
     read_row(reader, row, path);

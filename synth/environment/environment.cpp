@@ -1,8 +1,9 @@
-#include "synth/gltf/environment.h"
+#include "synth/environment/environment.h"
 
 #include <cstdio>
 #include <numbers>
 
+#include "synth/environment/exr.h"
 #include "synth/scene/sky.h"
 #include "vo/core/error.h"
 #include "vo/image_files/rgbe.h"
@@ -26,7 +27,7 @@ SkyOptions parse_sky(const std::string& text) {
 
 Environment read_image(const std::string& path) {
   Environment environment;
-  environment.radiance = vo::read_rgbe(path);
+  environment.radiance = path.ends_with(".exr") ? read_exr(path) : vo::read_rgbe(path);
   const cv::Size size = environment.radiance.size();
   vo::require(size.width == 2 * size.height, path, ": is ", size.width, " x ", size.height,
               " px, expected an equirectangular image, twice as wide as high");
@@ -35,20 +36,15 @@ Environment read_image(const std::string& path) {
 
 }  // namespace
 
-bool is_environment_file(const std::string& environment) {
-  return !environment.empty() && !environment.starts_with(kSky);
+bool is_environment_file(const std::string& name) {
+  return !name.empty() && !name.starts_with(kSky);
 }
 
-Environment read_environment(const GltfOptions& options) {
-  if (options.environment.empty()) {
+Environment read_environment(const std::string& name) {
+  if (name.empty()) {
     return {};
   }
-  Environment environment = is_environment_file(options.environment)
-                                ? read_image(options.environment)
-                                : clear_sky(parse_sky(options.environment));
-  environment.turn = options.environment_turn * std::numbers::pi / 180;
-  environment.radiance *= options.environment_strength;
-  return environment;
+  return is_environment_file(name) ? read_image(name) : clear_sky(parse_sky(name));
 }
 
 }  // namespace synth
