@@ -4,9 +4,21 @@ import base64
 import json
 import math
 import struct
+import typing
 
 ROWS = 48  # of a ball's triangles
-WIDTH, HEIGHT, FOCAL, EYE = 80, 60, 60, (0, 0, 1.8)  # of the camera: px, px, px, m in glTF's axes, along -z
+
+
+class View(typing.NamedTuple):
+    """A camera that looks along -z in glTF's axes, its middle in the middle of the image."""
+
+    width: int  # px
+    height: int  # px
+    focal: float  # px
+    eye: tuple  # m
+
+
+VIEW = View(80, 60, 60, (0, 0, 1.8))
 
 
 def material(colour, metallic=0.0, roughness=1.0, emission=0.0):
@@ -116,8 +128,8 @@ class Document:
         return json.dumps(self.json)
 
 
-def lamp_box():
-    """Return the document's text: 4 x 3 x 4 m about the origin, to be seen from z = 1.8 m."""
+def lit_box(lamp_size, emission):
+    """Return a document of a box, 4 x 3 x 4 m about the origin, and the square lamp under its ceiling."""
     document = Document()
     grey, red, green = (material(c) for c in ((0.7, 0.7, 0.7), (0.7, 0.1, 0.1), (0.1, 0.6, 0.1)))
     for y in (-1.5, 1.5):
@@ -126,7 +138,14 @@ def lamp_box():
         document.add(quad((-2, -1.5, z), (4, 0, 0), (0, 3, 0)), grey)
     for x, wall in ((-2, red), (2, green)):
         document.add(quad((x, -1.5, -2), (0, 0, 4), (0, 3, 0)), wall)
-    document.add(quad((-0.3, 1.49, -0.8), (0.6, 0, 0), (0, 0, 0.6)), material((0, 0, 0), emission=12))
+    corner = (-lamp_size / 2, 1.49, -0.5 - lamp_size / 2)
+    document.add(quad(corner, (lamp_size, 0, 0), (0, 0, lamp_size)), material((0, 0, 0), emission=emission))
+    return document
+
+
+def lamp_box():
+    """Return the text of the box with two balls, which VIEW shows."""
+    document = lit_box(0.6, 12)
     document.add(ball((-0.8, -0.9, -0.8), 0.6), material((0.9, 0.8, 0.5), metallic=1, roughness=0.25))
     document.add(ball((0.8, -0.9, -0.3), 0.6), material((0.2, 0.3, 0.8), roughness=0.3))
     return document.text()

@@ -9,43 +9,15 @@ renderer's picture of --reference samples without a denoiser, over its mean, in 
 import argparse
 import functools
 import json
-import os
 import pathlib
 import shutil
-import subprocess
-import time
 
 import numpy as np
 
-import edvo
-from lamp_box import EYE, FOCAL, HEIGHT, WIDTH, lamp_box
+from lamp_box import VIEW, lamp_box
+from renderers import render_by_cycles, render_by_edvo
 
-REFLECTIONS = 8
 LAMP = 6  # radiance; what is brighter is the lamp or shows it
-
-
-def render_by_edvo(scene, samples, denoise=False):
-    options = edvo.RenderOptions()
-    options.mode, options.samples, options.ambient, options.bounces = "path", samples, 0, REFLECTIONS
-    options.denoise = denoise
-    camera = edvo.Camera(width=WIDTH, height=HEIGHT, fx=FOCAL, fy=FOCAL, cx=(WIDTH - 1) / 2, cy=(HEIGHT - 1) / 2)
-    pose = np.diag([1.0, -1.0, -1.0, 1.0])
-    pose[:3, 3] = EYE
-    renderer = edvo.Renderer(edvo.Scene(str(scene)), options, exposure=1)
-    begun = time.process_time()
-    picture = np.array(renderer.render(camera, pose, ["image"])["radiance"])
-    return picture, time.process_time() - begun
-
-
-def render_by_cycles(scene, samples):
-    script = pathlib.Path(__file__).with_name("render_by_cycles.py")
-    out = scene.with_name("cycles.npy")
-    command = ["blender", "-b", "-P", script, "--", scene, out, str(samples), str(REFLECTIONS)]
-    done = subprocess.run(command, capture_output=True, text=True, check=True)
-    seconds = [float(line.split()[1]) for line in done.stdout.splitlines() if line.startswith("CPU ")]
-    picture = np.load(out)
-    os.remove(out)
-    return picture, seconds[0]
 
 
 def curve_of(render, scene, samples, converged):
@@ -54,7 +26,7 @@ def curve_of(render, scene, samples, converged):
     mean = converged[is_lit].mean()
     curve = []
     for count in samples:
-        picture, seconds = render(scene, count)
+        picture, seconds = render(scene, VIEW, count)
         error = (picture - converged)[is_lit]
         noise = float(np.sqrt((error**2).mean()) / mean)
         curve.append({"samples": count, "cpu_s": seconds, "noise": noise, "brighter": float(error.mean() / mean)})
@@ -106,7 +78,7 @@ def main():
     curves, converged = {}, {}
     print("renderer        samples   CPU s   noise  brighter")
     for name, variants in renderers.items():
-        converged[name], _ = variants[name](scene, arguments.reference)
+        converged[name], _ = variants[name](scene, VIEW, arguments.reference)
         for variant, render in variants.items():
             curves[variant] = curve_of(render, scene, samples, converged[name])
             for point in curves[variant]:

@@ -1,6 +1,6 @@
-"""blender -b -P render_by_cycles.py -- SCENE OUT.npy SAMPLES REFLECTIONS: render as `light_noise` does.
+"""blender -b -P render_by_cycles.py -- SCENE OUT.npy SAMPLES REFLECTIONS VIEW...: render as `renderers` does.
 
-One thread, box filter, no denoiser, no clamping; linear RGB, the camera of `lamp_box`. Prints the CPU time."""
+One thread, box filter, no denoiser, no clamping; linear RGB, the camera of a View's six numbers. Prints the CPU time."""
 
 import math
 import os
@@ -12,9 +12,11 @@ import numpy
 numpy.bool = bool  # Debian 12's importer of glTF uses the name that NumPy 1.24 has removed
 sys.path.insert(0, os.path.dirname(__file__))
 import bpy  # noqa: E402  (needs the name)
-from lamp_box import EYE, FOCAL, HEIGHT, WIDTH  # noqa: E402
+from lamp_box import View  # noqa: E402
 
-scene_file, out, samples, reflections = sys.argv[sys.argv.index("--") + 1 :]
+scene_file, out, samples, reflections, *numbers = sys.argv[sys.argv.index("--") + 1 :]
+width, height, focal, *eye = map(float, numbers)
+view = View(int(width), int(height), focal, eye)
 
 bpy.ops.wm.read_factory_settings(use_empty=True)
 bpy.ops.import_scene.gltf(filepath=scene_file)
@@ -39,16 +41,16 @@ cycles.blur_glossy = cycles.sample_clamp_indirect = cycles.sample_clamp_direct =
 cycles.pixel_filter_type = "BOX"
 scene.render.threads_mode, scene.render.threads = "FIXED", 1
 data = bpy.data.cameras.new("camera")
-data.sensor_fit, data.sensor_width, data.lens = "HORIZONTAL", WIDTH, FOCAL
+data.sensor_fit, data.sensor_width, data.lens = "HORIZONTAL", view.width, view.focal
 camera = bpy.data.objects.new("camera", data)
-camera.location = (EYE[0], -EYE[2], EYE[1])  # Blender's z is up
+camera.location = (view.eye[0], -view.eye[2], view.eye[1])  # Blender's z is up
 camera.rotation_euler = (math.pi / 2, 0, 0)
 bpy.context.collection.objects.link(camera)
 scene.camera = camera
 scene.world = bpy.data.worlds.new("world")
 scene.world.use_nodes = True
 scene.world.node_tree.nodes["Background"].inputs[0].default_value = (0, 0, 0, 1)
-scene.render.resolution_x, scene.render.resolution_y = WIDTH, HEIGHT
+scene.render.resolution_x, scene.render.resolution_y = view.width, view.height
 scene.render.resolution_percentage = 100
 scene.render.image_settings.file_format = "OPEN_EXR"
 scene.render.image_settings.color_depth = "32"
@@ -57,5 +59,5 @@ begun = time.process_time()
 bpy.ops.render.render(write_still=True)
 print("CPU", time.process_time() - begun)
 pixels = numpy.array(bpy.data.images.load(out + ".exr").pixels[:], numpy.float32)
-numpy.save(out, pixels.reshape(HEIGHT, WIDTH, 4)[::-1, :, :3])
+numpy.save(out, pixels.reshape(view.height, view.width, 4)[::-1, :, :3])
 os.remove(out + ".exr")
