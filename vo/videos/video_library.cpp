@@ -1,10 +1,14 @@
 #include "vo/videos/video_library.h"
 
+#include <csignal>
 #include <cstdlib>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
 #include <dlfcn.h>
+#include <sysexits.h>
+#include <unistd.h>
 
 #include "vo/core/error.h"
 #include "vo/core/version.h"
@@ -48,8 +52,38 @@ void silence_library() {
   // NOLINTEND(concurrency-mt-unsafe)
 }
 
+/// Ends the process as a shortage does elsewhere where a library aborts while it is loaded. Those
+/// of OpenCV and FFmpeg do so in their constructors, where nobody can catch what they throw, for
+/// want of memory (GDCM) or of a file (libgcrypt).
+class AbortsWhileLoading {
+ public:
+  AbortsWhileLoading() {
+    struct sigaction end {};
+    end.sa_handler = end_process;
+    ::sigaction(SIGABRT, &end, &before_);
+  }
+  ~AbortsWhileLoading() { ::sigaction(SIGABRT, &before_, nullptr); }
+  AbortsWhileLoading(const AbortsWhileLoading&) = delete;
+  AbortsWhileLoading& operator=(const AbortsWhileLoading&) = delete;
+  AbortsWhileLoading(AbortsWhileLoading&&) = delete;
+  AbortsWhileLoading& operator=(AbortsWhileLoading&&) = delete;
+
+ private:
+  static void end_process(int /*signal*/) {
+    constexpr std::string_view kLine =
+        "edvo: OpenCV's videoio cannot be loaded: a library that it needs gave up, as for want of "
+        "memory or of open files\n";
+    const ssize_t ignored = ::write(STDERR_FILENO, kLine.data(), kLine.size());
+    static_cast<void>(ignored);
+    ::_exit(EX_TEMPFAIL);
+  }
+
+  struct sigaction before_ {};
+};
+
 LoadedLibrary load(const fs::path& file) {
   silence_library();
+  const AbortsWhileLoading aborts;
   // It stays loaded: FFmpeg's threads and what they leave behind outlive every video.
   void* handle = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
