@@ -3,8 +3,10 @@
     python3 -B clip_in_every_format.py CLIP OUT [--camera NAME] [--edvo PROGRAM]
 
 A line a format: who wrote it, whether the trajectory has the same bytes, and the largest distance between
-positions of the same frame, mm. 7-Scenes holds depth in mm and no stamps; it is compared with a TUM folder
-of the same depth at its rate of 30 Hz. Needs python3-opencv and, for bags, ROS' modules. OUT is made.
+positions of the same frame, mm. EuRoC's lens model has four parameters: the images are written as those of a
+camera without distortion and tracked with the clip's. 7-Scenes holds depth in mm and no stamps; it is compared
+with a TUM folder of the same depth at its rate of 30 Hz. Needs python3-opencv and, for bags, ROS' modules. OUT is
+made.
 """
 
 import argparse
@@ -29,16 +31,25 @@ class Clip:
         self.out, self.camera = pathlib.Path(arguments.out), arguments.camera
 
     def run(self, *words):
-        subprocess.run([self.edvo, *map(str, words), "--quiet"], check=True, stdout=subprocess.DEVNULL)
+        done = subprocess.run([self.edvo, *map(str, words), "--quiet"], capture_output=True, text=True)
+        if done.returncode not in (0, 5):  # 5: a frame is lost or uncertain
+            raise SystemExit(f"{' '.join(map(str, words))}: {done.stderr}")
 
-    def tracked(self, sequence, camera=True):
+    def tracked(self, sequence, camera=None):
         path = self.out / f"{sequence.name}.estimate.txt"
-        self.run("track", sequence, *(["--camera", self.camera] if camera else []), "--out", path)
+        self.run("track", sequence, "--camera", camera or self.camera, "--out", path)
         return path
 
-    def converted(self, name, kind):
-        self.run("convert", self.folder, self.out / name, "--format", kind, "--camera", self.camera)
+    def converted(self, name, kind, camera=None):
+        self.run("convert", self.folder, self.out / name, "--format", kind, "--camera", camera or self.camera)
         return self.out / name
+
+    def camera_with(self, name, change):
+        """Writes the camera with changed lines, as that of the TUM folder that was converted to."""
+        lines = (self.out / "tum" / "camera.toml").read_text().splitlines()
+        path = self.out / name
+        path.write_text("".join(f"{changed}\n" for line in lines if (changed := change(line))))
+        return path
 
     def bag(self, name, messages):
         write_bag(self.out / name, [*messages, *poses(self.folder)], "lz4")
@@ -75,7 +86,7 @@ def write_millimetres(clip):
         shutil.copy(image, seven / f"frame-{i:06d}.color.png")
         cv2.imwrite(str(seven / f"frame-{i:06d}.depth.png"), millimetres)
         shutil.copy(image, tum / f"rgb/{i:06d}.png")
-        cv2.imwrite(str(tum / f"depth/{i:06d}.png"), millimetres * 5)
+        cv2.imwrite(str(tum / f"depth/{i:06d}.png"), millimetres)
         for kind, lines in lists.items():
             lines.append(f"{i / RATE_HZ!r} {kind}/{i:06d}.png\n")
     for kind, lines in lists.items():
@@ -106,14 +117,17 @@ def main():
     clip.out.mkdir(parents=True)
     expected = clip.tracked(clip.folder)
     print(f"{'format':28}{'written by':28}{'poses':>12}  {'trajectory':12}{'mm':>9}")
-    for kind, name in (("tum", "tum"), ("euroc", "euroc"), ("mcap", "clip.mcap")):
-        compare(kind, "edvo convert", clip.tracked(clip.converted(name, kind), camera=False), expected)
+    for kind, name in (("tum", "tum"), ("mcap", "clip.mcap")):
+        compare(kind, "edvo convert", clip.tracked(clip.converted(name, kind)), expected)
+    undistorted = clip.camera_with("undistorted.toml", lambda line: "" if "distortion" in line else line)
+    compare("euroc", "edvo convert", clip.tracked(clip.converted("euroc", "euroc", undistorted)), expected)
     bag = clip.bag("compressed.bag", compressed_images(clip.folder, "mono8; png compressed "))
     compare("ROS 1 bag, PNG", "rosbag", clip.tracked(bag), expected)
     bag = clip.bag("raw.bag", raw_images(clip.folder, pixels_of))
     compare("ROS 1 bag, raw, 32FC1", "rosbag", clip.tracked(bag), expected)
     seven, tum = write_millimetres(clip)
-    compare("7-Scenes, against TUM of mm", "this program", clip.tracked(seven), clip.tracked(tum))
+    in_mm = clip.camera_with("mm.toml", lambda line: line.replace("5000", "1000"))
+    compare("7-Scenes, against TUM of mm", "this program", clip.tracked(seven, in_mm), clip.tracked(tum, in_mm))
 
 
 main()

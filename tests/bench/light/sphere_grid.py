@@ -2,8 +2,8 @@
 """sphere_grid.py OUT [--samples 1024]: balls of all metalness and roughness by edvo and by Blender's Cycles.
 
 25 balls in a box with a lamp: metallic 0 to 1 from left to right, roughness 0.1 to 1 from top to bottom. Prints for
-each ball, and for the whole picture, the mean difference of the renderers, each pixel by its magnitude, over the mean
-of Cycles', after a common exposure. Writes OUT/sphere_grid.png with both pictures and ten times their difference.
+each ball, and for the whole picture, the mean magnitude of the renderers' difference over the mean of Cycles', after
+a common exposure, in means of blocks of pixels, which have less noise. Writes OUT/sphere_grid.png with both pictures and ten times their difference.
 Needs edvo's Python module (PYTHONPATH=build/release/python), blender and python3-matplotlib."""
 
 import argparse
@@ -14,7 +14,8 @@ import numpy as np
 from lamp_box import View, ball, lit_box, material
 from renderers import render_by_cycles, render_by_edvo
 
-VIEW = View(200, 150, 150, (0, 0, 1.8))
+VIEW = View(200, 150, 120, (0, 0, 1.8))
+BLOCK = 5  # px
 STEPS, SPACING, RADIUS, DISTANCE = 5, 0.5, 0.22, 2.4  # balls a row, m, m, m before the camera
 COLOUR = (0.8, 0.5, 0.2)
 ROUGHEST, SMOOTHEST = 1.0, 0.1
@@ -44,8 +45,16 @@ def pixels_of_ball(row, column):
     return slice(v - half, v + half + 1), slice(u - half, u + half + 1)
 
 
+def blocks_of(picture):
+    """Return the means of a picture's whole blocks."""
+    height, width = (size // BLOCK for size in picture.shape[:2])
+    cut = picture[: height * BLOCK, : width * BLOCK]
+    return cut.reshape(height, BLOCK, width, BLOCK, -1).mean(axis=(1, 3))
+
+
 def difference(ours, theirs):
-    return np.abs(ours - theirs).mean() / theirs.mean()
+    ours, theirs = blocks_of(ours), blocks_of(theirs)
+    return 100 * np.abs(ours - theirs).mean() / theirs.mean()
 
 
 def show(ours, theirs, path):
@@ -80,9 +89,10 @@ def main():
     ours = ours * exposure
     print("mean difference in % of the mean; metallic 0 to 1 from left to right, roughness from top to bottom")
     for row in range(STEPS):
-        print(*(f"{100 * difference(ours[pixels_of_ball(row, k)], theirs[pixels_of_ball(row, k)]):7.2f}" for k in range(STEPS)))
-    print(f"all pixels but the lamp's: {100 * difference(ours[is_lit], theirs[is_lit]):.2f} %; "
-          f"edvo's exposure {exposure:.4f}")
+        balls = [pixels_of_ball(row, column) for column in range(STEPS)]
+        print(*(f"{difference(ours[pixels], theirs[pixels]):7.2f}" for pixels in balls))
+    lit = is_lit[..., np.newaxis]
+    print(f"all pixels but the lamp's: {difference(ours * lit, theirs * lit):.2f}; edvo's exposure {exposure:.4f}")
     show(ours, theirs, arguments.out / "sphere_grid.png")
 
 
