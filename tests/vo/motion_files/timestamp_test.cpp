@@ -21,6 +21,12 @@ TEST(Timestamps, HaveSixDecimalsWhereThatTellsThemApart) {
   EXPECT_TRUE(vo::format_timestamps({}).empty());
 }
 
+TEST(Timestamps, OnBothSidesOfZeroAreToldApart) {
+  EXPECT_THAT(vo::format_timestamps({-1.5e-6, -1e-8, 1}),
+              ElementsAre("-0.000002", "0.000000", "1.000000"));
+  EXPECT_THAT(vo::format_timestamps({-1e-8, 0}), ElementsAre("-0.00000001", "0"));
+}
+
 TEST(Timestamps, ThatSixDecimalsDoNotTellApartReadBackAsTheyWere) {
   const std::vector<double> timestamps = {std::numeric_limits<double>::denorm_min(),
                                           1e-17,
