@@ -6,6 +6,10 @@
 #include <memory>
 #include <numbers>
 #include <utility>
+#include <vector>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include "synth/path_planning/free_space.h"
 #include "synth/path_planning/moving_obstacles.h"
@@ -85,6 +89,54 @@ void measure_view(const SurfaceTracer& tracer, const vo::PinholeCamera& camera,
   frame.textured_share = content.textured_share;
 }
 
+/// Checks frames of a path, from any thread. What it is given must outlive it.
+class FrameChecker {
+ public:
+  FrameChecker(const Scene& scene, const vo::PinholeCamera& camera, const TimedPath& timed)
+      : scene_(scene), camera_(camera), timed_(timed), moving_(moving_instances(scene)) {
+    if (!moves(scene)) {
+      still_ = std::make_shared<const Instant>(scene_at(scene, 0));
+    }
+  }
+
+  /// Returns the scene as it is at a frame.
+  std::shared_ptr<const Instant> instant(std::size_t frame) const {
+    return still_ ? still_
+                  : std::make_shared<const Instant>(
+                        scene_at(scene_, timed_.times[frame] - timed_.times.front()));
+  }
+
+  /// Checks a frame and the way to the next one. `now` is the scene at the frame, and then that at
+  /// the next one.
+  FrameCheck check(std::size_t index, std::shared_ptr<const Instant>& now) const {
+    const std::size_t next_index = std::min(index + 1, timed_.times.size() - 1);
+    FrameCheck frame{.time = timed_.times[index]};
+    const double next = timed_.times[next_index];
+    const vo::SE3 T_world_cur = timed_.path(frame.time);
+    const vo::SE3 T_world_next = timed_.path(next);
+    measure_motion(timed_.path, frame);
+    measure_view(now->tracer, camera_, T_world_cur, frame);
+    frame.clearance = clearance_between(now->space, timed_.path, frame.time, next);
+    frame.flow_px = median_flow(now->tracer, camera_, T_world_cur, T_world_next);
+    if (!still_) {
+      std::shared_ptr<const Instant> then = instant(next_index);
+      if (is_struck(now->scene, then->scene, moving_,
+                    {T_world_cur.translation(), T_world_next.translation()})) {
+        frame.clearance = 0;
+      }
+      now = std::move(then);
+    }
+    return frame;
+  }
+
+ private:
+  const Scene& scene_;
+  const vo::PinholeCamera& camera_;
+  const TimedPath& timed_;
+  std::vector<bool> moving_;
+  std::shared_ptr<const Instant> still_;  ///< where nothing moves
+};
+
 void require_limits(const PathLimits& limits, PathReport& report) {
   const auto compare = [&](const char* name, double found, double limit, bool is_kept) {
     if (limit > 0 && !is_kept) {
@@ -132,30 +184,16 @@ Range range_of(const std::vector<FrameCheck>& frames, double FrameCheck::*value)
 
 std::vector<FrameCheck> check_frames(const Scene& scene, const vo::PinholeCamera& camera,
                                      const TimedPath& timed, const FrameRange& range) {
-  const bool is_moving = moves(scene);
-  const std::vector<bool> moving = moving_instances(scene);
-  const double start = timed.times.front();
-  std::vector<FrameCheck> frames;
-  auto now = std::make_unique<const Instant>(scene_at(scene, timed.times[range.first] - start));
-  for (std::size_t i = range.first; i < range.end; ++i) {
-    FrameCheck frame{.time = timed.times[i]};
-    const double next = timed.times[std::min(i + 1, timed.times.size() - 1)];
-    const vo::SE3 T_world_cur = timed.path(frame.time);
-    const vo::SE3 T_world_next = timed.path(next);
-    measure_motion(timed.path, frame);
-    measure_view(now->tracer, camera, T_world_cur, frame);
-    frame.clearance = clearance_between(now->space, timed.path, frame.time, next);
-    frame.flow_px = median_flow(now->tracer, camera, T_world_cur, T_world_next);
-    if (is_moving) {
-      auto then = std::make_unique<const Instant>(scene_at(scene, next - start));
-      if (is_struck(now->scene, then->scene, moving,
-                    {T_world_cur.translation(), T_world_next.translation()})) {
-        frame.clearance = 0;
-      }
-      now = std::move(then);
-    }
-    frames.push_back(frame);
-  }
+  constexpr std::size_t kChunk = 8;  // frames in a row, which share the scene's state between two
+  const FrameChecker checker(scene, camera, timed);
+  std::vector<FrameCheck> frames(range.end - range.first);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(range.first, range.end, kChunk),
+                    [&](const tbb::blocked_range<std::size_t>& chunk) {
+                      auto now = checker.instant(chunk.begin());
+                      for (std::size_t i = chunk.begin(); i < chunk.end(); ++i) {
+                        frames[i - range.first] = checker.check(i, now);
+                      }
+                    });
   return frames;
 }
 
