@@ -311,15 +311,15 @@ void verify(const DatasetArguments& arguments, Session& session) {
                                   {"bytes", verification.bytes},
                                   {"problems", verification.problems}});
   } else {
+    const std::size_t count = verification.problems.size();
     for (const std::string& problem : verification.problems) {
       std::cout << session.out.paint(Tone::bad, "differs") << ": " << problem << "\n";
     }
     std::cout << arguments.out << ": " << verification.files << " files, "
               << format_decimals(static_cast<double>(verification.bytes) / kBytesPerMegabyte, 1)
               << " MB, "
-              << (verification.problems.empty()
-                      ? "all as they were made\n"
-                      : vo::concat(verification.problems.size(), " problems\n"));
+              << (count == 0 ? "all as they were made\n"
+                             : vo::concat(count, count == 1 ? " problem\n" : " problems\n"));
   }
   session.status = verification.problems.empty() ? exit_code::kOk : exit_code::kBoundViolated;
 }
