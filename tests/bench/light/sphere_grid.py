@@ -57,7 +57,7 @@ def difference(ours, theirs):
     return 100 * np.abs(ours - theirs).mean() / theirs.mean()
 
 
-def show(ours, theirs, path):
+def show(ours, theirs, white, path):
     import matplotlib
 
     matplotlib.use("agg")
@@ -67,7 +67,7 @@ def show(ours, theirs, path):
     for axis, picture, title in zip(
         axes, (ours, theirs, 10 * np.abs(ours - theirs)), ("edvo", "Cycles", "difference, times 10")
     ):
-        axis.imshow(np.clip(picture / np.percentile(theirs, 98), 0, 1) ** (1 / 2.2))
+        axis.imshow(np.clip(picture / white, 0, 1) ** (1 / 2.2))
         axis.set_title(title)
         axis.set_axis_off()
     figure.tight_layout()
@@ -93,7 +93,7 @@ def main():
         print(*(f"{difference(ours[pixels], theirs[pixels]):7.2f}" for pixels in balls))
     lit = is_lit[..., np.newaxis]
     print(f"all pixels but the lamp's: {difference(ours * lit, theirs * lit):.2f}; edvo's exposure {exposure:.4f}")
-    show(ours, theirs, arguments.out / "sphere_grid.png")
+    show(ours, theirs, np.percentile(theirs[is_lit], 99), arguments.out / "sphere_grid.png")
 
 
 if __name__ == "__main__":
