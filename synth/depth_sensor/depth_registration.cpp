@@ -6,7 +6,7 @@
 namespace synth {
 namespace {
 
-/// Where a depth pixel lies in the colour image, px, both ends included.
+/// Footprint bounds the colour pixels that a depth pixel covers, both ends included.
 struct Footprint {
   Eigen::Vector2i first;
   Eigen::Vector2i last;

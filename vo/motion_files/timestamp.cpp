@@ -59,7 +59,7 @@ double seconds_of(std::int64_t nanoseconds) {
 std::string format_timestamp(double timestamp) {
   constexpr double kHalfMicrosecond = 0.5e-6;
   std::array<char, 400> text{};  // the greatest double has 309 digits
-  // What rounds to 0 from below would be written -0.000000, another text for the same stamp.
+  // A stamp that rounds to 0 from below would be written -0.000000, another text for the same one.
   const double written = std::abs(timestamp) <= kHalfMicrosecond ? 0.0 : timestamp;
   std::snprintf(text.data(), text.size(), "%.6f", written);
   return text.data();
