@@ -142,8 +142,7 @@ class Decoder {
     const bool is_first = pipeline_.channels == nullptr;
     file_.check(is_first ? exr_decoding_initialize(file_.context(), 0, &chunk, &pipeline_)
                          : exr_decoding_update(file_.context(), 0, &chunk, &pipeline_));
-    vo::require(corner.x >= 0 && corner.y >= 0 && corner.x + chunk.width <= image_.cols &&
-                    corner.y + chunk.height <= image_.rows,
+    vo::require(corner.x + chunk.width <= image_.cols && corner.y + chunk.height <= image_.rows,
                 file_.path().string(), ": has pixels beyond its image");
     for (int i = 0; i < pipeline_.channel_count; ++i) {
       set_target(pipeline_.channels[i], chunk, corner);
@@ -202,9 +201,14 @@ void decode_tiles(const File& file, cv::Size size, Decoder& decoder) {
   }
 }
 
-void require_readable_panorama(const File& file) {
+exr_storage_t storage_of(const File& file) {
   exr_storage_t storage = EXR_STORAGE_SCANLINE;
   file.check(exr_get_storage(file.context(), 0, &storage));
+  return storage;
+}
+
+void require_readable_panorama(const File& file) {
+  const exr_storage_t storage = storage_of(file);
   vo::require(storage == EXR_STORAGE_SCANLINE || storage == EXR_STORAGE_TILED, file.path().string(),
               ": has a list of samples in each pixel, expected an image");
   exr_compression_t compression = EXR_COMPRESSION_NONE;
@@ -226,10 +230,8 @@ cv::Mat_<cv::Vec3f> decode(const File& file) {
   file.check(exr_get_data_window(file.context(), 0, &window));
   const cv::Size size(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1);
   cv::Mat_<cv::Vec3f> image = vo::new_light_image(size, file.path());
-  exr_storage_t storage = EXR_STORAGE_SCANLINE;
-  file.check(exr_get_storage(file.context(), 0, &storage));
   Decoder decoder(file, colors, image);
-  if (storage == EXR_STORAGE_TILED) {
+  if (storage_of(file) == EXR_STORAGE_TILED) {
     decode_tiles(file, size, decoder);
   } else {
     decode_rows(file, window.min.y, size.height, decoder);
@@ -242,8 +244,8 @@ cv::Mat_<cv::Vec3f> decode(const File& file) {
   return image;
 }
 
-/// Makes light of what was read.
-void require_light(cv::Mat_<cv::Vec3f>& image, const fs::path& path) {
+/// Sets negative light to 0. Throws vo::Error naming the first pixel that is no finite number.
+void keep_light(cv::Mat_<cv::Vec3f>& image, const fs::path& path) {
   for (int v = 0; v < image.rows; ++v) {
     for (int u = 0; u < image.cols; ++u) {
       cv::Vec3f& light = image(v, u);
@@ -261,7 +263,7 @@ void require_light(cv::Mat_<cv::Vec3f>& image, const fs::path& path) {
 cv::Mat_<cv::Vec3f> read_exr(const fs::path& path) {
   const std::string bytes = vo::read_file(path);
   cv::Mat_<cv::Vec3f> image = decode(File(bytes, path));
-  require_light(image, path);
+  keep_light(image, path);
   return image;
 }
 
