@@ -2,6 +2,8 @@
 
 import dataclasses
 
+from small_exr import small_exr
+
 ORBIT = ("--path orbit --orbit.centre=-0.95,0.5,0.3 --orbit.radius 1.2 --orbit.height 0.8 --rate 15 "
          "--duration 0.4")
 WALL = ("--path orbit --orbit.centre=0,0,0 --orbit.radius 2 --orbit.height 0.2 --rate 15 --duration 0.4")
@@ -47,6 +49,7 @@ kind = "orbit"
 orbit.radius = 2.0
 """
 FILES = {"rgbd.toml": SCENARIO, "mono.toml": SCENARIO + MONO, "set.toml": DATASET}
+BINARY_FILES = {"sky.exr": small_exr(8, 4, (0.2, 0.4, 0.9))}
 
 # Made once: the inputs of the commands below.
 INPUTS = [
@@ -73,7 +76,7 @@ COMMANDS = [
     Command("unsynced", [f"{RENDER} --no-sync --out out"]),
     Command("force", [f"{RENDER} --ambient 0.5 --force --out out"], [f"{RENDER} --out out"]),
     Command("path", [f"{RENDER} --mode path --environment sky:30 --out out"]),
-    Command("denoised", [f"{SAMPLED} --samples 4 --mode path --denoise --out out"]),
+    Command("denoised", [f"{SAMPLED} --samples 4 --mode path --denoise --environment {{inputs}}/sky.exr --out out"]),
     Command("run", ["run {inputs}/rgbd.toml --debug-images 3 --quiet --out out"]),
     Command("run_mono", ["run {inputs}/mono.toml --debug-images 3 --quiet --out out"]),
     Command("test", ["test {inputs}/rgbd.toml --cache cache --quiet --junit junit.xml --json results.json "

@@ -116,6 +116,8 @@ class Torture:
         self.inputs.mkdir(parents=True)
         for name, text in commands.FILES.items():
             (self.inputs / name).write_text(text.format(assets=self.assets))
+        for name, content in commands.BINARY_FILES.items():
+            (self.inputs / name).write_bytes(content)
         self.run_all(commands.INPUTS, self.work, (0,))
         for command in chosen:
             self.undisturbed[command.name] = self.measure(command)
