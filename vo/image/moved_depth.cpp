@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 #include "vo/core/instruction_set.h"
 
@@ -32,15 +33,19 @@ struct DepthLookup {
   SmallMotion motion;
 };
 
+/// Numbers of both pixels of a row of each cell.
+using PixelRow = std::array<float, 2 * kMovedCells>;
+
 /// Cells side by side, each by its upper left pixel, and what is found of them.
 struct alignas(64) MovedCells {
-  CellRow x, y;                                         // X / Z and Y / Z of the pixels' rays
-  CellRow z;                                            // m, depth of their points; 0 is unknown
-  CellRow u, v;                                         // px, where the points were seen
-  CellRow stretch;                                      // of depth on the way from there
-  std::array<int, kMovedCells> index;                   // in the image, of the pixel nearest to it
-  CellRow is_inside;                                    // 1, or 0 where that is beyond the border
-  alignas(64) std::array<float, 2 * kMovedCells> line;  // m, moved depths of a row of pixels
+  CellRow x, y;                         // X / Z and Y / Z of the pixels' rays
+  CellRow z;                            // m, depth of their points; 0 is unknown
+  CellRow u, v;                         // px, where the points were seen
+  CellRow stretch;                      // of depth on the way from there
+  std::array<int, kMovedCells> index;   // in the image, of the pixel nearest to it
+  CellRow is_inside;                    // 1, or 0 where that is beyond the border
+  alignas(64) PixelRow factor, offset;  // of the pixels' depths: 1, and m where there is depth
+  alignas(64) PixelRow line;            // m, moved depths of a row of pixels
 };
 
 EDVO_INLINE float farther(float a, float b) {
@@ -123,19 +128,38 @@ EDVO_INLINE void look_up(const float* depth, MovedCells& cells) {
   }
 }
 
-/// Moves the depths of one of the cells' two rows of pixels.
-EDVO_INLINE void move_line(const float* depth, float tz, MovedCells& cells) {
-  CellRow left;
-  CellRow right;
+/// Computes how the depths of both rows of pixels change: not at all beyond the border, where they
+/// become 0.
+EDVO_INLINE void find_changes(float tz, MovedCells& cells) {
   for (std::size_t i = 0; i < kMovedCells; ++i) {
-    left[i] = depth[cells.index[i]] * cells.is_inside[i];
-    right[i] = depth[cells.index[i] + 1] * cells.is_inside[i];
+    cells.factor[2 * i] = cells.stretch[i] * cells.is_inside[i];
+    cells.factor[2 * i + 1] = cells.stretch[i] * cells.is_inside[i];
   }
   for (std::size_t i = 0; i < kMovedCells; ++i) {
-    const float left_tz = left[i] > 0 ? tz : 0;
-    const float right_tz = right[i] > 0 ? tz : 0;
-    cells.line[2 * i] = left[i] * cells.stretch[i] + left_tz;
-    cells.line[2 * i + 1] = right[i] * cells.stretch[i] + right_tz;
+    cells.offset[2 * i] = tz * cells.is_inside[i];
+    cells.offset[2 * i + 1] = tz * cells.is_inside[i];
+  }
+}
+
+/// Moves the depths of one of the cells' two rows of pixels. Both pixels of a cell are copied at
+/// once, which takes half the time of gathering them one by one.
+EDVO_INLINE void move_line(const float* depth, MovedCells& cells) {
+  for (std::size_t i = 0; i < kMovedCells; ++i) {
+    std::memcpy(cells.line.data() + 2 * i, depth + cells.index[i], 2 * sizeof(float));
+  }
+  for (std::size_t i = 0; i < cells.line.size(); ++i) {
+    const float offset = cells.line[i] > 0 ? cells.offset[i] : 0;
+    cells.line[i] = cells.line[i] * cells.factor[i] + offset;
+  }
+}
+
+/// Writes the moved depths of a row of pixels: a whole block by its constant size, which takes a
+/// few instructions, the last one by its length.
+EDVO_INLINE void write_line(const MovedCells& cells, std::size_t count, float* moved) {
+  if (count == kMovedCells) {
+    std::memcpy(moved, cells.line.data(), sizeof(cells.line));
+  } else {
+    std::copy_n(cells.line.begin(), 2 * count, moved);
   }
 }
 
@@ -153,10 +177,11 @@ EDVO_INLINE void move_image(const DepthLookup& from, DepthImage& moved) {
       look_up(depth, cells);
       aim(from, static_cast<float>(first), static_cast<float>(v), cells);
       find_cells(from, cells);
-      move_line(depth, from.motion.tz, cells);
-      std::copy_n(cells.line.begin(), 2 * count, moved[v] + first);
-      move_line(depth + stride, from.motion.tz, cells);
-      std::copy_n(cells.line.begin(), 2 * count, moved[v + 1] + first);
+      find_changes(from.motion.tz, cells);
+      move_line(depth, cells);
+      write_line(cells, count, moved[v] + first);
+      move_line(depth + stride, cells);
+      write_line(cells, count, moved[v + 1] + first);
     }
   }
 }
