@@ -127,8 +127,12 @@ std::string report_markdown(const Scenario& scenario, const Outcome& outcome) {
 std::string report_table(const Scenario& scenario, const Outcome& outcome, const Colours& colours) {
   constexpr std::size_t kNameWidth = 28;
   constexpr std::size_t kValueWidth = 14;
-  std::string text = padded(scenario.name, kNameWidth) + padded("measured", kValueWidth) +
-                     padded("bound", kValueWidth) + "\n";
+  std::size_t bound_width = kValueWidth;
+  for (const BoundCheck& check : outcome.checks) {
+    bound_width = std::max(bound_width, bound_text(check.bound).size() + 1);
+  }
+  std::string text =
+      padded(scenario.name, kNameWidth) + padded("measured", kValueWidth) + "bound\n";
   for (const auto& [metric, value] : metric_values(outcome.metrics)) {
     const BoundCheck* check = find_check(outcome, metric);
     if (!is_shown(value, check)) {
@@ -137,7 +141,7 @@ std::string report_table(const Scenario& scenario, const Outcome& outcome, const
     text += padded(metric, kNameWidth) + padded(shown_number(value), kValueWidth);
     if (check != nullptr) {
       text +=
-          padded(bound_text(check->bound), kValueWidth) +
+          padded(bound_text(check->bound), bound_width) +
           (check->holds ? colours.paint(Tone::good, "ok") : colours.paint(Tone::bad, "VIOLATED"));
     }
     text += "\n";
