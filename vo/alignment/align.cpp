@@ -9,6 +9,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "vo/alignment/pose_covariance.h"
+#include "vo/alignment/secant_hessian.h"
 #include "vo/core/error.h"
 
 namespace vo {
@@ -71,9 +72,18 @@ class LevelAlignment {
   }
 
  private:
+  /// Returns the step that minimises the loss as far as its curvature is known. Far from the
+  /// minimum, where coarse levels start, the loss is not convex and a secant leads astray.
+  Vector6d next_step() const {
+    if (!options_.secant || problem_.level() > 0) {
+      return system_.step();
+    }
+    return NormalEquations<6>{hessian_.corrected(system_.H), system_.b}.step();
+  }
+
   /// Takes a step and returns true, or says in the result why there is none and returns false.
   bool step() {
-    const Vector6d delta = system_.step();
+    const Vector6d delta = next_step();
     if (is_small(delta, options_.last_step, problem_.level(), options_)) {
       if (!is_small(delta, 1, problem_.level(), options_)) {
         take_unchecked(delta);
@@ -107,6 +117,7 @@ class LevelAlignment {
       return false;
     }
     result_.T_cur_ref = T_candidate;
+    hessian_.add(delta, candidate.b - system_.b);
     system_ = candidate;
     return better;
   }
@@ -115,6 +126,7 @@ class LevelAlignment {
   const AlignOptions& options_;
   AlignResult& result_;
   JointSystem system_;
+  SecantHessian hessian_;
 };
 
 void summarize(const JointSystem& system, const JointProblem& problem, AlignMemory& memory,

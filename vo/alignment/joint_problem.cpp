@@ -339,7 +339,7 @@ void JointProblem::advance(JointSystem& system, const Vector6d& delta,
     PointEquations& part = system.parts[i];
     part.b += part.H * part_step(system, i, delta, T_cur_first);
   }
-  system.b += system.H * delta;
+  system.b.setZero();
 }
 
 }  // namespace vo

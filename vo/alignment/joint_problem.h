@@ -117,8 +117,8 @@ class JointProblem {
   /// Moves each pair's brightness along with a pose increment of the system.
   void update_brightness(const JointSystem& system, const Vector6d& delta, const SE3& T_cur_first);
 
-  /// Moves the gradients of the system and its parts along with a pose increment and the steps of
-  /// brightness that go with it, to first order.
+  /// Moves the gradients of the system's parts along with the pose increment that solves it and the
+  /// steps of brightness that go with it, to first order. That of the system becomes 0.
   void advance(JointSystem& system, const Vector6d& delta, const SE3& T_cur_first) const;
 
   using Models = InplaceVector<ResidualModel, kMaxPairs>;

@@ -36,6 +36,7 @@ MonoOptions mono_options() {
   options.tracker.align.min_rotation_deg = 2e-3;
   options.tracker.align.step_limit_growth = 2;
   options.tracker.align.last_step = 1;
+  options.tracker.align.secant = false;
   options.tracker.align.coarse_references = 0;
   options.tracker.map.references = 6;
   return options;

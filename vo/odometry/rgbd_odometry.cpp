@@ -47,7 +47,8 @@ TrackerOptions best_options() {
   options.points.coarser_share = 0.55;
   options.points.discontinuity_radius = 1;
   options.align.step_limit_growth = 5;
-  options.align.last_step = 5;
+  options.align.last_step = 10;
+  options.align.secant = true;
   options.align.coarse_references = 2;
   options.align.formulation = Formulation::esm;
   options.align.loss = RobustLoss::student_t;

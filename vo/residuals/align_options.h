@@ -55,6 +55,7 @@ struct AlignOptions {
   bool keep_worse_step = false;    ///< whether a step that raised the cost is kept
   double last_step = 1;  ///< a step below this many times its limits is taken unchecked, as the
                          ///< last; 1 is none
+  bool secant = false;   ///< whether the finest level's steps use the curvature that they showed
   int coarse_references = 0;  ///< most references on levels coarser than the finest; 0 is all
   Formulation formulation = Formulation::forward;
   RobustLoss loss = RobustLoss::huber;
@@ -85,6 +86,8 @@ void visit_fields(Visitor& visit, AlignOptions& options) {
   visit("last_step", options.last_step,
         "a step below this many times its limits is the last and taken without a look at its cost; "
         "1 is none");
+  visit("secant", options.secant,
+        "whether steps of the finest level use the curvature of the loss that those before showed");
   visit("coarse_references", options.coarse_references,
         "most references on levels coarser than the finest; 0 is all");
   visit("formulation", options.formulation, "whose gradient the Jacobian is made of");

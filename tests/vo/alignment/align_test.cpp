@@ -71,6 +71,26 @@ TEST(Align, TheLastStepCountsWhereItIsTaken) {
   EXPECT_LT(taken, 0.5 * left);
 }
 
+/// The robust loss curves less than its weights say; the minimum is the same.
+TEST(Align, StepsThatKnowTheCurvatureReachTheSamePoseSooner) {
+  vo::AlignOptions options{.step_limit_growth = 5,
+                           .formulation = vo::Formulation::esm,
+                           .loss = vo::RobustLoss::student_t,
+                           .scale = vo::LossScale::residuals};
+  int plain_iterations = 0;
+  int secant_iterations = 0;
+  for (const double size : {-1.5, -1.0, -0.5, 0.5, 1.0, 1.5}) {
+    options.secant = false;
+    const vo::AlignResult plain = align_pair(SE3(), motion(size), options);
+    options.secant = true;
+    const vo::AlignResult secant = align_pair(SE3(), motion(size), options);
+    EXPECT_THAT(secant.T_cur_ref, PoseNear(plain.T_cur_ref, support::PoseTolerance{1e-4, 2e-3}));
+    plain_iterations += plain.iterations;
+    secant_iterations += secant.iterations;
+  }
+  EXPECT_LT(secant_iterations, 0.9 * plain_iterations);
+}
+
 /// Coarse levels only lead to where the finest one starts.
 TEST(Align, FewerReferencesOnCoarseLevelsEndAtTheSamePose) {
   const vo::FramePyramid first = pyramid_at(SE3());
