@@ -72,12 +72,12 @@ class LevelAlignment {
   }
 
  private:
-  /// Returns the step that minimises the loss as far as its curvature is known. Far from the
-  /// minimum, where coarse levels start, the loss is not convex and a secant leads astray.
+  /// Returns whether steps show the curvature of the loss. Far from the minimum, where coarse
+  /// levels start, the loss is not convex and a secant leads astray.
+  bool learns_curvature() const { return options_.secant && problem_.level() == 0; }
+
+  /// Returns the step that minimises the loss as far as its curvature is known.
   Vector6d next_step() const {
-    if (!options_.secant || problem_.level() > 0) {
-      return system_.step();
-    }
     return NormalEquations<6>{hessian_.corrected(system_.H), system_.b}.step();
   }
 
@@ -117,7 +117,9 @@ class LevelAlignment {
       return false;
     }
     result_.T_cur_ref = T_candidate;
-    hessian_.add(delta, candidate.b - system_.b);
+    if (learns_curvature()) {
+      hessian_.add(delta, candidate.b - system_.b);
+    }
     system_ = candidate;
     return better;
   }

@@ -128,8 +128,8 @@ EDVO_INLINE void look_up(const float* depth, MovedCells& cells) {
   }
 }
 
-/// Computes how the depths of both rows of pixels change: not at all beyond the border, where they
-/// become 0.
+/// Computes by what factor and offset the depths of both rows of pixels change. Both are 0 beyond
+/// the border, where no depth is known.
 EDVO_INLINE void find_changes(float tz, MovedCells& cells) {
   for (std::size_t i = 0; i < kMovedCells; ++i) {
     cells.factor[2 * i] = cells.stretch[i] * cells.is_inside[i];
@@ -142,7 +142,7 @@ EDVO_INLINE void find_changes(float tz, MovedCells& cells) {
 }
 
 /// Moves the depths of one of the cells' two rows of pixels. Both pixels of a cell are copied at
-/// once, which takes half the time of gathering them one by one.
+/// once, which is half the loads of gathering them one by one.
 EDVO_INLINE void move_line(const float* depth, MovedCells& cells) {
   for (std::size_t i = 0; i < kMovedCells; ++i) {
     std::memcpy(cells.line.data() + 2 * i, depth + cells.index[i], 2 * sizeof(float));
