@@ -5,6 +5,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "vo/core/normal_equations.h"
+
 namespace vo {
 namespace {
 
@@ -102,7 +104,7 @@ Matrix6d acceleration_covariance(const JointProblem& problem, const SE3& T_cur_f
 
 /// Returns H^-1 S H^-1, the covariance of the increment that follows from the covariance S of b.
 Matrix6d propagated(const Matrix6d& H, const Matrix6d& scatter_of_b) {
-  const Matrix6d H_inverse = H.ldlt().solve(Matrix6d::Identity());
+  const Matrix6d H_inverse = solve_by_columns<6, 6>(H, Matrix6d::Identity());
   const Matrix6d covariance = H_inverse * scatter_of_b * H_inverse;
   return (covariance + covariance.transpose()) / 2;
 }
@@ -125,7 +127,7 @@ Matrix6d sandwich_covariance(const JointProblem& problem, const JointSystem& sys
 
 Matrix6d pose_covariance(const JointProblem& problem, const JointSystem& system,
                          const JointScores& scores, const SE3& T_cur_first) {
-  const Matrix6d H_inverse = system.H.ldlt().solve(Matrix6d::Identity());
+  const Matrix6d H_inverse = solve_by_columns<6, 6>(system.H, Matrix6d::Identity());
   return cell_covariance(system, scores) +
          propagated(system.H, shutter_scatter(problem, scores, T_cur_first)) +
          acceleration_covariance(problem, T_cur_first) +

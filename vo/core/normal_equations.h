@@ -6,6 +6,19 @@
 
 namespace vo {
 
+/// Returns X with A X = B for a symmetric A (Cholesky's L D L^T), a column at a time: Eigen solves
+/// for several columns by blocks, and adds in an order that depends on the processor's registers.
+template <int N, int kColumns>
+Eigen::Matrix<double, N, kColumns> solve_by_columns(const Eigen::Matrix<double, N, N>& A,
+                                                    const Eigen::Matrix<double, N, kColumns>& B) {
+  const Eigen::LDLT<Eigen::Matrix<double, N, N>> decomposition(A);
+  Eigen::Matrix<double, N, kColumns> X;
+  for (Eigen::Index k = 0; k < kColumns; ++k) {
+    X.col(k) = decomposition.solve(B.col(k));
+  }
+  return X;
+}
+
 /// The normal equations H delta = -b of N unknowns (Gauss-Newton): H is the sum of w J^T J and b
 /// that of w J^T r over residuals r of weight w and Jacobian J. H is symmetric.
 template <int N>
@@ -79,7 +92,7 @@ struct NormalEquations {
     if constexpr (E <= kClosedForm) {
       return block.inverse() * right;
     } else {
-      return block.ldlt().solve(right);
+      return solve_by_columns<E, Right::ColsAtCompileTime>(block, right);
     }
   }
 

@@ -9,6 +9,7 @@
 
 #include "vo/core/error.h"
 #include "vo/core/instruction_set.h"
+#include "vo/image/cubic_depth.h"
 #include "vo/image/gray_without_vignette.h"
 
 namespace vo {
@@ -198,8 +199,7 @@ void PyramidBuilder::halve_depth_into(const DepthImage& depth, DepthImage& half)
   if (options_.depth == HalvedDepth::surfaces) {
     halve_depth(depth, half);
   } else {
-    make_writable(half, {depth.cols / 2, depth.rows / 2});
-    cv::resize(depth, half, half.size(), 0, 0, cv::INTER_CUBIC);
+    halve_cubic(depth, half);
   }
 }
 

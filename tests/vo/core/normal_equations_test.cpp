@@ -126,6 +126,12 @@ TEST(NormalEquations, AddUpInProportionToTheirWeights) {
   EXPECT_EQ(sum.cost, 2);
 }
 
+TEST(SolveByColumns, SolvesForEachColumn) {
+  const Equations::Matrix H = Problem().equations().H;
+  const Eigen::Matrix<double, kUnknowns, 3> B = Eigen::Matrix<double, kUnknowns, 3>::Random();
+  EXPECT_LT((H * vo::solve_by_columns<kUnknowns, 3>(H, B) - B).norm(), kTolerance);
+}
+
 TEST(SeparateUnknowns, StepSolvesTheirEquations) {
   const vo::SeparateUnknowns<> depths{Eigen::MatrixXd::Random(3, 5),
                                       Eigen::VectorXd::Random(5).cwiseAbs(),
