@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "synth/gltf_document/notes.h"
-#include "synth/gltf_document/rotation.h"
 #include "synth/gltf_model/accessor.h"
 #include "synth/gltf_model/select.h"
 #include "synth/scene/scene.h"
 #include "vo/core/error.h"
+#include "vo/geometry/unit_quaternion.h"
 
 namespace synth {
 namespace {
@@ -44,7 +44,7 @@ void require_rotations(const AnimationCurve& curve, const std::string& place) {
   const bool has_tangents = curve.interpolation == Interpolation::cubic_spline;
   for (std::size_t row = has_tangents ? 1 : 0; row < rows; row += has_tangents ? 3 : 1) {
     const Eigen::Map<const Eigen::Vector4f> rotation(curve.values.data() + 4 * row);
-    require(is_nearly_unit(rotation), place, ": element ", row,
+    require(vo::is_nearly_unit(rotation), place, ": element ", row,
             " is not of length 1, expected a unit quaternion");
   }
 }

@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "synth/gltf_document/check_instancing.h"
-#include "synth/gltf_document/rotation.h"
 #include "synth/gltf_model/accessor.h"
 #include "synth/scene/motion.h"
 #include "vo/core/error.h"
+#include "vo/geometry/unit_quaternion.h"
 
 namespace synth {
 namespace {
@@ -33,7 +33,7 @@ std::vector<Vector> read_attribute(GltfReading& reading, const tinygltf::Node& n
 
 Eigen::Quaterniond rotation_of(const Eigen::Vector4f& xyzw, std::size_t index,
                                const std::string& place) {
-  require(is_nearly_unit(xyzw), place, ": ROTATION ", index,
+  require(vo::is_nearly_unit(xyzw), place, ": ROTATION ", index,
           " is not of length 1, expected a unit quaternion");
   return Eigen::Quaterniond(xyzw.cast<double>()).normalized();
 }

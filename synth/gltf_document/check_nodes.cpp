@@ -8,8 +8,8 @@
 
 #include <Eigen/Core>
 
-#include "synth/gltf_document/rotation.h"
 #include "vo/core/error.h"
+#include "vo/geometry/unit_quaternion.h"
 
 namespace synth {
 namespace {
@@ -27,8 +27,9 @@ void check_transform(const JsonObject& node) {
     require(matrix[3] == 0 && matrix[7] == 0 && matrix[11] == 0 && matrix[15] == 1, node.place(),
             ": the last row of matrix is not 0 0 0 1, expected an affine transform");
   }
-  require(rotation.empty() || is_nearly_unit(Eigen::Map<const Eigen::Vector4d>(rotation.data())),
-          node.place(), ": rotation is not of length 1, expected a unit quaternion");
+  require(
+      rotation.empty() || vo::is_nearly_unit(Eigen::Map<const Eigen::Vector4d>(rotation.data())),
+      node.place(), ": rotation is not of length 1, expected a unit quaternion");
 }
 
 void check_spot(const JsonObject& light) {

@@ -1,11 +1,11 @@
 #include "vo/motion_files/trajectory_file.h"
 
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
+#include "vo/geometry/unit_quaternion.h"
 #include "vo/motion_files/colmap_images.h"
 #include "vo/motion_files/frame_times.h"
 #include "vo/motion_files/pose_collector.h"
@@ -145,7 +145,7 @@ TrajectoryFile read_recording(const RecordingName& name, const TrajectoryReading
 SE3 checked_pose(const std::string& place, const Eigen::Quaterniond& rotation,
                  const Eigen::Vector3d& position) {
   require_within_reach(place, position);
-  require(std::abs(rotation.norm() - 1) < kUnitTolerance, place,
+  require(is_nearly_unit(rotation.coeffs()), place,
           ": expected a quaternion of length 1, got length ", rotation.norm());
   return {rotation, position};
 }
