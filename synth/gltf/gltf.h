@@ -12,10 +12,10 @@
 
 namespace synth {
 
-/// The textures without which a file is not read; those of other images may be missing: all; those
-/// of the base colour; or those of the base colour of materials that are not opaque, as depth
-/// needs.
-enum class NeededTextures { all, base_color, alpha };
+/// The images without which a file is not read; others may be missing: all; those of surfaces,
+/// without light from all sides, as the rasterizer needs; those of the base colour; or those of the
+/// base colour of materials that are not opaque, as depth needs.
+enum class NeededTextures { all, surfaces, base_color, alpha };
 
 /// Options that select the parts of a glTF file to read. Its elements are known by their names or
 /// by their numbers from 0.
@@ -24,9 +24,9 @@ struct GltfOptions {
   std::string animation;  ///< "" = all but those that move what an earlier one does; "none"; or one
   bool loop = false;      ///< animations restart at their end instead of holding their last pose
   double scale = 1;       ///< factor of all lengths, for a file whose unit is not the metre
-  std::string environment;          ///< of Scene::environment, as SceneFile reads it
-  double environment_turn = 0;      ///< deg about +y, of that image
-  double environment_strength = 1;  ///< factor of its light
+  std::string environment;          ///< Scene::environment instead of the file's, by SceneFile
+  double environment_turn = 0;      ///< deg about +y, of that image or the file's, by SceneFile
+  double environment_strength = 1;  ///< factor of its light, by SceneFile
   NeededTextures needed = NeededTextures::all;
 
   void validate() const;  ///< throws vo::Error if out of range

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "synth/gltf/animation.h"
+#include "synth/gltf/image_based_light.h"
 #include "synth/gltf/instancing.h"
 #include "synth/gltf/material.h"
 #include "synth/gltf/mesh.h"
@@ -345,27 +346,25 @@ class SceneReader {
   SceneLabels labels_;
 };
 
-/// Returns the root nodes of the wanted scene, or all root nodes if the file has no scenes.
-std::vector<int> scene_roots(const GltfModel& model, const std::string& wanted) {
+/// Returns the index of the wanted scene; none if the file has no scenes and none is wanted.
+std::optional<int> chosen_scene(const GltfModel& model, const std::string& wanted) {
   const std::vector<tinygltf::Scene>& scenes = model.content.scenes;
-  if (scenes.empty() && wanted.empty()) {
-    return root_nodes(model.content);
-  }
   if (wanted.empty()) {
-    const int chosen = model.content.defaultScene;
-    return scenes[chosen == kNone ? 0 : at(chosen)].nodes;
+    return scenes.empty() ? std::nullopt : std::optional(std::max(model.content.defaultScene, 0));
   }
   std::vector<std::string> names;
   for (const tinygltf::Scene& scene : scenes) {
     names.push_back(scene.name);
   }
-  return scenes[at(select_one(wanted, names, "scene", model.path.string()))].nodes;
+  return select_one(wanted, names, "scene", model.path.string());
 }
 
 }  // namespace
 
 LabelledScene read_scene(const GltfModel& model, const GltfOptions& options, Notes& notes) {
   LabelledScene labelled = SceneReader(model, options, notes).read();
+  labelled.scene.environment =
+      read_image_based_light(model, chosen_scene(model, options.scene), options, notes);
   if (labelled.scene.instances.empty()) {
     add_note(notes, "the scene has no triangles");
   }
@@ -373,7 +372,9 @@ LabelledScene read_scene(const GltfModel& model, const GltfOptions& options, Not
 }
 
 std::vector<int> scene_nodes(const GltfModel& model, const std::string& wanted) {
-  return nodes_below(model.content, scene_roots(model, wanted));
+  const std::optional<int> chosen = chosen_scene(model, wanted);
+  return nodes_below(model.content,
+                     chosen ? model.content.scenes[at(*chosen)].nodes : root_nodes(model.content));
 }
 
 }  // namespace synth

@@ -217,16 +217,17 @@ void MaterialReader::read_surface(const tinygltf::Material& source, Material& ma
 /// Reads what only a lit material has: emission and all textures but the base colour's.
 void MaterialReader::read_maps(const tinygltf::Material& source, Material& material) {
   material.metallic_roughness_texture = slot(source.pbrMetallicRoughness.metallicRoughnessTexture,
-                                             TexelEncoding::linear, NeededTextures::all);
-  material.normal_texture = slot(source.normalTexture, TexelEncoding::linear, NeededTextures::all);
+                                             TexelEncoding::linear, NeededTextures::surfaces);
+  material.normal_texture =
+      slot(source.normalTexture, TexelEncoding::linear, NeededTextures::surfaces);
   material.normal_scale = static_cast<float>(source.normalTexture.scale);
   material.occlusion_texture =
-      slot(source.occlusionTexture, TexelEncoding::linear, NeededTextures::all);
+      slot(source.occlusionTexture, TexelEncoding::linear, NeededTextures::surfaces);
   material.occlusion_strength = static_cast<float>(source.occlusionTexture.strength);
   material.emission = read_emission(source);
   if (!material.emission.isZero(0)) {
     material.emissive_texture =
-        slot(source.emissiveTexture, TexelEncoding::srgb, NeededTextures::all);
+        slot(source.emissiveTexture, TexelEncoding::srgb, NeededTextures::surfaces);
   }
 }
 

@@ -10,8 +10,11 @@ namespace synth {
 
 namespace {
 
-Environment environment_of(const GltfOptions& options) {
-  Environment environment = read_environment(options.environment);
+/// Returns the environment that the options name, otherwise the file's own, as they turn and scale
+/// it.
+Environment environment_of(const GltfOptions& options, Environment of_file) {
+  Environment environment =
+      options.environment.empty() ? std::move(of_file) : read_environment(options.environment);
   environment.turn = options.environment_turn * std::numbers::pi / 180;
   environment.radiance *= options.environment_strength;
   return environment;
@@ -31,7 +34,8 @@ const SceneFile::Content& SceneFile::content() const {
     Content read;
     read.labelled = actors_.empty() ? load_labelled_gltf(path_, options_, &read.notes)
                                     : load_with_actors(path_, options_, actors_, &read.notes);
-    read.labelled.scene.environment = environment_of(options_);
+    Scene& scene = read.labelled.scene;
+    scene.environment = environment_of(options_, std::move(scene.environment));
     *content_ = std::make_unique<const Content>(std::move(read));
   }
   return **content_;

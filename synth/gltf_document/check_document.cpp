@@ -9,6 +9,7 @@
 
 #include "synth/gltf_document/check_buffers.h"
 #include "synth/gltf_document/check_draco.h"
+#include "synth/gltf_document/check_image_based_lights.h"
 #include "synth/gltf_document/check_instancing.h"
 #include "synth/gltf_document/check_meshes.h"
 #include "synth/gltf_document/check_meshopt.h"
@@ -25,11 +26,11 @@ namespace {
 using vo::require;
 
 constexpr std::array kSupportedExtensions = {
-    "EXT_mesh_gpu_instancing", "EXT_meshopt_compression", "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",     "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
-    "KHR_materials_ior",       "KHR_materials_specular",  "KHR_materials_transmission",
-    "KHR_materials_unlit",     "KHR_materials_volume",    "KHR_mesh_quantization",
-    "KHR_texture_transform"};
+    kImageBasedLightExtension,         "EXT_mesh_gpu_instancing", "EXT_meshopt_compression",
+    "KHR_draco_mesh_compression",      "KHR_lights_punctual",     "KHR_materials_clearcoat",
+    "KHR_materials_emissive_strength", "KHR_materials_ior",       "KHR_materials_specular",
+    "KHR_materials_transmission",      "KHR_materials_unlit",     "KHR_materials_volume",
+    "KHR_mesh_quantization",           "KHR_texture_transform"};
 
 /// Unsupported extensions with the glTF Transform command that writes a file without each.
 constexpr std::array<std::pair<const char*, const char*>, 5> kConversions = {
@@ -230,6 +231,7 @@ void check_document(const GltfFile& file, Notes& notes) {
   check_instancing(root);
   check_skins(root, notes);
   check_motion(root, notes);
+  check_image_based_lights(root);
   check_meshopt(root);
   check_draco(root);
 }

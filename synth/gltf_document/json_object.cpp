@@ -113,12 +113,16 @@ std::vector<double> JsonObject::all_numbers(const std::string& key) const {
     return numbers;
   }
   for (std::size_t i = 0; i < values->size(); ++i) {
-    if (!(*values)[i].is_number()) {
-      reject(numbered(key, i), (*values)[i], "a number");
-    }
-    numbers.push_back((*values)[i].get<double>());
+    numbers.push_back(checked_number((*values)[i], numbered(key, i)));
   }
   return numbers;
+}
+
+std::vector<std::vector<double>> JsonObject::number_rows(const std::string& key,
+                                                         std::size_t columns) const {
+  return rows<double>(key, columns, [this](const json& value, const std::string& name) {
+    return checked_number(value, name);
+  });
 }
 
 std::vector<std::string> JsonObject::texts(const std::string& key) const {
@@ -160,6 +164,14 @@ std::vector<std::size_t> JsonObject::indices(const std::string& key, std::size_t
     indices.push_back(checked_index((*values)[i], numbered(key, i), size));
   }
   return indices;
+}
+
+std::vector<std::vector<std::size_t>> JsonObject::index_rows(const std::string& key,
+                                                             std::size_t columns,
+                                                             std::size_t size) const {
+  return rows<std::size_t>(key, columns, [this, size](const json& value, const std::string& name) {
+    return checked_index(value, name, size);
+  });
 }
 
 std::optional<JsonObject> JsonObject::object(const std::string& key) const {
@@ -205,6 +217,33 @@ const json* JsonObject::find_array(const std::string& key) const {
     reject(key, *value, "an array");
   }
   return value;
+}
+
+double JsonObject::checked_number(const json& value, const std::string& key) const {
+  if (!value.is_number()) {
+    reject(key, value, "a number");
+  }
+  return value.get<double>();
+}
+
+/// Reads an array of arrays of `columns` elements; `read` gets each element and its name.
+template <typename Element, typename Read>
+std::vector<std::vector<Element>> JsonObject::rows(const std::string& key, std::size_t columns,
+                                                   const Read& read) const {
+  std::vector<std::vector<Element>> rows;
+  const json* values = find_array(key);
+  for (std::size_t i = 0; values != nullptr && i < values->size(); ++i) {
+    const json& row = (*values)[i];
+    const std::string name = numbered(key, i);
+    if (!row.is_array() || row.size() != columns) {
+      reject(name, row, "an array of " + std::to_string(columns) + " elements");
+    }
+    rows.emplace_back();
+    for (std::size_t k = 0; k < columns; ++k) {
+      rows.back().push_back(read(row[k], numbered(name, k)));
+    }
+  }
+  return rows;
 }
 
 std::size_t JsonObject::checked_index(const json& value, const std::string& key,

@@ -32,10 +32,16 @@ class JsonObject {
   std::vector<double> all_numbers(const std::string& key) const;
   std::vector<std::string> texts(const std::string& key) const;
 
+  /// Reads an array of arrays of exactly `columns` numbers each; empty if the member is absent.
+  std::vector<std::vector<double>> number_rows(const std::string& key, std::size_t columns) const;
+
   /// Reads an index into an array of `size` elements; nothing if the member is absent.
   std::optional<std::size_t> index(const std::string& key, std::size_t size) const;
   std::size_t required_index(const std::string& key, std::size_t size) const;
   std::vector<std::size_t> indices(const std::string& key, std::size_t size) const;
+  /// Reads an array of arrays of exactly `columns` indices each.
+  std::vector<std::vector<std::size_t>> index_rows(const std::string& key, std::size_t columns,
+                                                   std::size_t size) const;
 
   std::optional<JsonObject> object(const std::string& key) const;
   JsonObject required_object(const std::string& key) const;
@@ -48,8 +54,12 @@ class JsonObject {
 
   const nlohmann::json* find(const std::string& key) const;
   const nlohmann::json* find_array(const std::string& key) const;
+  double checked_number(const nlohmann::json& value, const std::string& key) const;
   std::size_t checked_index(const nlohmann::json& value, const std::string& key,
                             std::size_t size) const;
+  template <typename Element, typename Read>
+  std::vector<std::vector<Element>> rows(const std::string& key, std::size_t columns,
+                                         const Read& read) const;
   std::string child(const std::string& key) const;
   [[noreturn]] void reject(const std::string& key, const nlohmann::json& value,
                            const std::string& expected) const;

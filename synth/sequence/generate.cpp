@@ -42,22 +42,18 @@ CameraPath path_of(const SequenceRecipe& recipe) {
 }
 
 NeededTextures needed_textures(const SequenceRecipe& recipe) {
-  const bool depends_on_all = recipe.channels.has(TruthChannel::edges) ||  // some are in textures
-                              recipe.channels.has(TruthChannel::depth_beyond) ||
-                              recipe.sensor.depth.materials.is_on();
-  if (depends_on_all) {
+  const RenderMode mode = recipe.render.mode;
+  const bool is_lit = mode == RenderMode::direct || mode == RenderMode::path;
+  if (is_lit && recipe.render.kind == RendererKind::ray_tracer) {
     return NeededTextures::all;
   }
-  switch (recipe.render.mode) {
-    case RenderMode::depth:
-      return NeededTextures::alpha;
-    case RenderMode::unlit:
-      return NeededTextures::base_color;
-    case RenderMode::direct:
-    case RenderMode::path:
-      return NeededTextures::all;
+  const bool shows_surfaces = recipe.channels.has(TruthChannel::edges) ||  // some are in textures
+                              recipe.channels.has(TruthChannel::depth_beyond) ||
+                              recipe.sensor.depth.materials.is_on();
+  if (is_lit || shows_surfaces) {
+    return NeededTextures::surfaces;
   }
-  return NeededTextures::all;
+  return mode == RenderMode::depth ? NeededTextures::alpha : NeededTextures::base_color;
 }
 
 FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe,
