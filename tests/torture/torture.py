@@ -205,7 +205,12 @@ class Torture:
         """Runs several processes at once on one output."""
         number = dice.choice([2, 4, 8])
         processes = [self.start(words, folder) for words in command.words for _ in range(number)]
-        ends = [self.end(process) for process in processes]
+        try:
+            ends = [self.end(process) for process in processes]
+        finally:
+            for process in processes:  # none may write into the next round's folder
+                process.kill()
+                process.wait()
         for code, said in ends:
             if code not in command.ends:
                 raise Failure(f"one of {number} processes ended with {code}: {said.strip()}")
