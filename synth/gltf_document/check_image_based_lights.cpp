@@ -3,10 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include <Eigen/Core>
-
+#include "synth/gltf_document/check_nodes.h"
 #include "vo/core/error.h"
-#include "vo/geometry/unit_quaternion.h"
 
 namespace synth {
 namespace {
@@ -18,10 +16,7 @@ void check_light(const JsonObject& light, std::size_t images) {
   constexpr std::size_t kHarmonics = 9;  // of bands 0 to 2
   const double intensity = light.number("intensity").value_or(1);
   require(intensity >= 0, light.place(), ": intensity is ", intensity, ", expected 0 or more");
-  const std::vector<double> rotation = light.numbers("rotation", 4);
-  require(
-      rotation.empty() || vo::is_nearly_unit(Eigen::Map<const Eigen::Vector4d>(rotation.data())),
-      light.place(), ": rotation is not of length 1, expected a unit quaternion");
+  require_unit_rotation(light.numbers("rotation", 4), light);
   light.required_whole_number("specularImageSize");
   require(!light.index_rows("specularImages", kFaces, images).empty(), light.place(),
           ": has no specularImages, expected the six faces of a cube map");

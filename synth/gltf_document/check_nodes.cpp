@@ -27,9 +27,7 @@ void check_transform(const JsonObject& node) {
     require(matrix[3] == 0 && matrix[7] == 0 && matrix[11] == 0 && matrix[15] == 1, node.place(),
             ": the last row of matrix is not 0 0 0 1, expected an affine transform");
   }
-  require(
-      rotation.empty() || vo::is_nearly_unit(Eigen::Map<const Eigen::Vector4d>(rotation.data())),
-      node.place(), ": rotation is not of length 1, expected a unit quaternion");
+  require_unit_rotation(rotation, node);
 }
 
 void check_spot(const JsonObject& light) {
@@ -150,6 +148,12 @@ void check_scenes(const JsonObject& root, const Parents& parents) {
 }
 
 }  // namespace
+
+void require_unit_rotation(const std::vector<double>& rotation, const JsonObject& object) {
+  require(
+      rotation.empty() || vo::is_nearly_unit(Eigen::Map<const Eigen::Vector4d>(rotation.data())),
+      object.place(), ": rotation is not of length 1, expected a unit quaternion");
+}
 
 Parents find_parents(const std::vector<JsonObject>& nodes) {
   Parents parents(nodes.size());
