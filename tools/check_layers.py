@@ -21,7 +21,7 @@ ONLY_IN = {  # header of a library: the files that may name it
     "embree3/": ["synth/ray_tracing/embree_"],
     "GL/": ["synth/rasterization/gl_"],
     "EGL/": ["synth/rasterization/gl_context.cpp"],
-    "tiny_gltf.h": ["synth/gltf_model/", "synth/gltf/"],
+    "tiny_gltf.h": ["synth/gltf_model/", "synth/gltf_materials/", "synth/gltf/"],
     "draco/": ["synth/gltf_model/draco.cpp"],
     "meshoptimizer.h": ["synth/gltf_model/meshopt.cpp"],
     "openexr.h": ["synth/environment/exr.cpp"],

@@ -8,14 +8,10 @@
 #include <vector>
 
 #include "synth/gltf_document/notes.h"
+#include "synth/gltf_materials/needed_textures.h"
 #include "synth/scene/scene.h"
 
 namespace synth {
-
-/// The images without which a file is not read; others may be missing: all; those of surfaces,
-/// without light from all sides, as the rasterizer needs; those of the base colour; or those of the
-/// base colour of materials that are not opaque, as depth needs.
-enum class NeededTextures { all, surfaces, base_color, alpha };
 
 /// Options that select the parts of a glTF file to read. Its elements are known by their names or
 /// by their numbers from 0.

@@ -10,11 +10,11 @@
 #include "synth/gltf/animation.h"
 #include "synth/gltf/image_based_light.h"
 #include "synth/gltf/instancing.h"
-#include "synth/gltf/material.h"
 #include "synth/gltf/mesh.h"
 #include "synth/gltf/placed_lights.h"
 #include "synth/gltf/skin.h"
 #include "synth/gltf_document/notes.h"
+#include "synth/gltf_materials/material.h"
 #include "synth/gltf_model/accessor.h"
 #include "synth/gltf_model/gltf_reading.h"
 #include "synth/gltf_model/nodes.h"
@@ -74,7 +74,7 @@ class SceneReader {
       : model_(model),
         options_(options),
         reading_{model, notes, budget_},
-        materials_(reading_, scene_, options),
+        materials_(reading_, scene_, options.needed, options.scale),
         forest_(read_nodes(model.content, options.scale)),
         skins_(model.content.skins.size(), kNone),
         is_read_(model.content.meshes.size(), false) {

@@ -164,6 +164,24 @@ void check_volume(const JsonObject& material) {
   }
 }
 
+void check_specular_color(const JsonObject& material) {
+  const auto specular = material.extension("KHR_materials_specular");
+  if (!specular) {
+    return;
+  }
+  for (const double color : specular->numbers("specularColorFactor", 3)) {
+    require(color >= 0, place_in(material, *specular), ": specularColorFactor has ", color,
+            ", expected 0 or more");
+  }
+}
+
+void check_coat_normal(const JsonObject& material) {
+  const auto coat = material.extension("KHR_materials_clearcoat");
+  if (const auto normal = coat ? coat->object("clearcoatNormalTexture") : std::nullopt) {
+    normal->number("scale");
+  }
+}
+
 /// Checks what material extensions say of how a surface reflects and transmits.
 void check_reflection(const JsonObject& material) {
   for (const auto& [name, key] : kShares) {
@@ -179,6 +197,8 @@ void check_reflection(const JsonObject& material) {
             ", expected 1 or more, or 0 for a surface that reflects all");
   }
   check_volume(material);
+  check_specular_color(material);
+  check_coat_normal(material);
 }
 
 void check_material(const JsonObject& material, std::size_t textures) {

@@ -28,7 +28,7 @@ namespace {
 
 constexpr float kNear = 0.01F;            // m along the optical axis
 constexpr std::size_t kMaxLights = 64;    // as in kFragmentShader
-constexpr std::size_t kTextureSlots = 5;  // as in kFragmentShader
+constexpr std::size_t kTextureSlots = 7;  // as in kFragmentShader
 
 /// One pass that draws the scene.
 struct Pass {
@@ -65,8 +65,10 @@ Eigen::Matrix4f projection(const vo::PinholeCamera& camera, const Eigen::Vector2
 
 /// Returns a material's texture slots in the order of kFragmentShader.
 std::array<const TextureSlot*, kTextureSlots> texture_slots(const Material& material) {
-  return {&material.base_color_texture, &material.metallic_roughness_texture,
-          &material.normal_texture, &material.occlusion_texture, &material.emissive_texture};
+  return {&material.base_color_texture,    &material.metallic_roughness_texture,
+          &material.normal_texture,        &material.occlusion_texture,
+          &material.emissive_texture,      &material.specular_texture,
+          &material.specular_color_texture};
 }
 
 void require_drawable(const Capture& capture) {
@@ -231,7 +233,8 @@ void Rasterizer::set_material(const GlProgram& program, const GlMesh& mesh,
   program.set("base_color", material.base_color);
   program.set("factors", Eigen::Vector4f(material.metallic, material.roughness, material.specular,
                                          material.normal_scale));
-  program.set("straight", normal_reflectance(material.ior));
+  program.set("straight",
+              Eigen::Vector3f(normal_reflectance(material.ior) * material.specular_color));
   program.set("emission", Eigen::Vector4f(material.emission.x(), material.emission.y(),
                                           material.emission.z(), material.occlusion_strength));
   const float least_alpha = material.alpha_mode == AlphaMode::opaque ? -1.0F

@@ -48,7 +48,8 @@ inline constexpr const char* kLit = "#define IS_LIT\n";
 inline constexpr const char* kTexture = "#define HAS_TEXTURE_";  // followed by the slot's number
 
 /// Shades as surface.cpp and shading.cpp do, with face normals from screen-space derivatives. The
-/// texture slots: 0 base colour, 1 metallic-roughness, 2 normal, 3 occlusion, 4 emission.
+/// texture slots: 0 base colour, 1 metallic-roughness, 2 normal, 3 occlusion, 4 emission, 5
+/// specular, 6 its colour.
 inline constexpr const char* kFragmentShader = R"(
 in vec3 p_camera;
 in vec3 vertex_normal;
@@ -62,11 +63,11 @@ layout(location = 2) out int out_mesh;
 
 const float kPi = 3.14159265358979;
 const int kMaxLights = 64;
-uniform sampler2D textures[5];
-uniform vec4 texture_rows[10];  // two of T_image_texcoord each, and then the coordinates' set
+uniform sampler2D textures[7];
+uniform vec4 texture_rows[14];  // two of T_image_texcoord each, and then the coordinates' set
 uniform vec4 base_color;
 uniform vec4 factors;     // metallic, roughness, specular, normal scale
-uniform float straight;   // share of light along the normal that a dielectric reflects
+uniform vec3 straight;    // share of light along the normal that a dielectric reflects, or more
 uniform vec4 emission;    // and occlusion strength
 uniform float least_alpha;  // less is not there
 uniform float log2_sample_width;  // of a colour sample, px
@@ -127,7 +128,17 @@ vec3 mapped_normal(vec3 n, vec3 front, float cosine) {
   return normalize(t * (factors.w * c.x) + b * (factors.w * c.y) + n * c.z);
 }
 
-vec3 reflectance(vec3 base, vec3 surface, vec3 n, vec3 v, vec3 l) {
+// What a surface point reflects with: base colour; metallic, roughness, specular; a dielectric's
+// share of light along the normal.
+struct Finish {
+  vec3 base;
+  vec3 surface;
+  vec3 straight;
+};
+
+vec3 reflectance(Finish finish, vec3 n, vec3 v, vec3 l) {
+  vec3 base = finish.base;
+  vec3 surface = finish.surface;
   float v_h = sqrt(clamp(0.5 + 0.5 * dot(l, v), 0.0, 1.0));
   float n_h = clamp((dot(n, l) + dot(n, v)) * 0.5 / max(1e-4, v_h), 0.0, 1.0);
   float n_l = max(1e-4, dot(n, l));
@@ -140,13 +151,14 @@ vec3 reflectance(vec3 base, vec3 surface, vec3 n, vec3 v, vec3 l) {
                    n_v * sqrt(n_l * n_l * (1 - alpha2) + alpha2));
   float m = 1 - v_h;
   float grazing = m * m * m * m * m;
-  float glass = surface.z * (straight + (1 - straight) * grazing);
+  vec3 glass = surface.z * (finish.straight + (1 - finish.straight) * grazing);
   vec3 metal = (base + (1 - base) * grazing) * (D * V);
-  vec3 dielectric = base * ((1 - glass) / kPi) + glass * D * V;
+  float passed = 1 - max(glass.r, max(glass.g, glass.b));
+  vec3 dielectric = base * (passed / kPi) + glass * D * V;
   return mix(dielectric, metal, surface.x);
 }
 
-vec3 light_from(int i, vec3 face, vec3 n, vec3 v, vec3 base, vec3 surface) {
+vec3 light_from(int i, vec3 face, vec3 n, vec3 v, Finish finish) {
   vec4 place = lights[3 * i];
   vec4 axis = lights[3 * i + 1];
   vec4 strength = lights[3 * i + 2];
@@ -164,7 +176,7 @@ vec3 light_from(int i, vec3 face, vec3 n, vec3 v, vec3 base, vec3 surface) {
       irradiance *= cone * cone;
     }
   }
-  return reflectance(base, surface, n, v, normalize(to_light)) * irradiance;
+  return reflectance(finish, n, v, normalize(to_light)) * irradiance;
 }
 
 #endif
@@ -190,11 +202,11 @@ void main() {
   vec3 front = is_front ? face : -face;
   vec3 n = has_normals > 0.5 && length(vertex_normal) > 1e-3 ? normalize(vertex_normal) : front;
   if (dot(n, front) < 0) n = -n;
-  vec3 surface = factors.xyz;
+  Finish finish = Finish(color.rgb, factors.xyz, straight);
   vec3 shine = emission.rgb;
   float openness = 1;
 #ifdef HAS_TEXTURE_1
-  surface.xy *= texel(1, cosine).zy;
+  finish.surface.xy *= texel(1, cosine).zy;
 #endif
 #ifdef HAS_TEXTURE_2
   n = mapped_normal(n, front, cosine);
@@ -205,11 +217,18 @@ void main() {
 #ifdef HAS_TEXTURE_4
   shine *= texel(4, cosine).rgb;
 #endif
+#ifdef HAS_TEXTURE_5
+  finish.surface.z *= texel(5, cosine).a;
+#endif
+#ifdef HAS_TEXTURE_6
+  finish.straight *= texel(6, cosine).rgb;
+#endif
+  finish.straight = min(finish.straight, vec3(1));
   if (!is_front) n = -n;
   vec3 ambient = ambient_uniform + ambient_sky * (0.5 + 0.5 * dot(n, ambient_axis));
   vec3 radiance = shine + openness * color.rgb * ambient / kPi;
   for (int i = 0; i < light_count; ++i) {
-    radiance += light_from(i, face, n, v, color.rgb, surface);
+    radiance += light_from(i, face, n, v, finish);
   }
   out_color = vec4(radiance, 1);
 #endif

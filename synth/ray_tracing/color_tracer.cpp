@@ -157,13 +157,13 @@ void ColorTracer::meet_lit_surface(const PathLegs& bundle, int lane,
   if (mode_ == RenderMode::direct) {
     radiance += reflect_ambient(point, ambient_);
   } else {
-    radiance *= 1 - coat_reflectance(material.layers, point.face_normal.dot(point.to_viewer));
+    radiance *= 1 - coat_reflectance(point.clearcoat, point.face_normal.dot(point.to_viewer));
   }
   show(weight.cwiseProduct(radiance), leg, step);
   if (FirstSight* sight = step.sight_of(leg)) {
     const float covered = weight.x();  // the same in all channels before a reflection
     sight->reflectance += covered * point.base_color;
-    sight->reflectance.array() +=
+    sight->reflectance +=
         covered * point.normal_reflectance * (1 - point.metallic) * point.specular;
     sight->normal += covered * point.normal;
     sight->nearness += covered / reach;

@@ -28,8 +28,9 @@ Eigen::Vector3f ColorTracer::weight_at_end(const PathLegs& bundle, int lane,
 
 /// Makes a path meet one layer of a surface that has several. Returns whether this is glass.
 bool ColorTracer::meet_layer(Arrival& arrival, const Step& step) const {
-  const ChosenLayer chosen = choose_layer(
-      arrival.material.layers, draw(step, arrival.leg, of_coverage_and_layer).y(), arrival.point);
+  const ChosenLayer chosen =
+      choose_layer(arrival.material.layers.is_solid,
+                   draw(step, arrival.leg, of_coverage_and_layer).y(), arrival.point);
   arrival.weight *= chosen.weight;
   return chosen.is_glass;
 }

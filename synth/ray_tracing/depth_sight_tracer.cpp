@@ -37,7 +37,7 @@ float glass_share(const SurfacePoint& point, const Material& material, float cos
   }
   const float mirrored = point.specular * fresnel_reflectance(cosine, material.ior);
   const float passed = material.layers.is_solid ? 1 - mirrored : (1 - mirrored) / (1 + mirrored);
-  return material.layers.transmission * passed * point.base_color.mean();
+  return point.transmission * passed * point.base_color.mean();
 }
 
 /// Returns how bright a surface is to a camera that lights it, as a share of a white diffuse wall
@@ -47,11 +47,11 @@ float brightness(const SurfacePoint& point) {
   return std::numbers::pi_v<float> * reflectance(point, point.to_viewer).mean() * cosine;
 }
 
-FirstSurface kind_of(const SurfacePoint& point, const Material& material) {
+FirstSurface kind_of(const SurfacePoint& point) {
   if (point.roughness > kSmooth) {
     return FirstSurface::opaque;
   }
-  if (material.layers.transmission * (1 - point.metallic) >= kLeastShare) {
+  if (point.transmission * (1 - point.metallic) >= kLeastShare) {
     return FirstSurface::glass;
   }
   return point.metallic * point.base_color.mean() >= kLeastShare ? FirstSurface::mirror
@@ -118,7 +118,7 @@ DepthSightTracer::Met DepthSightTracer::meet(const Line& line, const HitPacket& 
       {packet.weights(lane), line.direction.cast<float>(), view_.pixel_width() * traced, share});
   const float cosine = std::clamp(point.face_normal.dot(point.to_viewer), 0.0F, 1.0F);
   if (!met.plane.normal.isZero(0)) {  // a triangle without area has no plane to mirror in
-    met.kind = kind_of(point, *surface.mesh->material);
+    met.kind = kind_of(point);
   }
   met.share = share_sent_on(met.kind, point, *surface.mesh->material, cosine);
   const auto per_depth = static_cast<float>(line.direction.norm());  // m of distance per m of depth

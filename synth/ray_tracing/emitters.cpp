@@ -103,11 +103,11 @@ DrawnLight Emitters::draw(const EmitterDraw& draw) const {
   if (light.density > 0) {
     const Eigen::Vector3f facing = slant > 0 ? Eigen::Vector3f(-triangle.normal) : triangle.normal;
     light.to_light = line + triangle.rounding * facing;
+    const SurfaceRay ray{weights, line, draw.sample_width * (draw.travelled + distance)};
     light.radiance =
         shining_share(world_, *triangle.mesh->material, {chosen->mesh, chosen->index, weights}) *
-        (1 - coat_reflectance(triangle.mesh->material->layers, std::abs(slant))) *
-        surface_emission(triangle,
-                         {weights, line, draw.sample_width * (draw.travelled + distance)});
+        (1 - coat_reflectance(surface_clearcoat(triangle, ray), std::abs(slant))) *
+        surface_emission(triangle, ray);
   }
   return light;
 }

@@ -57,15 +57,20 @@ struct TextureSlot {
 enum class AlphaMode { opaque, mask, blend };
 
 /// The layers that KHR_materials_transmission, _volume and _clearcoat give a material. Mode `path`
-/// of the ray tracer alone draws them.
+/// of the ray tracer alone draws them. Each factor is multiplied by its texture, if there is one.
 struct MaterialLayers {
   float transmission = 0;  ///< 0 to 1, of the light that enters a dielectric what passes through
-  bool is_solid = false;   ///< encloses a body that refracts; if false, transmits as a thin wall
+  TextureSlot transmission_texture;  ///< red channel
+  bool is_solid = false;  ///< encloses a body that refracts; if false, transmits as a thin wall
   Eigen::Vector3f attenuation_color = Eigen::Vector3f::Ones();  ///< linear RGB
   /// m in the body, after which white light has the attenuation colour
   float attenuation_distance = std::numeric_limits<float>::infinity();
-  float clearcoat = 0;            ///< 0 to 1, strength of the coat
-  float clearcoat_roughness = 0;  ///< 0 to 1, of the coat; square root of GGX's alpha
+  float clearcoat = 0;                      ///< 0 to 1, strength of the coat
+  TextureSlot clearcoat_texture;            ///< red channel
+  float clearcoat_roughness = 0;            ///< 0 to 1, of the coat; square root of GGX's alpha
+  TextureSlot clearcoat_roughness_texture;  ///< green channel
+  TextureSlot clearcoat_normal_texture;     ///< of the coat, as Material::normal_texture
+  float clearcoat_normal_scale = 1;         ///< factor of the mapped normal's x and y
 
   bool any() const { return transmission > 0 || clearcoat > 0; }
 };
@@ -79,7 +84,11 @@ struct Material {
   float metallic = 0;   ///< 0 to 1; times the texture's blue channel
   float roughness = 1;  ///< 0 to 1, square root of GGX's alpha; times the texture's green channel
   TextureSlot metallic_roughness_texture;
-  float specular = 0;             ///< 0 to 1, strength of dielectric reflection; 1 in glTF
+  float specular = 0;            ///< 0 to 1, strength of dielectric reflection; 1 in glTF
+  TextureSlot specular_texture;  ///< alpha channel, times `specular`
+  /// Linear RGB, 0 or more, factor of what a dielectric reflects along its normal, at most all.
+  Eigen::Vector3f specular_color = Eigen::Vector3f::Ones();
+  TextureSlot specular_color_texture;
   float ior = 1.5F;               ///< index of refraction, 1 or more; 0 reflects all that arrives
   TextureSlot normal_texture;     ///< tangent-space normal 2 c - 1 of linear texels c
   float normal_scale = 1;         ///< factor of the mapped normal's x and y

@@ -47,6 +47,26 @@ void add(vo::ContentHash& hash, const TextureSlot& slot) {
 }
 
 /// Adds what most materials do not have, so that the hash of these does not depend on it.
+void add_extension_maps(vo::ContentHash& hash, const Material& material) {
+  const MaterialLayers& layers = material.layers;
+  const std::array slots = {&material.specular_texture,          &material.specular_color_texture,
+                            &layers.transmission_texture,        &layers.clearcoat_texture,
+                            &layers.clearcoat_roughness_texture, &layers.clearcoat_normal_texture};
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    if (slots[i]->texture != kNone) {
+      add_numbers(hash, {static_cast<int>(i)});
+      add(hash, *slots[i]);
+    }
+  }
+  if (layers.clearcoat_normal_scale != MaterialLayers().clearcoat_normal_scale) {
+    hash.add_values(std::span<const float>(&layers.clearcoat_normal_scale, 1));
+  }
+  if (material.specular_color != Material().specular_color) {
+    add_matrix(hash, material.specular_color);
+  }
+}
+
+/// Adds what most materials do not have, so that the hash of these does not depend on it.
 void add_layers(vo::ContentHash& hash, const Material& material) {
   const MaterialLayers& layers = material.layers;
   if (material.ior != Material().ior || layers.any()) {
@@ -73,6 +93,7 @@ void add(vo::ContentHash& hash, const Material& material) {
     add(hash, *slot);
   }
   add_layers(hash, material);
+  add_extension_maps(hash, material);
 }
 
 void add(vo::ContentHash& hash, const Texture& texture) {

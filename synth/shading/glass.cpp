@@ -132,9 +132,9 @@ Eigen::Vector3f straight_share(const SurfacePoint& point, const Material& materi
   const float facing = point.normal.dot(point.to_viewer);
   const float cosine =
       std::clamp(facing > 0 ? facing : point.face_normal.dot(point.to_viewer), 0.0F, 1.0F);
-  const float glass = material.layers.transmission * (1 - point.metallic);
+  const float glass = point.transmission * (1 - point.metallic);
   const float below_coat =
-      1 - coat_reflectance(material.layers, point.smooth_normal.dot(point.to_viewer));
+      1 - coat_reflectance(point.clearcoat, point.coat_normal.dot(point.to_viewer));
   const float reflected = glass_reflectance(point, material, cosine, material.ior);
   return below_coat * glass * (1 - reflected) * point.base_color;
 }

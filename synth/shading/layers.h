@@ -1,14 +1,14 @@
 #pragma once
 
-#include "synth/scene/scene.h"
 #include "synth/shading/surface.h"
 
 namespace synth {
 
-/// Returns the share of light that a material's clear coat reflects at this cosine to the normal,
-/// which is what the material below it does not receive or send: KHR_materials_clearcoat's
-/// clearcoat times Schlick's reflectance of an index of refraction of 1.5.
-float coat_reflectance(const MaterialLayers& layers, float cosine);
+/// Returns the share of light that a clear coat of this strength, 0 to 1, reflects at this cosine
+/// to its normal, which is what the material below it does not receive or send:
+/// KHR_materials_clearcoat's clearcoat times Schlick's reflectance of an index of refraction
+/// of 1.5.
+float coat_reflectance(float clearcoat, float cosine);
 
 /// A ChosenLayer is the one layer of a surface that a path meets.
 struct ChosenLayer {
@@ -18,7 +18,8 @@ struct ChosenLayer {
 
 /// Chooses one layer of a surface at random and makes `point` a point of this layer alone, so that
 /// the mean over all choices, times their weights, is the surface: the coat, or below it glass or
-/// what is opaque. `choice` is random in [0, 1).
-ChosenLayer choose_layer(const MaterialLayers& layers, float choice, SurfacePoint& point);
+/// what is opaque. The inside of a solid (MaterialLayers::is_solid) has no coat. `choice` is random
+/// in [0, 1).
+ChosenLayer choose_layer(bool is_solid, float choice, SurfacePoint& point);
 
 }  // namespace synth

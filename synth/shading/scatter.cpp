@@ -23,7 +23,7 @@ float specular_share(const SurfacePoint& point) {
   constexpr float kLeast = 0.1F;
   const float m = 1 - std::min(1.0F, n_v);
   const float grazing = m * m * m * m * m;
-  const float straight = point.normal_reflectance;
+  const float straight = point.normal_reflectance.maxCoeff();
   const float glass = point.specular * (straight + (1 - straight) * grazing);
   const float base = point.base_color.maxCoeff();
   const float metal = base + (1 - base) * grazing;

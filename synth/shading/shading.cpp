@@ -124,7 +124,9 @@ DirectLight direct_light(const PlacedLight& light, const SurfacePoint& point) {
 
 SurfaceFinish finish_of(const SurfacePoint& point) {
   const float alpha = ggx_alpha(point);
-  return {point.metallic, point.specular, alpha * alpha, point.normal_reflectance};
+  const Eigen::Vector3f& straight = point.normal_reflectance;
+  return {
+      point.metallic, point.specular, alpha * alpha, {straight.x(), straight.y(), straight.z()}};
 }
 
 Eigen::Vector3f reflectance(const SurfacePoint& point, const Eigen::Vector3f& to_light) {
@@ -133,7 +135,7 @@ Eigen::Vector3f reflectance(const SurfacePoint& point, const Eigen::Vector3f& to
       reflectance(finish_of(point), {.n_l = point.normal.dot(l),
                                      .n_v = point.normal.dot(point.to_viewer),
                                      .l_v = l.dot(point.to_viewer)});
-  return (point.base_color.array() * reflected.tint + reflected.gloss).matrix();
+  return point.base_color * reflected.tint + Eigen::Vector3f(reflected.gloss.data());
 }
 
 }  // namespace synth

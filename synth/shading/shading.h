@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -88,7 +90,8 @@ struct SurfaceFinish {
   float metallic = 0;
   float specular = 0;
   float alpha2 = 1;  ///< GGX's alpha^2
-  float normal_reflectance = kGlassReflectance;
+  /// Of a dielectric, red, green, blue.
+  std::array<float, 3> normal_reflectance{kGlassReflectance, kGlassReflectance, kGlassReflectance};
 };
 
 /// Returns GGX's alpha, at least 0.001: in a perfect mirror a light without a size is invisible.
@@ -109,15 +112,16 @@ struct LightCosines {
 /// A BRDF's value, radiance per irradiance: tint base_color + gloss.
 struct Reflectance {
   float tint;
-  float gloss;
+  std::array<float, 3> gloss;  ///< red, green, blue
 };
 
 /// Returns the BRDF of glTF 2.0's metallic-roughness model (its appendix B):
-///   (1 - metallic) (1 - F) base / pi + F D V,
+///   (1 - metallic) (1 - max F) base / pi + F D V,
 /// D and V of GGX with alpha = roughness^2 (V: Smith's, height-correlated, over 4 n.l n.v), F after
-/// Schlick from the normal reflectance and times specular, or from the base colour of a metal. A
-/// point with neither metallic nor specular is Lambertian. With h halfway between l and v, v.h =
-/// cos(angle(l, v) / 2) and n.h = (n.l + n.v) / (2 v.h).
+/// Schlick from the normal reflectance and times specular, or from the base colour of a metal; max
+/// F is the greatest of its colours (KHR_materials_specular). A point with neither metallic nor
+/// specular is Lambertian. With h halfway between l and v, v.h = cos(angle(l, v) / 2) and n.h =
+/// (n.l + n.v) / (2 v.h).
 EDVO_INLINE Reflectance reflectance(const SurfaceFinish& finish, const LightCosines& cosines) {
   constexpr float kInvPi = std::numbers::inv_pi_v<float>;
   constexpr float kLeastCosine = 1e-4F;
@@ -134,12 +138,20 @@ EDVO_INLINE Reflectance reflectance(const SurfaceFinish& finish, const LightCosi
   const float lobe = alpha2 * (0.5F * kInvPi) / (spread * spread * smith);
   const float m = 1 - v_h;
   const float grazing = m * m * m * m * m;
-  const float straight = finish.normal_reflectance;
-  const float glass = finish.specular * (straight + (1 - straight) * grazing);
-  const Reflectance dielectric{(1 - glass) * kInvPi, glass * lobe};
-  const Reflectance metal{(1 - grazing) * lobe, grazing * lobe};
-  return {dielectric.tint + finish.metallic * (metal.tint - dielectric.tint),
-          dielectric.gloss + finish.metallic * (metal.gloss - dielectric.gloss)};
+  std::array<float, 3> glass;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const float straight = finish.normal_reflectance[i];
+    glass[i] = finish.specular * (straight + (1 - straight) * grazing);
+  }
+  const float matt = (1 - std::max(glass[0], std::max(glass[1], glass[2]))) * kInvPi;
+  const float metal_tint = (1 - grazing) * lobe;
+  const float metal_gloss = grazing * lobe;
+  Reflectance reflected{matt + finish.metallic * (metal_tint - matt), {}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const float gloss = glass[i] * lobe;
+    reflected.gloss[i] = gloss + finish.metallic * (metal_gloss - gloss);
+  }
+  return reflected;
 }
 
 /// Returns the BRDF of a point towards its viewer, linear RGB; `to_light` may have any length.

@@ -54,26 +54,31 @@ EDVO_INLINE void find_light(const PlacedLight& light, const Lanes3& places, cons
 EDVO_INLINE void reflect(const LitLanes& lit, const LightLanes& light,
                          const Eigen::Vector3f& intensity, Lanes3& radiance) {
   Lanes tint;
-  Lanes gloss;
+  Lanes3 gloss;
   for (std::size_t i = 0; i < kPacketSize; ++i) {
     const float distance2 = dot(light.to_light, light.to_light, i);
     const float per_length = 1 / std::sqrt(distance2);
-    const Reflectance reflected =
-        reflectance({lit.metallic[i], lit.specular[i], lit.alpha2[i], lit.normal_reflectance[i]},
-                    {.n_l = dot(light.to_light, lit.normal, i) * per_length,
-                     .n_v = dot(lit.to_viewer, lit.normal, i),
-                     .l_v = dot(light.to_light, lit.to_viewer, i) * per_length});
+    const Reflectance reflected = reflectance(
+        {lit.metallic[i],
+         lit.specular[i],
+         lit.alpha2[i],
+         {lit.normal_reflectance.x[i], lit.normal_reflectance.y[i], lit.normal_reflectance.z[i]}},
+        {.n_l = dot(light.to_light, lit.normal, i) * per_length,
+         .n_v = dot(lit.to_viewer, lit.normal, i),
+         .l_v = dot(light.to_light, lit.to_viewer, i) * per_length});
     tint[i] = light.share[i] > 0 ? light.share[i] * reflected.tint : 0;
-    gloss[i] = light.share[i] > 0 ? light.share[i] * reflected.gloss : 0;
+    gloss.x[i] = light.share[i] > 0 ? light.share[i] * reflected.gloss[0] : 0;
+    gloss.y[i] = light.share[i] > 0 ? light.share[i] * reflected.gloss[1] : 0;
+    gloss.z[i] = light.share[i] > 0 ? light.share[i] * reflected.gloss[2] : 0;
   }
-  const auto add = [&](const Lanes& base, float strength, Lanes& sum) {
+  const auto add = [&](const Lanes& base, const Lanes& highlight, float strength, Lanes& sum) {
     for (std::size_t i = 0; i < kPacketSize; ++i) {
-      sum[i] += (base[i] * tint[i] + gloss[i]) * strength;
+      sum[i] += (base[i] * tint[i] + highlight[i]) * strength;
     }
   };
-  add(lit.base_color.x, intensity.x(), radiance.x);
-  add(lit.base_color.y, intensity.y(), radiance.y);
-  add(lit.base_color.z, intensity.z(), radiance.z);
+  add(lit.base_color.x, gloss.x, intensity.x(), radiance.x);
+  add(lit.base_color.y, gloss.y, intensity.y(), radiance.y);
+  add(lit.base_color.z, gloss.z, intensity.z(), radiance.z);
 }
 
 EDVO_TARGET_AVX2 void find_light_avx2(const PlacedLight& light, const Lanes3& places,
@@ -101,7 +106,7 @@ void add_point(LitLanes& lit, const SurfacePoint& point) {
   lit.metallic[lane] = finish.metallic;
   lit.specular[lane] = finish.specular;
   lit.alpha2[lane] = finish.alpha2;
-  lit.normal_reflectance[lane] = finish.normal_reflectance;
+  put(lit.normal_reflectance, lane, point.normal_reflectance);
 }
 
 Lanes3 same_place(const PlacedLight& light) {

@@ -22,7 +22,7 @@ struct LitLanes {
   Lanes metallic{};
   Lanes specular{};
   Lanes alpha2{};  ///< square of ggx_alpha
-  Lanes normal_reflectance{};
+  Lanes3 normal_reflectance;
 };
 
 void add_point(LitLanes& lit, const SurfacePoint& point);

@@ -28,6 +28,12 @@ auto interpolate(const Values& values, const std::array<int, 3>& triangle,
 
 constexpr std::array<int, 3> kCorners{0, 1, 2};
 
+/// A place on a triangle where its maps are read.
+struct MapPlace {
+  const Eigen::Vector3f& weights;  ///< barycentric coordinates
+  float log2_width;                ///< log2 of the footprint in m
+};
+
 /// Returns a texture mapped onto a triangle. Texels per metre are the root of the triangle's area
 /// in the image, texels^2, over its area in the scene, m^2; `double_area` is twice the latter.
 TexturePatch texture_patch(const Scene& scene, const FlatMesh& world, const TextureSlot& slot,
@@ -48,6 +54,18 @@ TexturePatch texture_patch(const Scene& scene, const FlatMesh& world, const Text
   patch.lod_at_1m =
       0.5F * std::log2(std::abs(a.x() * b.y() - a.y() * b.x()) * texels / double_area);
   return patch;
+}
+
+/// Returns the value of a map of an extension at a hit, linear RGBA; ones without a texture.
+Eigen::Vector4f extension_texel(const SurfaceTriangle& triangle, const TextureSlot& slot,
+                                const MapPlace& place) {
+  if (slot.texture == kNone) {
+    return Eigen::Vector4f::Ones();
+  }
+  const TexturePatch patch =
+      texture_patch(*triangle.scene, *triangle.mesh, slot, triangle.vertices, triangle.double_area);
+  return patch.texture == nullptr ? Eigen::Vector4f::Ones().eval()
+                                  : patch.color(place.weights, place.log2_width);
 }
 
 Eigen::Vector3f normal_between(const MomentPair& moments, int vertex) {
@@ -83,8 +101,9 @@ Eigen::Vector3f vertex_normal(const SurfaceTriangle& triangle, const Eigen::Vect
 }
 
 /// Returns the tangent, along which u grows, and in w the bitangent's side: of the mesh or, without
-/// tangents of its own, of the normal map's coordinates.
-Eigen::Vector4f tangent_of(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights) {
+/// tangents of its own, of a normal map's coordinates.
+Eigen::Vector4f tangent_of(const SurfaceTriangle& triangle, const TexturePatch& map,
+                           const Eigen::Vector3f& weights) {
   const FlatMesh& world = *triangle.mesh;
   if (!world.mesh->tangents.empty()) {
     const Eigen::Vector4f tangent = interpolate(world.mesh->tangents, triangle.vertices, weights);
@@ -95,8 +114,8 @@ Eigen::Vector4f tangent_of(const SurfaceTriangle& triangle, const Eigen::Vector3
   }
   const Eigen::Vector3f a = triangle.corners[1] - triangle.corners[0];
   const Eigen::Vector3f b = triangle.corners[2] - triangle.corners[0];
-  const Eigen::Vector2f uv_a = triangle.normal_map.uv[1] - triangle.normal_map.uv[0];
-  const Eigen::Vector2f uv_b = triangle.normal_map.uv[2] - triangle.normal_map.uv[0];
+  const Eigen::Vector2f uv_a = map.uv[1] - map.uv[0];
+  const Eigen::Vector2f uv_b = map.uv[2] - map.uv[0];
   const float determinant = uv_a.x() * uv_b.y() - uv_a.y() * uv_b.x();
   const Eigen::Vector3f along_u = (a * uv_b.y() - b * uv_a.y()) * (determinant < 0 ? -1.0F : 1.0F);
   const Eigen::Vector3f along_v = (b * uv_a.x() - a * uv_b.x()) * (determinant < 0 ? -1.0F : 1.0F);
@@ -106,10 +125,16 @@ Eigen::Vector4f tangent_of(const SurfaceTriangle& triangle, const Eigen::Vector3
   return tangent;
 }
 
+/// A normal map on a triangle and the factor of its x and y.
+struct NormalMap {
+  const TexturePatch& patch;
+  float scale;
+};
+
 /// Returns the unit normal of glTF's normal map in the tangent frame about `normal`.
-Eigen::Vector3f mapped_normal(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights,
-                              const Eigen::Vector3f& normal, float log2_footprint) {
-  const Eigen::Vector4f tangent = tangent_of(triangle, weights);
+Eigen::Vector3f mapped_normal(const SurfaceTriangle& triangle, const NormalMap& map,
+                              const MapPlace& place, const Eigen::Vector3f& normal) {
+  const Eigen::Vector4f tangent = tangent_of(triangle, map.patch, place.weights);
   const Eigen::Vector3f across =
       tangent.head<3>() - normal * normal.dot(tangent.head<3>());  // Gram-Schmidt
   const float length = across.norm();
@@ -118,11 +143,10 @@ Eigen::Vector3f mapped_normal(const SurfaceTriangle& triangle, const Eigen::Vect
   }
   const Eigen::Vector3f t = across / length;
   const Eigen::Vector3f b = tangent.w() * normal.cross(t);
-  const float scale = triangle.mesh->material->normal_scale;
   const Eigen::Vector3f texel =
-      2 * triangle.normal_map.color(weights, log2_footprint).head<3>() - Eigen::Vector3f::Ones();
+      2 * map.patch.color(place.weights, place.log2_width).head<3>() - Eigen::Vector3f::Ones();
   const Eigen::Vector3f mapped =
-      t * (scale * texel.x()) + b * (scale * texel.y()) + normal * texel.z();
+      t * (map.scale * texel.x()) + b * (map.scale * texel.y()) + normal * texel.z();
   const float mapped_length = mapped.norm();
   return mapped_length > 0 ? Eigen::Vector3f(mapped / mapped_length) : normal;
 }
@@ -169,27 +193,93 @@ Eigen::Vector3f emission_of(const SurfaceTriangle& triangle, const Eigen::Vector
   return emission;
 }
 
-/// Sets a point's material values from the material's factors and textures.
-void read_maps(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights, float log2_width,
-               SurfacePoint& point) {
+/// Sets a point's dielectric reflection as KHR_materials_specular and KHR_materials_ior say.
+void read_specular(const SurfaceTriangle& triangle, const MapPlace& place, SurfacePoint& point) {
   const Material& material = *triangle.mesh->material;
-  const Eigen::Vector4f color = color_of(triangle, weights, log2_width);
+  point.specular =
+      material.specular * extension_texel(triangle, material.specular_texture, place).w();
+  const Eigen::Vector3f color = material.specular_color.cwiseProduct(
+      extension_texel(triangle, material.specular_color_texture, place).head<3>());
+  point.normal_reflectance = (normal_reflectance(material.ior) * color).cwiseMin(1);
+}
+
+float clearcoat_at(const SurfaceTriangle& triangle, const MapPlace& place) {
+  const MaterialLayers& layers = triangle.mesh->material->layers;
+  return layers.clearcoat * extension_texel(triangle, layers.clearcoat_texture, place).x();
+}
+
+/// Sets a point's transmission and clear coat; its coat's normal is that of the vertices before.
+void read_layers(const SurfaceTriangle& triangle, const MapPlace& place, SurfacePoint& point) {
+  const MaterialLayers& layers = triangle.mesh->material->layers;
+  point.transmission =
+      layers.transmission * extension_texel(triangle, layers.transmission_texture, place).x();
+  point.clearcoat = clearcoat_at(triangle, place);
+  point.clearcoat_roughness =
+      layers.clearcoat_roughness *
+      extension_texel(triangle, layers.clearcoat_roughness_texture, place).y();
+}
+
+/// Sets a point's material values from the material's factors and textures.
+void read_maps(const SurfaceTriangle& triangle, const MapPlace& place, SurfacePoint& point) {
+  const Material& material = *triangle.mesh->material;
+  const Eigen::Vector4f color = color_of(triangle, place.weights, place.log2_width);
   point.base_color = color.head<3>();
   point.alpha = color.w();
-  point.emission = emission_of(triangle, weights, log2_width);
+  point.emission = emission_of(triangle, place.weights, place.log2_width);
   point.metallic = material.metallic;
   point.roughness = material.roughness;
-  point.specular = material.specular;
-  point.normal_reflectance = normal_reflectance(material.ior);
   if (triangle.metallic_roughness.texture != nullptr) {
-    const Eigen::Vector4f texel = triangle.metallic_roughness.color(weights, log2_width);
+    const Eigen::Vector4f texel =
+        triangle.metallic_roughness.color(place.weights, place.log2_width);
     point.roughness *= texel.y();
     point.metallic *= texel.z();
   }
   if (triangle.occlusion.texture != nullptr) {
-    const float texel = triangle.occlusion.color(weights, log2_width).x();
+    const float texel = triangle.occlusion.color(place.weights, place.log2_width).x();
     point.openness = 1 + material.occlusion_strength * (texel - 1);
   }
+  read_specular(triangle, place, point);
+  if (material.layers.any()) {
+    read_layers(triangle, place, point);
+  }
+}
+
+/// Returns the normal of a surface with area, on the triangle's front, before any map.
+Eigen::Vector3f front_normal(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights) {
+  const Eigen::Vector3f normal = vertex_normal(triangle, weights);
+  return normal.dot(triangle.normal) < 0 ? Eigen::Vector3f(-normal) : normal;
+}
+
+/// Returns the normal of the clear coat on the triangle's front; `smooth` is that of the vertices.
+Eigen::Vector3f coat_normal_of(const SurfaceTriangle& triangle, const MapPlace& place,
+                               const Eigen::Vector3f& smooth) {
+  const MaterialLayers& layers = triangle.mesh->material->layers;
+  const TextureSlot& slot = layers.clearcoat_normal_texture;
+  if (layers.clearcoat == 0 || slot.texture == kNone) {
+    return smooth;
+  }
+  const TexturePatch patch =
+      texture_patch(*triangle.scene, *triangle.mesh, slot, triangle.vertices, triangle.double_area);
+  return patch.texture == nullptr
+             ? smooth
+             : mapped_normal(triangle, {patch, layers.clearcoat_normal_scale}, place, smooth);
+}
+
+/// Sets a point's normals, which face the viewer.
+void set_normals(const SurfaceTriangle& triangle, const MapPlace& place, SurfacePoint& point) {
+  if (triangle.normal.isZero(0)) {
+    point.face_normal = point.to_viewer;
+    point.normal = point.to_viewer;
+    point.coat_normal = point.to_viewer;
+    return;
+  }
+  const float side = point.is_from_behind ? -1.0F : 1.0F;
+  const Eigen::Vector3f smooth = front_normal(triangle, place.weights);
+  const NormalMap map{triangle.normal_map, triangle.mesh->material->normal_scale};
+  point.face_normal = side * triangle.normal;
+  point.coat_normal = side * coat_normal_of(triangle, place, smooth);
+  point.normal =
+      side * (map.patch.texture == nullptr ? smooth : mapped_normal(triangle, map, place, smooth));
 }
 
 }  // namespace
@@ -212,10 +302,12 @@ SurfaceTriangle::SurfaceTriangle(const WorldGeometry& world, int mesh_index, int
   const float length = cross.norm();
   const bool has_area = length > std::numeric_limits<float>::min();
   normal = has_area ? Eigen::Vector3f(cross / length) : Eigen::Vector3f::Zero();
+  double_area = has_area ? length : 0;
+  scene = world.scene;
   rounding = 16 * std::numeric_limits<float>::epsilon() * extent_of(world, *this);
   const Material& material = *mesh->material;
   const auto patch = [&](const TextureSlot& slot) {
-    return texture_patch(*world.scene, *mesh, slot, vertices, has_area ? length : 0);
+    return texture_patch(*scene, *mesh, slot, vertices, double_area);
   };
   base_color = patch(material.base_color_texture);
   if (maps == SurfaceMaps::color) {
@@ -235,6 +327,10 @@ Eigen::Vector3f surface_emission(const SurfaceTriangle& triangle, const SurfaceR
   return emission_of(triangle, ray.weights, log2_footprint(ray, slant_cosine(triangle, ray)));
 }
 
+float surface_clearcoat(const SurfaceTriangle& triangle, const SurfaceRay& ray) {
+  return clearcoat_at(triangle, {ray.weights, log2_footprint(ray, slant_cosine(triangle, ray))});
+}
+
 SurfacePoint surface_point(const SurfaceTriangle& triangle, const SurfaceRay& ray) {
   SurfacePoint point;
   point.position = interpolate(triangle.corners, kCorners, ray.weights);
@@ -243,24 +339,9 @@ SurfacePoint surface_point(const SurfaceTriangle& triangle, const SurfaceRay& ra
   point.rounding = triangle.rounding;
   const float slant = triangle.normal.dot(point.to_viewer);
   point.is_from_behind = slant < 0;
-  point.face_normal = slant < 0 ? Eigen::Vector3f(-triangle.normal) : triangle.normal;
-  const float log2_width = log2_footprint(ray, std::abs(slant));
-  point.normal = vertex_normal(triangle, ray.weights);
-  if (triangle.normal.isZero(0)) {
-    point.face_normal = point.to_viewer;
-    point.normal = point.to_viewer;
-    point.smooth_normal = point.to_viewer;
-  } else {
-    if (point.normal.dot(triangle.normal) < 0) {
-      point.normal = -point.normal;
-    }
-    point.smooth_normal = slant < 0 ? Eigen::Vector3f(-point.normal) : point.normal;
-    if (triangle.normal_map.texture != nullptr) {
-      point.normal = mapped_normal(triangle, ray.weights, point.normal, log2_width);
-    }
-    point.normal *= slant < 0 ? -1.0F : 1.0F;
-  }
-  read_maps(triangle, ray.weights, log2_width, point);
+  const MapPlace place{ray.weights, log2_footprint(ray, std::abs(slant))};
+  set_normals(triangle, place, point);
+  read_maps(triangle, place, point);
   return point;
 }
 

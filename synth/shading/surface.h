@@ -28,22 +28,26 @@ inline float normal_reflectance(float ior) {
 
 /// A surface point as a ray sees it. All directions are unit; all normals face the viewer.
 struct SurfacePoint {
-  Eigen::Vector3f position;       ///< m, in the world-space geometry's coordinates
-  Eigen::Vector3f face_normal;    ///< normal of the triangle
-  Eigen::Vector3f normal;         ///< shading normal: of the vertices and the normal map
-  Eigen::Vector3f smooth_normal;  ///< shading normal without the normal map
+  Eigen::Vector3f position;     ///< m, in the world-space geometry's coordinates
+  Eigen::Vector3f face_normal;  ///< normal of the triangle
+  Eigen::Vector3f normal;       ///< shading normal: of the vertices and the normal map
+  Eigen::Vector3f coat_normal;  ///< of the clear coat: of the vertices and the coat's normal map
   Eigen::Vector3f to_viewer;
-  Eigen::Vector3f base_color;                    ///< linear RGB
-  Eigen::Vector3f emission;                      ///< linear RGB
-  float alpha = 1;                               ///< alpha of the base colour
-  float metallic = 0;                            ///< 0 to 1
-  float roughness = 1;                           ///< 0 to 1
-  float specular = 0;                            ///< Material::specular
-  float normal_reflectance = kGlassReflectance;  ///< of a dielectric for light along the normal
-  float openness = 1;                            ///< share of the ambient light that arrives
-  float rounding = 0;           ///< m, how far the position may be off the triangle
-  float share = 0;              ///< WorldGeometry::share_at of the ray's time
-  bool is_from_behind = false;  ///< the viewer is behind the triangle's front
+  Eigen::Vector3f base_color;  ///< linear RGB
+  Eigen::Vector3f emission;    ///< linear RGB
+  float alpha = 1;             ///< alpha of the base colour
+  float metallic = 0;          ///< 0 to 1
+  float roughness = 1;         ///< 0 to 1
+  float specular = 0;          ///< 0 to 1, strength of dielectric reflection
+  /// What a dielectric reflects of light along the normal, linear RGB, 0 to 1.
+  Eigen::Vector3f normal_reflectance = Eigen::Vector3f::Constant(kGlassReflectance);
+  float openness = 1;             ///< share of the ambient light that arrives
+  float transmission = 0;         ///< 0 to 1, as MaterialLayers::transmission
+  float clearcoat = 0;            ///< 0 to 1, strength of the coat
+  float clearcoat_roughness = 0;  ///< 0 to 1, of the coat
+  float rounding = 0;             ///< m, how far the position may be off the triangle
+  float share = 0;                ///< WorldGeometry::share_at of the ray's time
+  bool is_from_behind = false;    ///< the viewer is behind the triangle's front
 };
 
 /// A texture mapped onto one triangle.
@@ -61,7 +65,8 @@ struct TexturePatch {
 /// The maps of a material to prepare: base colour alone, or all.
 enum class SurfaceMaps { color, all };
 
-/// The values that all points of a triangle share: neighbouring rays often hit one triangle.
+/// The values that all points of a triangle share: neighbouring rays often hit one triangle. Maps
+/// that few materials have (those of extensions) are not prepared here, but where they are met.
 struct SurfaceTriangle {
   SurfaceTriangle() = default;
   SurfaceTriangle(const WorldGeometry& world, int mesh, int triangle, float share = 0,
@@ -72,7 +77,9 @@ struct SurfaceTriangle {
   std::array<Eigen::Vector3f, 3> corners;  ///< m, in the world-space geometry's coordinates
   std::array<Eigen::Vector3f, 3> normals;  ///< at the corners; undefined if the mesh has none
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();  ///< unit, on the front; zero without area
+  float double_area = 0;                             ///< m^2
   float rounding = 0;                                ///< m, SurfacePoint::rounding
+  const Scene* scene = nullptr;                      ///< scene of the material's textures
   TexturePatch base_color;
   TexturePatch metallic_roughness;
   TexturePatch normal_map;
@@ -93,6 +100,9 @@ Eigen::Vector4f surface_color(const SurfaceTriangle& triangle, const SurfaceRay&
 
 /// Returns the radiance that the surface emits at a hit, linear RGB.
 Eigen::Vector3f surface_emission(const SurfaceTriangle& triangle, const SurfaceRay& ray);
+
+/// Returns the strength of the clear coat at a hit, 0 to 1.
+float surface_clearcoat(const SurfaceTriangle& triangle, const SurfaceRay& ray);
 
 SurfacePoint surface_point(const SurfaceTriangle& triangle, const SurfaceRay& ray);
 SurfacePoint surface_point(const WorldGeometry& world, const SurfaceHit& hit,

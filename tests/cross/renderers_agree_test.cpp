@@ -11,6 +11,7 @@
 #include "synth/gltf/gltf.h"
 #include "synth/rendering/renderer.h"
 #include "tests/support/quads.h"
+#include "tests/support/textures.h"
 #include "vo/core/error.h"
 
 namespace synth {
@@ -179,6 +180,20 @@ TEST(RenderersAgree, OnDirectLightWhereNothingCastsAShadow) {
   EXPECT_GT(worst.compared, kSize * kSize * 3 / 4);
   EXPECT_LT(worst.color.back(), 2e-3);
   EXPECT_LT(worst.depth.back(), 1e-5);
+}
+
+TEST(RenderersAgree, OnColouredDielectricsWithMaps) {
+  Scene scene = lit_square();
+  Material& material = scene.materials[0];
+  material.metallic = 0.1F;
+  material.specular_color = {9, 30, 0.5F};
+  material.specular_color_texture = plain_texture(scene, {204, 102, 51, 255});
+  material.specular_texture = plain_texture(scene, {0, 0, 0, 153});
+  const Pair pair = render_both(scene, {.samples = 1}, {});
+  EXPECT_LT(compare(pair).color.back(), 2e-3);
+  const RenderedFrame plain =
+      make_renderer(lit_square(), {.samples = 1})->render(small_camera(), {});
+  EXPECT_GT(cv::norm(plain.radiance, pair.ray.radiance, cv::NORM_INF), 0.05);
 }
 
 /// Where light, viewer and normal are one direction, cosines rounded beyond 1 must do no harm.

@@ -167,6 +167,10 @@ TEST(BadLayout, ReferencesOfExtensionsThatAreIgnoredMustHold) {
               HasSubstr("emissiveStrength is negative"));
   EXPECT_THAT(material({{"KHR_materials_specular", {{"specularFactor", 1.5}}}}),
               HasSubstr("specularFactor is 1.5, expected 0 to 1"));
+  EXPECT_THAT(material({{"KHR_materials_specular", {{"specularColorFactor", {1, 1, -2}}}}}),
+              HasSubstr("specularColorFactor has -2, expected 0 or more"));
+  EXPECT_THAT(material({{"KHR_materials_clearcoat", {{"clearcoatNormalTexture", {{"index", 0}}}}}}),
+              HasSubstr("clearcoatNormalTexture"));
   EXPECT_THAT(error_with("/meshes/0/primitives/0/extensions",
                          {{"KHR_materials_variants", {{"mappings", {{{"material", 0}}}}}}}),
               HasSubstr("material is 0, expected none"));

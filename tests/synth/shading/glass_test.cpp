@@ -88,7 +88,7 @@ TEST(Transmittance, IsAnExponentialOfTheLength) {
 SurfacePoint glass_point(float roughness) {
   SurfacePoint point;
   point.position.setZero();
-  point.normal = point.face_normal = point.smooth_normal = Vector3f::UnitZ();
+  point.normal = point.face_normal = point.coat_normal = Vector3f::UnitZ();
   point.to_viewer = Vector3f(0.6F, 0, 0.8F);
   point.base_color.setOnes();
   point.emission.setZero();
@@ -144,14 +144,13 @@ TEST(Glass, ThatIsRoughLosesLittleAndSpreadsAboutTheSmoothDirections) {
 }
 
 /// Returns the mean of a surface's layers over all choices, towards a light.
-Vector3d mean_of_layers(const MaterialLayers& layers, const SurfacePoint& whole,
-                        const Vector3f& to_light) {
+Vector3d mean_of_layers(const SurfacePoint& whole, const Vector3f& to_light) {
   constexpr int kChoices = 20000;
   Vector3d sum = Vector3d::Zero();
   for (int i = 0; i < kChoices; ++i) {
     SurfacePoint point = whole;
     const ChosenLayer chosen =
-        choose_layer(layers, (static_cast<float>(i) + 0.5F) / kChoices, point);
+        choose_layer(false, (static_cast<float>(i) + 0.5F) / kChoices, point);
     if (!chosen.is_glass) {
       sum += (chosen.weight * reflectance(point, to_light)).cast<double>() / kChoices;
     }
@@ -160,10 +159,9 @@ Vector3d mean_of_layers(const MaterialLayers& layers, const SurfacePoint& whole,
 }
 
 TEST(Layers, OfACoatSumUpToTheSpecificationsFormula) {
-  MaterialLayers layers;
-  layers.clearcoat = 0.7F;
-  layers.clearcoat_roughness = 0.5F;
   SurfacePoint point = glass_point(0.6F);
+  point.clearcoat = 0.7F;
+  point.clearcoat_roughness = 0.5F;
   point.base_color = {0.2F, 0.4F, 0.8F};
   point.metallic = 0.3F;
   const Vector3f to_light = Vector3f(-0.2F, 0.3F, 0.9F).normalized();
@@ -172,18 +170,17 @@ TEST(Layers, OfACoatSumUpToTheSpecificationsFormula) {
   const double fresnel = 0.04 + 0.96 * std::pow(1 - 0.8, 5);
   const Vector3d expected = (1 - 0.7 * fresnel) * reflectance(point, to_light).cast<double>() +
                             0.7 * reflectance(gloss, to_light).cast<double>();
-  EXPECT_TRUE(mean_of_layers(layers, point, to_light).isApprox(expected, 1e-3));
+  EXPECT_TRUE(mean_of_layers(point, to_light).isApprox(expected, 1e-3));
 }
 
 TEST(Layers, OfPartlyTransmittingGlassLeaveTheRestOfTheDiffuseLight) {
-  MaterialLayers layers;
-  layers.transmission = 0.25F;
   SurfacePoint point = glass_point(0.6F);
+  point.transmission = 0.25F;
   point.specular = 0;
   const Vector3f to_light = Vector3f(-0.2F, 0.3F, 0.9F).normalized();
-  EXPECT_NEAR(mean_of_layers(layers, point, to_light).y(), 0.75 / std::numbers::pi, 1e-4);
+  EXPECT_NEAR(mean_of_layers(point, to_light).y(), 0.75 / std::numbers::pi, 1e-4);
   point.metallic = 1;  // of which nothing is glass
-  EXPECT_NEAR(mean_of_layers(layers, point, to_light).y(), reflectance(point, to_light).y(), 1e-4);
+  EXPECT_NEAR(mean_of_layers(point, to_light).y(), reflectance(point, to_light).y(), 1e-4);
 }
 
 TEST(ClearWall, LetsStraightOnWhatPathsDoOnAverage) {
@@ -195,13 +192,15 @@ TEST(ClearWall, LetsStraightOnWhatPathsDoOnAverage) {
   SurfacePoint pane = glass_point(0);
   pane.base_color = {0.9F, 0.5F, 0.2F};
   pane.metallic = 0.2F;
+  pane.transmission = material.layers.transmission;
+  pane.clearcoat = material.layers.clearcoat;
   constexpr int kChoices = 1000;
   Vector3d mean = Vector3d::Zero();
   for (int i = 0; i < kChoices; ++i) {
     for (int j = 0; j < kChoices; ++j) {
       SurfacePoint point = pane;
       const ChosenLayer layer =
-          choose_layer(material.layers, (static_cast<float>(i) + 0.5F) / kChoices, point);
+          choose_layer(false, (static_cast<float>(i) + 0.5F) / kChoices, point);
       if (!layer.is_glass) {
         break;
       }

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "synth/scene/texture.h"
 #include "synth/shading/scatter.h"
 #include "synth/shading/shading.h"
 #include "tests/support/quads.h"
+#include "tests/support/textures.h"
 
 namespace synth {
 namespace {
@@ -99,16 +99,6 @@ TEST(PointLight, EndsAtItsRange) {
   }
 }
 
-/// Adds a texture of one linear colour.
-TextureSlot plain_texture(Scene& scene, const cv::Vec4b& texel, int texcoord_set = 0) {
-  TextureSlot slot;
-  slot.texture = static_cast<int>(scene.textures.size());
-  slot.texcoord_set = texcoord_set;
-  scene.textures.push_back({.image = static_cast<int>(scene.images.size())});
-  scene.images.push_back(build_mip_levels(cv::Mat_<cv::Vec4b>(1, 1, texel), TexelEncoding::linear));
-  return slot;
-}
-
 TEST(NormalMap, TurnsTheNormalAlongTheTexturesAxes) {
   constexpr double kCode = 0.02;  // what 8 bits and the axes' rounding leave
   for (const auto& [texel, to_light] :
@@ -170,6 +160,17 @@ TEST(Reflectance, StraightOnIsTheClosedForm) {
   EXPECT_NEAR(f.x(), 0.96 * 0.9 / kPi + highlight, 1e-5);
   point.metallic = 1;
   EXPECT_NEAR(reflectance(point, Vector3f::UnitZ()).y(), 0.5 * highlight / 0.04, 1e-5);
+}
+
+TEST(Reflectance, OfAColouredDielectricTakesFromBelowWhatItsStrongestColourReflects) {
+  SurfacePoint point = shiny_point(0.5F, 0, 0.5F);
+  point.to_viewer = Vector3f::UnitZ();
+  point.normal_reflectance = {0.25F, 1, 0};
+  const double per_share = 0.5 / (kPi * std::pow(0.25, 2)) * 0.25;
+  const Vector3f f = reflectance(point, Vector3f::UnitZ());
+  EXPECT_NEAR(f.x(), 0.5 * 0.9 / kPi + 0.25 * per_share, 1e-5);
+  EXPECT_NEAR(f.y(), 0.5 * 0.5 / kPi + per_share, 1e-5);
+  EXPECT_NEAR(f.z(), 0.5 * 0.1 / kPi, 1e-5);
 }
 
 TEST(Reflectance, IsTheSameBothWaysAndLambertsWithoutHighlight) {

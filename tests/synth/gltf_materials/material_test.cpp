@@ -1,4 +1,4 @@
-#include "synth/gltf/material.h"
+#include "synth/gltf_materials/material.h"
 
 #include <cmath>
 #include <cstdint>
@@ -75,15 +75,27 @@ TEST(MaterialReader, MultipliesEmissionByItsStrengthAndKeepsItsTexture) {
   EXPECT_EQ(material.emissive_texture.texcoord_set, 1);
 }
 
-TEST(MaterialReader, ReadsHowStrongADielectricReflectsAndNotesItsColour) {
+TEST(MaterialReader, ReadsHowStrongADielectricReflectsAndInWhichColour) {
   GltfDocument document = textured_document();
   document.json["materials"][0] = {
       {"extensions",
        {{"KHR_materials_specular",
-         {{"specularFactor", 0.25}, {"specularColorFactor", {1, 0, 0}}}}}}};
+         {{"specularFactor", 0.25},
+          {"specularTexture", {{"index", 0}}},
+          {"specularColorFactor", {1, 0.5, 4}},
+          {"specularColorTexture", {{"index", 0}, {"texCoord", 1}}}}}}}};
   Notes notes;
-  EXPECT_EQ(load(document, kRed, &notes).materials.at(0).specular, 0.25F);
-  EXPECT_THAT(notes, Contains(HasSubstr("specularColorFactor")));
+  const Scene scene = load(document, kRed, &notes);
+  const Material& material = scene.materials.at(0);
+  EXPECT_EQ(material.specular, 0.25F);
+  EXPECT_EQ(material.specular_color, Vector3f(1, 0.5F, 4));
+  EXPECT_EQ(material.specular_color_texture.texcoord_set, 1);
+  const auto encoding_of = [&](const TextureSlot& slot) {
+    return scene.images.at(scene.textures.at(slot.texture).image).encoding;
+  };
+  EXPECT_EQ(encoding_of(material.specular_texture), TexelEncoding::linear);
+  EXPECT_EQ(encoding_of(material.specular_color_texture), TexelEncoding::srgb);
+  EXPECT_THAT(notes, testing::IsEmpty());
 }
 
 TEST(MaterialReader, ReadsGlassAndItsCoat) {
@@ -97,10 +109,16 @@ TEST(MaterialReader, ReadsGlassAndItsCoat) {
          {{"transmissionFactor", 0.75}, {"transmissionTexture", {{"index", 0}}}}},
         {"KHR_materials_volume",
          {{"thicknessFactor", 0.5},
+          {"thicknessTexture", {{"index", 0}}},
           {"attenuationDistance", 2},
           {"attenuationColor", {0.25, 0.5, 1}}}},
         {"KHR_materials_clearcoat",
-         {{"clearcoatFactor", 0.5}, {"clearcoatRoughnessFactor", 0.125}}}}}};
+         {{"clearcoatFactor", 0.5},
+          {"clearcoatTexture", {{"index", 0}}},
+          {"clearcoatRoughnessFactor", 0.125},
+          {"clearcoatRoughnessTexture",
+           {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0.25}}}}}}}},
+          {"clearcoatNormalTexture", {{"index", 0}, {"scale", 0.5}}}}}}}};
   Notes notes;
   const Material material = load(document, kRed, &notes).materials.at(0);
   EXPECT_EQ(material.ior, 1.25F);
@@ -110,7 +128,15 @@ TEST(MaterialReader, ReadsGlassAndItsCoat) {
   EXPECT_EQ(material.layers.attenuation_color, Vector3f(0.25F, 0.5F, 1));
   EXPECT_EQ(material.layers.clearcoat, 0.5F);
   EXPECT_EQ(material.layers.clearcoat_roughness, 0.125F);
-  EXPECT_THAT(notes, testing::ElementsAre(HasSubstr("transmissionTexture")));
+  for (const TextureSlot* slot :
+       {&material.layers.transmission_texture, &material.layers.clearcoat_texture,
+        &material.layers.clearcoat_roughness_texture, &material.layers.clearcoat_normal_texture}) {
+    EXPECT_EQ(slot->texture, 0);
+  }
+  EXPECT_EQ(material.layers.clearcoat_roughness_texture.T_image_texcoord.translation(),
+            Vector2f(0.5F, 0.25F));
+  EXPECT_EQ(material.layers.clearcoat_normal_scale, 0.5F);
+  EXPECT_THAT(notes, testing::IsEmpty());
 }
 
 TEST(MaterialReader, GlassIsAThinWallThatAbsorbsNothingUnlessItSaysSo) {
