@@ -104,6 +104,7 @@ class Rasterizer final : public Renderer {
 
   WorldGeometry world_;
   RenderMode mode_;
+  int anisotropy_;
   AmbientLight ambient_;
   std::vector<PlacedLight> lights_;
   std::vector<PixelCell> cells_;
@@ -121,6 +122,7 @@ class Rasterizer final : public Renderer {
 Rasterizer::Rasterizer(const Scene& scene, const RenderOptions& options)
     : world_(flatten(scene)),
       mode_(options.mode),
+      anisotropy_(options.anisotropy),
       ambient_(ambient_light(world_, options.ambient)),
       lights_(place_lights(world_)),
       cells_(grid_of_cells(options.samples_per_edge())),
@@ -201,6 +203,9 @@ std::string Rasterizer::fragment_shader(const GlMesh& mesh) const {
   const bool is_colored = mode_ != RenderMode::depth || !is_solid;
   const std::array slots = texture_slots(material);
   std::string shader = std::string(kVersion) + (is_solid ? kSolid : kHoles) + (is_lit ? kLit : "");
+  if (anisotropy_ > 1) {
+    shader += kAnisotropy + std::to_string(anisotropy_) + "\n";
+  }
   for (std::size_t i = 0; i < kTextureSlots; ++i) {
     const bool is_there = slots[i]->texture != kNone && drawn_.textures[slots[i]->texture] != 0 &&
                           !mesh.world->mesh->texcoords[slots[i]->texcoord_set].empty();

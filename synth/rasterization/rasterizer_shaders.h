@@ -40,12 +40,13 @@ void main() {
 
 /// Begins a fragment shader. Only what a material needs follows, as llvmpipe evaluates both sides
 /// of a branch: kHoles or kSolid (surfaces without holes need not be shaded where they are hidden),
-/// kLit, and kTexture for each texture slot in use.
+/// kLit, kAnisotropy, and kTexture for each texture slot in use.
 inline constexpr const char* kVersion = "#version 450 core\n";
 inline constexpr const char* kSolid = "layout(early_fragment_tests) in;\n";
 inline constexpr const char* kHoles = "#define HAS_HOLES\n";
 inline constexpr const char* kLit = "#define IS_LIT\n";
-inline constexpr const char* kTexture = "#define HAS_TEXTURE_";  // followed by the slot's number
+inline constexpr const char* kAnisotropy = "#define ANISOTROPY ";  // followed by its number
+inline constexpr const char* kTexture = "#define HAS_TEXTURE_";    // followed by the slot's number
 
 /// Shades as surface.cpp and shading.cpp do, with face normals from screen-space derivatives. The
 /// texture slots: 0 base colour, 1 metallic-roughness, 2 normal, 3 occlusion, 4 emission, 5
@@ -98,11 +99,38 @@ float lod_of(int slot, vec2 uv, float cosine) {
   return 0.5 * log2(max(texels, 1e-30) / max(cosine, 0.05)) + log2_sample_width;
 }
 
+#ifdef ANISOTROPY
+// The mean along the longer axis of the sample's footprint, as texture_patch.cpp has it.
+vec4 texel(int slot, float cosine) {
+  vec2 uv = uv_of(slot);
+  vec2 size = vec2(textureSize(textures[slot], 0)) * exp2(log2_sample_width);
+  vec2 a = dFdx(uv) * size;
+  vec2 b = dFdy(uv) * size;
+  float middle = 0.5 * (dot(a, a) + dot(b, b));
+  float half_difference = 0.5 * (a.x * a.x + b.x * b.x) - 0.5 * (a.y * a.y + b.y * b.y);
+  float xy = a.x * a.y + b.x * b.y;
+  float root = length(vec2(half_difference, xy));
+  vec2 axis = half_difference >= 0 ? vec2(half_difference + root, xy)
+                                   : vec2(xy, root - half_difference);
+  float longer = sqrt(middle + root);
+  float shorter = sqrt(max(middle - root, 0));
+  axis = root > 0 ? axis * (longer / length(axis)) : vec2(longer, 0);
+  float count = clamp(ceil(longer / max(shorter, 1e-12)), 1, ANISOTROPY);
+  float lod = log2(max(longer / count, 1e-12));
+  vec2 along = axis / vec2(textureSize(textures[slot], 0));
+  vec4 sum = vec4(0);
+  for (float i = 0; i < count; ++i) {
+    sum += textureLod(textures[slot], uv + ((i + 0.5) / count - 0.5) * along, lod);
+  }
+  return sum / count;
+}
+#else
 vec4 texel(int slot, float cosine) {
   vec2 uv = uv_of(slot);
   float lod = lod_of(slot, uv, cosine);
   return textureLod(textures[slot], uv, lod);
 }
+#endif
 
 #ifdef IS_LIT
 vec3 mapped_normal(vec3 n, vec3 front, float cosine) {

@@ -24,6 +24,7 @@ ColorTracer::ColorTracer(const WorldGeometry& world, const EmbreeScene& embree,
       mode_(options.mode),
       bounces_(options.bounces),
       light_radius_(static_cast<float>(options.light_radius)),
+      anisotropy_(options.anisotropy),
       ambient_(ambient_light(world, options.ambient)),
       lights_(place_lights(world)),
       environment_(world.scene->environment) {
@@ -130,8 +131,8 @@ void ColorTracer::meet_surface(const PathLegs& bundle, int lane, Step& step) con
   }
   const float reach = leg.travelled + bundle.rays.lanes.ray.tfar[lane];
   const Eigen::Vector4f color = surface_color(
-      triangle,
-      {bundle.rays.weights(lane), bundle.rays.direction(lane), step.packet.sample_width * reach});
+      triangle, {bundle.rays.weights(lane), bundle.rays.direction(lane),
+                 step.packet.sample_width * reach, bundle.rays.share(lane), anisotropy_});
   const float share = coverage(material, color.w(), leg, step);
   const Eigen::Vector3f weight = weight_at_end(bundle, lane, leg.medium);
   show(share * weight.cwiseProduct(color.head<3>()), leg, step);
@@ -143,9 +144,9 @@ void ColorTracer::meet_lit_surface(const PathLegs& bundle, int lane,
   const PathLeg& leg = bundle.legs[static_cast<std::size_t>(lane)];
   const Material& material = *triangle.mesh->material;
   const float reach = leg.travelled + bundle.rays.lanes.ray.tfar[lane];
-  const SurfacePoint point =
-      surface_point(triangle, {bundle.rays.weights(lane), bundle.rays.direction(lane),
-                               step.packet.sample_width * reach, bundle.rays.share(lane)});
+  const SurfacePoint point = surface_point(
+      triangle, {bundle.rays.weights(lane), bundle.rays.direction(lane),
+                 step.packet.sample_width * reach, bundle.rays.share(lane), anisotropy_});
   const float share = coverage(material, point.alpha, leg, step);
   pass(bundle, lane, share, step);
   if (share == 0) {

@@ -130,6 +130,7 @@ class ColorTracer {
   RenderMode mode_;
   int bounces_;
   float light_radius_;            ///< m
+  int anisotropy_;                ///< RenderOptions::anisotropy
   bool has_clear_walls_ = false;  ///< in mode `path`, some that lamps light through
   vo::InstructionSet instruction_set_ = vo::available_instruction_set();
   AmbientLight ambient_;

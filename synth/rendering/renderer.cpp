@@ -10,6 +10,7 @@ namespace synth {
 void RenderOptions::validate() const {
   constexpr int kMaxSamples = 65536;
   constexpr int kMaxBounces = 64;
+  constexpr int kMaxAnisotropy = 16;
   vo::require(samples >= 1 && samples <= kMaxSamples, "render: expected samples from 1 to ",
               kMaxSamples, ", got ", samples);
   vo::require(ambient >= 0 && std::isfinite(ambient),
@@ -18,6 +19,8 @@ void RenderOptions::validate() const {
               "render: expected light_radius at or above 0 m, got ", light_radius);
   vo::require(bounces >= 0 && bounces <= kMaxBounces, "render: expected bounces from 0 to ",
               kMaxBounces, ", got ", bounces);
+  vo::require(anisotropy >= 1 && anisotropy <= kMaxAnisotropy,
+              "render: expected anisotropy from 1 to ", kMaxAnisotropy, ", got ", anisotropy);
   vo::require(!denoise || (kind == RendererKind::ray_tracer && mode == RenderMode::path),
               "render: denoise is for mode path of the ray tracer, got mode ", vo::to_string(mode),
               " of the ", vo::to_string(kind));

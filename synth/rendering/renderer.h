@@ -46,6 +46,9 @@ struct RenderOptions {
   double light_radius = 0;  ///< m, radius of point and spot lights; 0 casts sharp shadows
   int bounces = 4;          ///< mode `path`: number of reflections after the first
   bool denoise = false;     ///< mode `path`: removes noise from the colour, 4 samples or more
+  /// 1 to 16, most places at which a texture is read along the footprint of one colour sample on a
+  /// slanted surface; 1 blurs across the slant as much as along it.
+  int anisotropy = 1;
 
   int samples_per_edge() const;  ///< side of the sample grid, ceil(sqrt(samples))
   void validate() const;         ///< throws vo::Error if out of range
@@ -60,6 +63,8 @@ void visit_fields(Visitor& visit, RenderOptions& options) {
   visit("light_radius", options.light_radius, "of point and spot lights, m; 0: sharp shadows");
   visit("bounces", options.bounces, "mode path: reflections of light after the first");
   visit("denoise", options.denoise, "mode path: remove noise from the colour");
+  visit("anisotropy", options.anisotropy,
+        "most reads of a texture along a slanted sample, 1 to 16");
 }
 
 using IdImage = cv::Mat_<std::uint16_t>;

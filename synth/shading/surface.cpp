@@ -28,44 +28,15 @@ auto interpolate(const Values& values, const std::array<int, 3>& triangle,
 
 constexpr std::array<int, 3> kCorners{0, 1, 2};
 
-/// A place on a triangle where its maps are read.
-struct MapPlace {
-  const Eigen::Vector3f& weights;  ///< barycentric coordinates
-  float log2_width;                ///< log2 of the footprint in m
-};
-
-/// Returns a texture mapped onto a triangle. Texels per metre are the root of the triangle's area
-/// in the image, texels^2, over its area in the scene, m^2; `double_area` is twice the latter.
-TexturePatch texture_patch(const Scene& scene, const FlatMesh& world, const TextureSlot& slot,
-                           const std::array<int, 3>& vertices, float double_area) {
-  TexturePatch patch;
-  const auto& texcoords = world.mesh->texcoords[slot.texcoord_set];
-  if (slot.texture == kNone || scene.textures[slot.texture].image == kNone || texcoords.empty()) {
-    return patch;
-  }
-  patch.texture = &scene.textures[slot.texture];
-  patch.image = &scene.images[patch.texture->image];
-  for (std::size_t i = 0; i < 3; ++i) {
-    patch.uv[i] = slot.T_image_texcoord * texcoords[vertices[i]];
-  }
-  const Eigen::Vector2f a = patch.uv[1] - patch.uv[0];
-  const Eigen::Vector2f b = patch.uv[2] - patch.uv[0];
-  const auto texels = static_cast<float>(patch.image->levels[0].total());
-  patch.lod_at_1m =
-      0.5F * std::log2(std::abs(a.x() * b.y() - a.y() * b.x()) * texels / double_area);
-  return patch;
-}
-
 /// Returns the value of a map of an extension at a hit, linear RGBA; ones without a texture.
 Eigen::Vector4f extension_texel(const SurfaceTriangle& triangle, const TextureSlot& slot,
-                                const MapPlace& place) {
+                                const SampleFootprint& footprint) {
   if (slot.texture == kNone) {
     return Eigen::Vector4f::Ones();
   }
   const TexturePatch patch =
       texture_patch(*triangle.scene, *triangle.mesh, slot, triangle.vertices, triangle.double_area);
-  return patch.texture == nullptr ? Eigen::Vector4f::Ones().eval()
-                                  : patch.color(place.weights, place.log2_width);
+  return patch.texture == nullptr ? Eigen::Vector4f::Ones().eval() : patch.color(footprint);
 }
 
 Eigen::Vector3f normal_between(const MomentPair& moments, int vertex) {
@@ -133,8 +104,8 @@ struct NormalMap {
 
 /// Returns the unit normal of glTF's normal map in the tangent frame about `normal`.
 Eigen::Vector3f mapped_normal(const SurfaceTriangle& triangle, const NormalMap& map,
-                              const MapPlace& place, const Eigen::Vector3f& normal) {
-  const Eigen::Vector4f tangent = tangent_of(triangle, map.patch, place.weights);
+                              const SampleFootprint& footprint, const Eigen::Vector3f& normal) {
+  const Eigen::Vector4f tangent = tangent_of(triangle, map.patch, footprint.weights);
   const Eigen::Vector3f across =
       tangent.head<3>() - normal * normal.dot(tangent.head<3>());  // Gram-Schmidt
   const float length = across.norm();
@@ -143,23 +114,21 @@ Eigen::Vector3f mapped_normal(const SurfaceTriangle& triangle, const NormalMap& 
   }
   const Eigen::Vector3f t = across / length;
   const Eigen::Vector3f b = tangent.w() * normal.cross(t);
-  const Eigen::Vector3f texel =
-      2 * map.patch.color(place.weights, place.log2_width).head<3>() - Eigen::Vector3f::Ones();
+  const Eigen::Vector3f texel = 2 * map.patch.color(footprint).head<3>() - Eigen::Vector3f::Ones();
   const Eigen::Vector3f mapped =
       t * (map.scale * texel.x()) + b * (map.scale * texel.y()) + normal * texel.z();
   const float mapped_length = mapped.norm();
   return mapped_length > 0 ? Eigen::Vector3f(mapped / mapped_length) : normal;
 }
 
-Eigen::Vector4f color_of(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights,
-                         float log2_footprint) {
+Eigen::Vector4f color_of(const SurfaceTriangle& triangle, const SampleFootprint& footprint) {
   Eigen::Vector4f color = triangle.mesh->material->base_color;
   if (triangle.base_color.texture != nullptr) {
-    color.array() *= triangle.base_color.color(weights, log2_footprint).array();
+    color.array() *= triangle.base_color.color(footprint).array();
   }
   const std::vector<Eigen::Vector4f>& colors = triangle.mesh->mesh->colors;
   if (!colors.empty()) {
-    color.array() *= interpolate(colors, triangle.vertices, weights).array();
+    color.array() *= interpolate(colors, triangle.vertices, footprint.weights).array();
   }
   return color;
 }
@@ -174,73 +143,103 @@ float quick_log2(float value) {
   return exponent + f + f * (1 - f) * (0.43807F - f * (0.23669F - f * 0.08031F));
 }
 
-/// Returns log2 of the colour sample's width on the surface, m.
-float log2_footprint(const SurfaceRay& ray, float cosine) {
-  return quick_log2(ray.footprint / std::max(kMinCosine, cosine));
-}
-
 /// Returns the cosine between ray and triangle normal.
 float slant_cosine(const SurfaceTriangle& triangle, const SurfaceRay& ray) {
   return std::abs(triangle.normal.dot(ray.direction)) / ray.direction.norm();
 }
 
-Eigen::Vector3f emission_of(const SurfaceTriangle& triangle, const Eigen::Vector3f& weights,
-                            float log2_width) {
+/// Returns how barycentric coordinates change along a vector in the triangle's plane, m.
+Eigen::Vector3f weights_along(const SurfaceTriangle& triangle, const Eigen::Vector3f& vector) {
+  const Eigen::Vector3f a = triangle.corners[1] - triangle.corners[0];
+  const Eigen::Vector3f b = triangle.corners[2] - triangle.corners[0];
+  const Eigen::Vector3f cross = a.cross(b) / a.cross(b).squaredNorm();
+  const float along_a = vector.cross(b).dot(cross);
+  const float along_b = a.cross(vector).dot(cross);
+  return {-along_a - along_b, along_a, along_b};
+}
+
+/// Returns the section of a ray's cone with the triangle: as long across the slant as the cone is
+/// wide, and along it over the cosine more.
+SampleFootprint footprint_of(const SurfaceTriangle& triangle, const SurfaceRay& ray, float cosine) {
+  const float limited = std::max(kMinCosine, cosine);
+  SampleFootprint footprint{ray.weights, quick_log2(ray.footprint / limited)};
+  if (ray.anisotropy == 1 || triangle.double_area == 0) {
+    return footprint;
+  }
+  footprint.anisotropy = ray.anisotropy;
+  const Eigen::Vector3f direction = ray.direction.normalized();
+  const Eigen::Vector3f slant = direction - triangle.normal * triangle.normal.dot(direction);
+  const float sine = slant.norm();
+  const Eigen::Vector3f edge = (triangle.corners[1] - triangle.corners[0]).normalized();
+  const Eigen::Vector3f along = sine > 1e-4F ? Eigen::Vector3f(slant / sine) : edge;
+  const Eigen::Vector3f across = triangle.normal.cross(along);
+  footprint.diameters = {weights_along(triangle, along * (ray.footprint / limited)),
+                         weights_along(triangle, across * ray.footprint)};
+  return footprint;
+}
+
+SampleFootprint footprint_of(const SurfaceTriangle& triangle, const SurfaceRay& ray) {
+  return footprint_of(triangle, ray, slant_cosine(triangle, ray));
+}
+
+Eigen::Vector3f emission_of(const SurfaceTriangle& triangle, const SampleFootprint& footprint) {
   Eigen::Vector3f emission = triangle.mesh->material->emission;
   if (triangle.emissive.texture != nullptr) {
-    emission.array() *= triangle.emissive.color(weights, log2_width).head<3>().array();
+    emission.array() *= triangle.emissive.color(footprint).head<3>().array();
   }
   return emission;
 }
 
 /// Sets a point's dielectric reflection as KHR_materials_specular and KHR_materials_ior say.
-void read_specular(const SurfaceTriangle& triangle, const MapPlace& place, SurfacePoint& point) {
+void read_specular(const SurfaceTriangle& triangle, const SampleFootprint& footprint,
+                   SurfacePoint& point) {
   const Material& material = *triangle.mesh->material;
   point.specular =
-      material.specular * extension_texel(triangle, material.specular_texture, place).w();
+      material.specular * extension_texel(triangle, material.specular_texture, footprint).w();
   const Eigen::Vector3f color = material.specular_color.cwiseProduct(
-      extension_texel(triangle, material.specular_color_texture, place).head<3>());
+      extension_texel(triangle, material.specular_color_texture, footprint).head<3>());
   point.normal_reflectance = (normal_reflectance(material.ior) * color).cwiseMin(1);
 }
 
-float clearcoat_at(const SurfaceTriangle& triangle, const MapPlace& place) {
+float clearcoat_at(const SurfaceTriangle& triangle, const SampleFootprint& footprint) {
   const MaterialLayers& layers = triangle.mesh->material->layers;
-  return layers.clearcoat * extension_texel(triangle, layers.clearcoat_texture, place).x();
+  return layers.clearcoat * extension_texel(triangle, layers.clearcoat_texture, footprint).x();
 }
 
 /// Sets a point's transmission and clear coat; its coat's normal is that of the vertices before.
-void read_layers(const SurfaceTriangle& triangle, const MapPlace& place, SurfacePoint& point) {
+void read_layers(const SurfaceTriangle& triangle, const SampleFootprint& footprint,
+                 SurfacePoint& point) {
   const MaterialLayers& layers = triangle.mesh->material->layers;
   point.transmission =
-      layers.transmission * extension_texel(triangle, layers.transmission_texture, place).x();
-  point.clearcoat = clearcoat_at(triangle, place);
+      layers.transmission * extension_texel(triangle, layers.transmission_texture, footprint).x();
+  point.clearcoat = clearcoat_at(triangle, footprint);
   point.clearcoat_roughness =
       layers.clearcoat_roughness *
-      extension_texel(triangle, layers.clearcoat_roughness_texture, place).y();
+      extension_texel(triangle, layers.clearcoat_roughness_texture, footprint).y();
 }
 
 /// Sets a point's material values from the material's factors and textures.
-void read_maps(const SurfaceTriangle& triangle, const MapPlace& place, SurfacePoint& point) {
+void read_maps(const SurfaceTriangle& triangle, const SampleFootprint& footprint,
+               SurfacePoint& point) {
   const Material& material = *triangle.mesh->material;
-  const Eigen::Vector4f color = color_of(triangle, place.weights, place.log2_width);
+  const Eigen::Vector4f color = color_of(triangle, footprint);
   point.base_color = color.head<3>();
   point.alpha = color.w();
-  point.emission = emission_of(triangle, place.weights, place.log2_width);
+  point.emission = emission_of(triangle, footprint);
   point.metallic = material.metallic;
   point.roughness = material.roughness;
   if (triangle.metallic_roughness.texture != nullptr) {
-    const Eigen::Vector4f texel =
-        triangle.metallic_roughness.color(place.weights, place.log2_width);
+    const Eigen::Vector4f texel = triangle.metallic_roughness.color(footprint);
     point.roughness *= texel.y();
     point.metallic *= texel.z();
   }
   if (triangle.occlusion.texture != nullptr) {
-    const float texel = triangle.occlusion.color(place.weights, place.log2_width).x();
+    const float texel = triangle.occlusion.color(footprint).x();
     point.openness = 1 + material.occlusion_strength * (texel - 1);
   }
-  read_specular(triangle, place, point);
+  read_specular(triangle, footprint, point);
   if (material.layers.any()) {
-    read_layers(triangle, place, point);
+    read_layers(triangle, footprint, point);
   }
 }
 
@@ -251,7 +250,7 @@ Eigen::Vector3f front_normal(const SurfaceTriangle& triangle, const Eigen::Vecto
 }
 
 /// Returns the normal of the clear coat on the triangle's front; `smooth` is that of the vertices.
-Eigen::Vector3f coat_normal_of(const SurfaceTriangle& triangle, const MapPlace& place,
+Eigen::Vector3f coat_normal_of(const SurfaceTriangle& triangle, const SampleFootprint& footprint,
                                const Eigen::Vector3f& smooth) {
   const MaterialLayers& layers = triangle.mesh->material->layers;
   const TextureSlot& slot = layers.clearcoat_normal_texture;
@@ -262,11 +261,12 @@ Eigen::Vector3f coat_normal_of(const SurfaceTriangle& triangle, const MapPlace& 
       texture_patch(*triangle.scene, *triangle.mesh, slot, triangle.vertices, triangle.double_area);
   return patch.texture == nullptr
              ? smooth
-             : mapped_normal(triangle, {patch, layers.clearcoat_normal_scale}, place, smooth);
+             : mapped_normal(triangle, {patch, layers.clearcoat_normal_scale}, footprint, smooth);
 }
 
 /// Sets a point's normals, which face the viewer.
-void set_normals(const SurfaceTriangle& triangle, const MapPlace& place, SurfacePoint& point) {
+void set_normals(const SurfaceTriangle& triangle, const SampleFootprint& footprint,
+                 SurfacePoint& point) {
   if (triangle.normal.isZero(0)) {
     point.face_normal = point.to_viewer;
     point.normal = point.to_viewer;
@@ -274,19 +274,16 @@ void set_normals(const SurfaceTriangle& triangle, const MapPlace& place, Surface
     return;
   }
   const float side = point.is_from_behind ? -1.0F : 1.0F;
-  const Eigen::Vector3f smooth = front_normal(triangle, place.weights);
+  const Eigen::Vector3f smooth = front_normal(triangle, footprint.weights);
   const NormalMap map{triangle.normal_map, triangle.mesh->material->normal_scale};
   point.face_normal = side * triangle.normal;
-  point.coat_normal = side * coat_normal_of(triangle, place, smooth);
+  point.coat_normal = side * coat_normal_of(triangle, footprint, smooth);
   point.normal =
-      side * (map.patch.texture == nullptr ? smooth : mapped_normal(triangle, map, place, smooth));
+      side *
+      (map.patch.texture == nullptr ? smooth : mapped_normal(triangle, map, footprint, smooth));
 }
 
 }  // namespace
-
-Eigen::Vector4f TexturePatch::color(const Eigen::Vector3f& weights, float log2_footprint) const {
-  return sample(*image, *texture, interpolate(uv, kCorners, weights), lod_at_1m + log2_footprint);
-}
 
 SurfaceTriangle::SurfaceTriangle(const WorldGeometry& world, int mesh_index, int triangle,
                                  float share, SurfaceMaps maps) {
@@ -320,15 +317,15 @@ SurfaceTriangle::SurfaceTriangle(const WorldGeometry& world, int mesh_index, int
 }
 
 Eigen::Vector4f surface_color(const SurfaceTriangle& triangle, const SurfaceRay& ray) {
-  return color_of(triangle, ray.weights, log2_footprint(ray, slant_cosine(triangle, ray)));
+  return color_of(triangle, footprint_of(triangle, ray));
 }
 
 Eigen::Vector3f surface_emission(const SurfaceTriangle& triangle, const SurfaceRay& ray) {
-  return emission_of(triangle, ray.weights, log2_footprint(ray, slant_cosine(triangle, ray)));
+  return emission_of(triangle, footprint_of(triangle, ray));
 }
 
 float surface_clearcoat(const SurfaceTriangle& triangle, const SurfaceRay& ray) {
-  return clearcoat_at(triangle, {ray.weights, log2_footprint(ray, slant_cosine(triangle, ray))});
+  return clearcoat_at(triangle, footprint_of(triangle, ray));
 }
 
 SurfacePoint surface_point(const SurfaceTriangle& triangle, const SurfaceRay& ray) {
@@ -339,9 +336,9 @@ SurfacePoint surface_point(const SurfaceTriangle& triangle, const SurfaceRay& ra
   point.rounding = triangle.rounding;
   const float slant = triangle.normal.dot(point.to_viewer);
   point.is_from_behind = slant < 0;
-  const MapPlace place{ray.weights, log2_footprint(ray, std::abs(slant))};
-  set_normals(triangle, place, point);
-  read_maps(triangle, place, point);
+  const SampleFootprint footprint = footprint_of(triangle, ray, std::abs(slant));
+  set_normals(triangle, footprint, point);
+  read_maps(triangle, footprint, point);
   return point;
 }
 
@@ -360,7 +357,7 @@ float surface_alpha(const WorldGeometry& world, const SurfaceHit& hit) {
       texture_patch(*world.scene, mesh, material.base_color_texture, vertices, 1);
   if (patch.texture != nullptr) {
     const float sharpest = -std::numeric_limits<float>::infinity();
-    alpha *= patch.color(hit.weights, sharpest).w();
+    alpha *= patch.color({hit.weights, sharpest}).w();
   }
   if (!mesh.mesh->colors.empty()) {
     alpha *= interpolate(mesh.mesh->colors, vertices, hit.weights).w();

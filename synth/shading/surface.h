@@ -6,6 +6,7 @@
 
 #include "synth/scene/scene.h"
 #include "synth/scene/world_geometry.h"
+#include "synth/shading/texture_patch.h"
 
 namespace synth {
 
@@ -50,18 +51,6 @@ struct SurfacePoint {
   bool is_from_behind = false;    ///< the viewer is behind the triangle's front
 };
 
-/// A texture mapped onto one triangle.
-struct TexturePatch {
-  const Texture* texture = nullptr;     ///< null where the material's factor alone counts
-  const TextureImage* image = nullptr;  ///< image of the texture
-  std::array<Eigen::Vector2f, 3> uv;    ///< image coordinates at the triangle's corners
-  float lod_at_1m = 0;                  ///< level of detail for a footprint of 1 m
-
-  /// Returns the filtered linear RGBA; requires a texture. `weights` are barycentric coordinates,
-  /// `log2_footprint` is log2 of the footprint in m.
-  Eigen::Vector4f color(const Eigen::Vector3f& weights, float log2_footprint) const;
-};
-
 /// The maps of a material to prepare: base colour alone, or all.
 enum class SurfaceMaps { color, all };
 
@@ -93,6 +82,7 @@ struct SurfaceRay {
   Eigen::Vector3f direction;  ///< direction of the ray, any length
   float footprint = 0;        ///< m, width of one colour sample's cone at the hit
   float share = 0;            ///< WorldGeometry::share_at of the ray's time
+  int anisotropy = 1;         ///< RenderOptions::anisotropy
 };
 
 /// Returns the base colour at a hit, linear RGBA.
