@@ -30,9 +30,7 @@ void shift(int& index, int by) {
 
 /// Makes an actor's materials refer to its textures where these stand in the world.
 void shift_textures(int by, Material& material) {
-  for (TextureSlot* slot :
-       {&material.base_color_texture, &material.metallic_roughness_texture,
-        &material.normal_texture, &material.occlusion_texture, &material.emissive_texture}) {
+  for (TextureSlot* slot : all_texture_slots(material)) {
     shift(slot->texture, by);
   }
 }
@@ -65,6 +63,39 @@ void shift_motion(const SceneMotion& world, int instances, int root, SceneMotion
     mesh.node += nodes;
     shift(mesh.skin, size_of(world.skins));
   }
+}
+
+bool states_brightness(const SceneMotion& motion) {
+  return !motion.light_brightness.empty() || !motion.emission.empty();
+}
+
+/// States how bright each light and surface of a scene is, also where no animation changes it.
+void complete_brightness(Scene& scene) {
+  if (states_brightness(scene.motion)) {
+    return;
+  }
+  for (const Light& light : scene.lights) {
+    scene.motion.light_brightness.push_back({.color = light.intensity});
+  }
+  for (const Material& material : scene.materials) {
+    scene.motion.emission.push_back({.color = material.emission});
+  }
+}
+
+/// Lets an actor's animations change its own lights and materials where these stand in the world.
+void append_brightness(Scene& actor, Scene& world) {
+  if (!states_brightness(actor.motion) && !states_brightness(world.motion)) {
+    return;
+  }
+  complete_brightness(actor);
+  complete_brightness(world);
+  for (Animation& animation : actor.motion.animations) {
+    for (BrightnessChannel& channel : animation.brightness) {
+      channel.target += channel.is_of_light() ? size_of(world.lights) : size_of(world.materials);
+    }
+  }
+  append(world.motion.light_brightness, actor.motion.light_brightness);
+  append(world.motion.emission, actor.motion.emission);
 }
 
 void append_motion(SceneMotion& motion, SceneMotion& world) {
@@ -106,6 +137,7 @@ void append_scene(const ActorOptions& options, Scene& actor, Scene& world) {
   world.motion.nodes.emplace_back();
   time_animations(options, walk, actor.motion);
   shift_motion(world.motion, size_of(world.instances), root, actor.motion);
+  append_brightness(actor, world);
   append_motion(actor.motion, world.motion);
   world.motion.animations.push_back(walk);
   append(world.meshes, actor.meshes);

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
+#include "synth/gltf_document/check_motion.h"
 #include "synth/gltf_document/notes.h"
 #include "synth/gltf_model/accessor.h"
 #include "synth/gltf_model/select.h"
@@ -49,9 +52,46 @@ void require_rotations(const AnimationCurve& curve, const std::string& place) {
   }
 }
 
+/// What an animation's channel changes.
+struct ChannelTarget {
+  int node = kNone;                       ///< glTF's index; kNone where it is no node
+  std::string path;                       ///< as a channel of a node names it
+  std::optional<AnimationPointer> shine;  ///< of a light or a material
+
+  bool is_brightness() const { return shine.has_value(); }
+};
+
+/// Returns what a channel changes; nothing if this is not supported.
+std::optional<ChannelTarget> target_of(const tinygltf::AnimationChannel& channel) {
+  const auto extension = channel.target_extensions.find(kAnimationPointerExtension);
+  if (channel.target_path != "pointer" || extension == channel.target_extensions.end()) {
+    return channel.target_node == kNone
+               ? std::nullopt
+               : std::optional(ChannelTarget{channel.target_node, channel.target_path, {}});
+  }
+  const std::string& pointer = extension->second.Get("pointer").Get<std::string>();
+  const std::optional<AnimationPointer> named = parse_animation_pointer(pointer);
+  if (!named) {
+    return std::nullopt;
+  }
+  if (named->array == "nodes") {
+    return ChannelTarget{static_cast<int>(named->index), std::string(named->property), {}};
+  }
+  return ChannelTarget{kNone, std::string(named->property), named};
+}
+
+void require_brightness(const AnimationCurve& curve, const std::string& place) {
+  const bool has_tangents = curve.interpolation == Interpolation::cubic_spline;
+  const auto width = static_cast<std::size_t>(curve.width);
+  for (std::size_t i = 0; i < curve.values.size(); ++i) {
+    require((has_tangents && i / width % 3 != 1) || curve.values[i] >= 0, place, ": has ",
+            curve.values[i], ", expected brightness of 0 or more");
+  }
+}
+
 /// Reads an animation sampler and checks those of its times and values that the file holds.
 AnimationCurve read_curve(const GltfModel& model, const tinygltf::AnimationSampler& sampler,
-                          AnimatedProperty property, const std::string& place) {
+                          const ChannelTarget& target, const std::string& place) {
   AnimationCurve curve;
   curve.interpolation = read_interpolation(sampler.interpolation);
   curve.times = read_numbers(model.content, sampler.input, place + ": input");
@@ -62,9 +102,12 @@ AnimationCurve read_curve(const GltfModel& model, const tinygltf::AnimationSampl
   const std::size_t rows =
       curve.times.size() * (curve.interpolation == Interpolation::cubic_spline ? 3 : 1);
   curve.width = static_cast<int>(curve.values.size() / rows);
-  curve.holds_quaternions = property == AnimatedProperty::rotation;
+  curve.holds_quaternions = target.path == "rotation";
   if (curve.holds_quaternions && holds_data(model.content, sampler.output)) {
     require_rotations(curve, place + ": output");
+  }
+  if (target.is_brightness()) {
+    require_brightness(curve, place + ": output");
   }
   return curve;
 }
@@ -75,40 +118,58 @@ std::size_t memory_of(const tinygltf::Model& model, const tinygltf::AnimationSam
          (model.accessors[at(sampler.input)].count + model.accessors[at(sampler.output)].count);
 }
 
-Animation read_animation(GltfReading& reading, int index, const NodeForest& forest) {
+void add_channel(const AnimatedElements& elements, const ChannelTarget& target,
+                 AnimationCurve curve, Animation& animation) {
+  animation.duration = std::max<double>(animation.duration, curve.times.back());
+  if (target.is_brightness()) {
+    for (BrightnessChannel& channel :
+         brightness_channels(*target.shine, curve, elements.scene, elements.shining)) {
+      animation.brightness.push_back(std::move(channel));
+    }
+    return;
+  }
+  animation.channels.push_back({.node = elements.forest.of_gltf[at(target.node)],
+                                .property = read_property(target.path),
+                                .curve = std::move(curve)});
+}
+
+Animation read_animation(GltfReading& reading, int index, const AnimatedElements& elements) {
   const GltfModel& model = reading.model;
   const tinygltf::Animation& source = model.content.animations[at(index)];
   Animation animation;
   animation.name = source.name;
   for (const tinygltf::AnimationChannel& channel : source.channels) {
-    if (channel.target_node == kNone || channel.target_path == "pointer") {
-      add_note(reading.notes, "animation channels that move no node are left out");
+    const std::optional<ChannelTarget> target = target_of(channel);
+    if (!target) {
+      if (channel.target_path != "pointer") {
+        add_note(reading.notes, "animation channels that move no node are left out");
+      }
       continue;
     }
     const std::string place =
         model.place("animations", index) + ".samplers[" + std::to_string(channel.sampler) + ']';
     const tinygltf::AnimationSampler& sampler = source.samplers[at(channel.sampler)];
     reading.budget.take(memory_of(model.content, sampler), place);
-    AnimationChannel added;
-    added.node = forest.of_gltf[at(channel.target_node)];
-    added.property = read_property(channel.target_path);
-    added.curve = read_curve(model, sampler, added.property, place);
+    AnimationCurve curve = read_curve(model, sampler, *target, place);
     if (!holds_data(model.content, sampler.input) || !holds_data(model.content, sampler.output)) {
       add_note(reading.notes, "animation channels without data are left out");
       continue;
     }
-    animation.duration = std::max<double>(animation.duration, added.curve.times.back());
-    animation.channels.push_back(std::move(added));
+    add_channel(elements, *target, std::move(curve), animation);
   }
   return animation;
 }
 
-using Targets = std::set<std::pair<int, AnimatedProperty>>;
+/// What an animation changes: of a node or of what shines, its index and its property.
+using Targets = std::set<std::tuple<bool, int, int>>;
 
 Targets targets_of(const Animation& animation) {
   Targets targets;
   for (const AnimationChannel& channel : animation.channels) {
-    targets.insert({channel.node, channel.property});
+    targets.insert({false, channel.node, static_cast<int>(channel.property)});
+  }
+  for (const BrightnessChannel& channel : animation.brightness) {
+    targets.insert({true, channel.target, static_cast<int>(channel.factor)});
   }
   return targets;
 }
@@ -135,7 +196,7 @@ std::vector<Animation> those_that_fit_together(std::vector<Animation> animations
 
 }  // namespace
 
-std::vector<Animation> read_animations(GltfReading& reading, const NodeForest& forest,
+std::vector<Animation> read_animations(GltfReading& reading, const AnimatedElements& elements,
                                        const std::string& wanted) {
   const GltfModel& model = reading.model;
   std::vector<std::string> names;
@@ -146,7 +207,7 @@ std::vector<Animation> read_animations(GltfReading& reading, const NodeForest& f
   const std::vector<int> chosen = select_animations(wanted, names, model.path.string());
   animations.reserve(chosen.size());
   for (const int index : chosen) {
-    animations.push_back(read_animation(reading, index, forest));
+    animations.push_back(read_animation(reading, index, elements));
   }
   return those_that_fit_together(std::move(animations), reading.notes);
 }

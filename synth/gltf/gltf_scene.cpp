@@ -77,6 +77,7 @@ class SceneReader {
         materials_(reading_, scene_, options.needed, options.scale),
         forest_(read_nodes(model.content, options.scale)),
         skins_(model.content.skins.size(), kNone),
+        shining_{.scale = options.scale},
         is_read_(model.content.meshes.size(), false) {
     labels_.files.push_back(names_in(model));
   }
@@ -90,11 +91,13 @@ class SceneReader {
     SceneMotion& motion = scene_.motion;
     motion.nodes = forest_.nodes;
     motion.loop = options_.loop;
-    motion.animations = read_animations(reading_, forest_, options_.animation);
+    shining_.materials = materials_.sources();
+    motion.animations = read_animations(reading_, {forest_, scene_, shining_}, options_.animation);
+    read_brightness(model_, shining_, motion);
     Scene scene = at_rest();
     require_room(scene);
     scene.motion = std::move(motion);
-    for (const int index : materials_.sources()) {
+    for (const int index : shining_.materials) {
       labels_.materials.push_back({.index = index});
     }
     return {std::move(scene), std::move(labels_)};
@@ -307,6 +310,7 @@ class SceneReader {
     require(light.direction.squaredNorm() > 0, model_.path.string(),
             ": a light that has a direction is on a node of scale zero, expected a direction");
     scene_.lights.push_back(light);
+    shining_.lights.push_back(index);
     scene_.motion.light_nodes.push_back(moved_by);
   }
 
@@ -342,6 +346,7 @@ class SceneReader {
   std::vector<Eigen::Affine3d> T_world_node_;  ///< transform of each of forest_.nodes
   std::map<int, std::vector<PrimitiveMesh>> meshes_;
   std::vector<int> skins_;
+  ShiningSources shining_;
   std::vector<bool> is_read_;  ///< whether each glTF mesh was read
   SceneLabels labels_;
 };

@@ -3,26 +3,45 @@
 #include "synth/scene/placed.h"
 
 namespace synth {
+namespace {
+
+LightKind kind_of(const tinygltf::Light& source) {
+  return source.type == "point"  ? LightKind::point
+         : source.type == "spot" ? LightKind::spot
+                                 : LightKind::directional;
+}
+
+Eigen::Vector3f color_of(const tinygltf::Light& source) {
+  return source.color.empty()
+             ? Eigen::Vector3f::Ones().eval()
+             : Eigen::Map<const Eigen::Vector3d>(source.color.data()).cast<float>().eval();
+}
+
+}  // namespace
+
+float intensity_unit(LightKind kind, double scale) {
+  return kind == LightKind::directional ? 1 : static_cast<float>(scale * scale);
+}
+
+Brightness brightness_of(const tinygltf::Light& source, double scale) {
+  return {color_of(source),
+          static_cast<float>(source.intensity) * intensity_unit(kind_of(source), scale)};
+}
 
 Light place_light(const tinygltf::Light& source, const Eigen::Affine3d& T_world_node,
                   double scale) {
   Light light;
+  light.kind = kind_of(source);
   light.position = T_world_node.translation();
-  if (!source.color.empty()) {
-    light.intensity = Eigen::Map<const Eigen::Vector3d>(source.color.data()).cast<float>();
-  }
-  light.intensity *= static_cast<float>(source.intensity);
+  light.intensity =
+      color_of(source) * static_cast<float>(source.intensity) * intensity_unit(light.kind, scale);
   if (source.range > 0) {
     light.range = scale * source.range;
   }
-  if (source.type != "directional") {
-    light.intensity *= static_cast<float>(scale * scale);
-  }
-  if (source.type == "point") {
+  if (light.kind == LightKind::point) {
     return light;
   }
   light.direction = light_direction_of(T_world_node);
-  light.kind = source.type == "spot" ? LightKind::spot : LightKind::directional;
   light.inner_cone = source.spot.innerConeAngle;
   light.outer_cone = source.spot.outerConeAngle;
   return light;

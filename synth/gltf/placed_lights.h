@@ -13,6 +13,12 @@ namespace synth {
 /// square, so that it lights the surfaces as before.
 Light place_light(const tinygltf::Light& source, const Eigen::Affine3d& T_world_node, double scale);
 
+/// Returns the factor of a light's intensity in a file whose lengths are taken times `scale`.
+float intensity_unit(LightKind kind, double scale);
+
+/// Returns the colour of a light of KHR_lights_punctual, and its intensity as `place_light` has it.
+Brightness brightness_of(const tinygltf::Light& source, double scale);
+
 /// Returns a glTF camera in the world, which looks along its node's -z axis with +y up.
 SceneCamera place_camera(const tinygltf::Camera& source, const Eigen::Affine3d& T_world_node);
 

@@ -26,11 +26,11 @@ namespace {
 using vo::require;
 
 constexpr std::array kSupportedExtensions = {
-    kImageBasedLightExtension,         "EXT_mesh_gpu_instancing", "EXT_meshopt_compression",
-    "KHR_draco_mesh_compression",      "KHR_lights_punctual",     "KHR_materials_clearcoat",
-    "KHR_materials_emissive_strength", "KHR_materials_ior",       "KHR_materials_specular",
-    "KHR_materials_transmission",      "KHR_materials_unlit",     "KHR_materials_volume",
-    "KHR_mesh_quantization",           "KHR_texture_transform"};
+    kImageBasedLightExtension, kAnimationPointerExtension,        "EXT_mesh_gpu_instancing",
+    "EXT_meshopt_compression", "KHR_draco_mesh_compression",      "KHR_lights_punctual",
+    "KHR_materials_clearcoat", "KHR_materials_emissive_strength", "KHR_materials_ior",
+    "KHR_materials_specular",  "KHR_materials_transmission",      "KHR_materials_unlit",
+    "KHR_materials_volume",    "KHR_mesh_quantization",           "KHR_texture_transform"};
 
 /// Unsupported extensions with the glTF Transform command that writes a file without each.
 constexpr std::array<std::pair<const char*, const char*>, 5> kConversions = {

@@ -1,9 +1,12 @@
 #include "synth/gltf_document/check_motion.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,6 +22,8 @@ constexpr std::size_t kFloatType = 5126;
 
 struct AnimatedDocument {
   std::vector<JsonObject> accessors, views, nodes;
+  std::size_t lights = 0;
+  std::size_t materials = 0;
   std::vector<std::size_t> target_counts;  ///< number of morph targets of each mesh
   Notes& notes;
 };
@@ -90,6 +95,9 @@ void check_output(const std::string& path, const JsonObject& sampler, std::size_
   if (path == "rotation" || path == "weights") {
     require_element_type(output, path == "rotation" ? "VEC4" : "SCALAR", place);
     require_fractions(output, place);
+  } else if (path == "intensity" || path == "emissiveStrength") {
+    require_element_type(output, "SCALAR", place);
+    require_float_components(output, place);
   } else {
     require_element_type(output, "VEC3", place);
     require_float_components(output, place);
@@ -112,29 +120,88 @@ void check_sampler(const JsonObject& sampler, const AnimatedDocument& document) 
           ": a cubic spline has one key, expected two or more");
 }
 
+/// What an animation's channel changes.
+struct ChannelTarget {
+  std::string element;              ///< its name in messages, like "nodes[3]"
+  std::optional<std::size_t> node;  ///< if it is a node
+  std::string path;
+};
+
+/// Returns the target of a channel that names an element by its JSON pointer; nothing if this is
+/// not supported. Throws if there is no such element.
+std::optional<ChannelTarget> pointed_target(const JsonObject& target,
+                                            const AnimatedDocument& document) {
+  const std::optional<JsonObject> extension = target.extension(kAnimationPointerExtension);
+  if (!extension) {
+    add_note(document.notes, vo::concat("animation channels of path pointer without ",
+                                        kAnimationPointerExtension, " are left out"));
+    return std::nullopt;
+  }
+  const std::string pointer = extension->required_text("pointer");
+  const std::optional<AnimationPointer> named = parse_animation_pointer(pointer);
+  if (!named) {
+    add_note(document.notes, "animation channels of " + pointer + " are left out");
+    return std::nullopt;
+  }
+  const std::size_t count = named->array == "nodes"    ? document.nodes.size()
+                            : named->array == "lights" ? document.lights
+                                                       : document.materials;
+  require(named->index < count, target.place(), ": the pointer ", pointer, " names one of ", count,
+          " ", named->array, ", expected an index below ", count);
+  ChannelTarget pointed{vo::concat(named->array, "[", named->index, "]"), std::nullopt,
+                        std::string(named->property)};
+  if (named->array == "nodes") {
+    pointed.node = named->index;
+  }
+  return pointed;
+}
+
+/// Returns what a channel changes; nothing if this is not supported.
+std::optional<ChannelTarget> channel_target(const JsonObject& target,
+                                            const AnimatedDocument& document) {
+  const std::string path = target.required_text("path");
+  const std::optional<std::size_t> node = target.index("node", document.nodes.size());
+  if (path == "pointer") {
+    return pointed_target(target, document);
+  }
+  if (!node) {
+    return std::nullopt;
+  }
+  require(path == "translation" || path == "rotation" || path == "scale" || path == "weights",
+          target.place(), ": path is ", path,
+          ", expected translation, rotation, scale, weights or pointer");
+  return ChannelTarget{vo::concat("nodes[", *node, "]"), node, path};
+}
+
+/// Checks the node that a channel moves, and returns the numbers of its values at each key.
+std::size_t check_moved_node(const JsonObject& target, const ChannelTarget& changed,
+                             const AnimatedDocument& document) {
+  if (!changed.node) {
+    return 1;
+  }
+  const JsonObject& moving = document.nodes[*changed.node];
+  require(changed.path == "weights" || !moving.has("matrix"), target.place(), ": moves ",
+          changed.element,
+          ", which has a matrix, expected a node with translation, rotation and scale");
+  return outputs_per_key(changed.path, moving, document);
+}
+
 void check_animation(const JsonObject& animation, const AnimatedDocument& document) {
   const std::vector<JsonObject> samplers = animation.objects("samplers");
   for (const JsonObject& sampler : samplers) {
     check_sampler(sampler, document);
   }
-  std::set<std::pair<std::size_t, std::string>> moved;
+  std::set<std::pair<std::string, std::string>> moved;
   for (const JsonObject& channel : animation.objects("channels")) {
     const std::size_t sampler = channel.required_index("sampler", samplers.size());
     const JsonObject target = channel.required_object("target");
-    const std::string path = target.required_text("path");
-    const std::optional<std::size_t> node = target.index("node", document.nodes.size());
-    if (!node || path == "pointer") {
+    const std::optional<ChannelTarget> changed = channel_target(target, document);
+    if (!changed) {
       continue;
     }
-    require(path == "translation" || path == "rotation" || path == "scale" || path == "weights",
-            target.place(), ": path is ", path,
-            ", expected translation, rotation, scale or weights");
-    require(moved.insert({*node, path}).second, target.place(), ": moves the ", path, " of nodes[",
-            *node, "] a second time, expected once");
-    const JsonObject& moving = document.nodes[*node];
-    require(path == "weights" || !moving.has("matrix"), target.place(), ": moves nodes[", *node,
-            "], which has a matrix, expected a node with translation, rotation and scale");
-    check_output(path, samplers[sampler], outputs_per_key(path, moving, document),
+    require(moved.insert({changed->element, changed->path}).second, target.place(), ": moves the ",
+            changed->path, " of ", changed->element, " a second time, expected once");
+    check_output(changed->path, samplers[sampler], check_moved_node(target, *changed, document),
                  document.accessors);
   }
 }
@@ -146,11 +213,58 @@ void check_node(const JsonObject& node, const AnimatedDocument& document) {
           " weights, expected one for each of the ", targets, " targets of its mesh");
 }
 
+std::optional<std::size_t> index_in(std::string_view text) {
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional(index)
+                                                                  : std::nullopt;
+}
+
+/// What a pointer that is supported has before and after the index of an element.
+struct PointerPattern {
+  std::string_view before;
+  std::string_view array;
+  std::string_view after;
+  std::string_view property;
+};
+
+constexpr std::array<PointerPattern, 8> kPointerPatterns = {
+    {{"/extensions/KHR_lights_punctual/lights/", "lights", "/intensity", "intensity"},
+     {"/extensions/KHR_lights_punctual/lights/", "lights", "/color", "color"},
+     {"/materials/", "materials", "/emissiveFactor", "emissiveFactor"},
+     {"/materials/", "materials", "/extensions/KHR_materials_emissive_strength/emissiveStrength",
+      "emissiveStrength"},
+     {"/nodes/", "nodes", "/translation", "translation"},
+     {"/nodes/", "nodes", "/rotation", "rotation"},
+     {"/nodes/", "nodes", "/scale", "scale"},
+     {"/nodes/", "nodes", "/weights", "weights"}}};
+
 }  // namespace
 
+std::optional<AnimationPointer> parse_animation_pointer(std::string_view pointer) {
+  for (const auto& [before, array, after, property] : kPointerPatterns) {
+    if (pointer.size() <= before.size() + after.size() || !pointer.starts_with(before) ||
+        !pointer.ends_with(after)) {
+      continue;
+    }
+    const std::string_view middle =
+        pointer.substr(before.size(), pointer.size() - before.size() - after.size());
+    if (const std::optional<std::size_t> index = index_in(middle)) {
+      return AnimationPointer{array, *index, property};
+    }
+  }
+  return std::nullopt;
+}
+
 void check_motion(const JsonObject& root, Notes& notes) {
-  AnimatedDocument document{
-      root.objects("accessors"), root.objects("bufferViews"), root.objects("nodes"), {}, notes};
+  const std::optional<JsonObject> lights = root.extension("KHR_lights_punctual");
+  AnimatedDocument document{root.objects("accessors"),
+                            root.objects("bufferViews"),
+                            root.objects("nodes"),
+                            lights ? lights->objects("lights").size() : 0,
+                            root.objects("materials").size(),
+                            {},
+                            notes};
   for (const JsonObject& mesh : root.objects("meshes")) {
     document.target_counts.push_back(checked_target_count(mesh));
   }

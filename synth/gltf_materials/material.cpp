@@ -1,7 +1,9 @@
 #include "synth/gltf_materials/material.h"
 
+#include <algorithm>
 #include <string>
 
+#include "synth/gltf_document/check_motion.h"
 #include "synth/gltf_document/notes.h"
 
 namespace synth {
@@ -60,14 +62,6 @@ class MaterialExtension {
   const tinygltf::Value* extension_;
 };
 
-/// Returns the emissive factor times the emissive strength.
-Eigen::Vector3f read_emission(const tinygltf::Material& source) {
-  const Eigen::Vector3f factor =
-      Eigen::Map<const Eigen::Vector3d>(source.emissiveFactor.data()).cast<float>();
-  const MaterialExtension strength(source, "KHR_materials_emissive_strength");
-  return strength.number("emissiveStrength", 1) * factor;
-}
-
 /// Reads KHR_materials_volume, whose lengths are times `scale`. How thick a body is, its mesh says;
 /// the extension's texture of thicknesses is for renderers that follow no rays.
 void read_volume(const tinygltf::Material& source, double scale, MaterialLayers& layers) {
@@ -79,6 +73,12 @@ void read_volume(const tinygltf::Material& source, double scale, MaterialLayers&
 }
 
 }  // namespace
+
+Brightness emission_of(const tinygltf::Material& source) {
+  const MaterialExtension strength(source, "KHR_materials_emissive_strength");
+  return {Eigen::Map<const Eigen::Vector3d>(source.emissiveFactor.data()).cast<float>(),
+          strength.number("emissiveStrength", 1)};
+}
 
 MaterialReader::MaterialReader(GltfReading& reading, Scene& scene, NeededTextures needed,
                                double scale)
@@ -146,6 +146,12 @@ void MaterialReader::read_surface(const tinygltf::Material& source, Material& ma
   material.ior = MaterialExtension(source, "KHR_materials_ior").number("ior", material.ior);
 }
 
+/// Returns whether an animation may let a surface shine that does not shine at rest.
+bool MaterialReader::may_begin_to_shine() const {
+  const std::vector<std::string>& used = model_.content.extensionsUsed;
+  return std::find(used.begin(), used.end(), kAnimationPointerExtension) != used.end();
+}
+
 /// Returns the texture of a lit material.
 template <typename TextureInfo>
 TextureSlot MaterialReader::surface_map(const TextureInfo& info, TexelEncoding encoding) {
@@ -160,8 +166,9 @@ void MaterialReader::read_maps(const tinygltf::Material& source, Material& mater
   material.normal_scale = static_cast<float>(source.normalTexture.scale);
   material.occlusion_texture = surface_map(source.occlusionTexture, TexelEncoding::linear);
   material.occlusion_strength = static_cast<float>(source.occlusionTexture.strength);
-  material.emission = read_emission(source);
-  if (!material.emission.isZero(0)) {
+  const Brightness emission = emission_of(source);
+  material.emission = emission.strength * emission.color;
+  if (!material.emission.isZero(0) || may_begin_to_shine()) {
     material.emissive_texture = surface_map(source.emissiveTexture, TexelEncoding::srgb);
   }
 }

@@ -8,6 +8,9 @@
 
 namespace synth {
 
+/// Returns the emissive factor and strength of a glTF material.
+Brightness emission_of(const tinygltf::Material& source);
+
 /// Reads a model's materials, with their textures and images, into a scene as they are asked for.
 class MaterialReader {
  public:
@@ -28,6 +31,7 @@ class MaterialReader {
   void read_maps(const tinygltf::Material& source, Material& material);
   void read_specular_maps(const tinygltf::Material& source, Material& material);
   void read_layers(const tinygltf::Material& source, MaterialLayers& layers);
+  bool may_begin_to_shine() const;
   template <typename TextureInfo>
   TextureSlot surface_map(const TextureInfo& info, TexelEncoding encoding);
 

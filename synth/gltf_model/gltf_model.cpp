@@ -150,6 +150,15 @@ void erase_needless_strides(nlohmann::json& document) {
   }
 }
 
+/// Gives animation channels that target no node, which tinygltf drops, a node that is none.
+void state_missing_target_nodes(nlohmann::json& document) {
+  for (nlohmann::json& animation : document["animations"]) {
+    for (nlohmann::json& channel : animation["channels"]) {
+      channel["target"].emplace("node", kNone);
+    }
+  }
+}
+
 /// Parses with tinygltf what needs no other file; it gets no functions to open one.
 tinygltf::Model parse_structure(nlohmann::json document, const std::string& place) {
   for (const char* key : {"buffers", "images", "extras"}) {
@@ -157,6 +166,7 @@ tinygltf::Model parse_structure(nlohmann::json document, const std::string& plac
   }
   replace_unknown_accessors(document);
   erase_needless_strides(document);
+  state_missing_target_nodes(document);
   for (nlohmann::json& mesh : document["meshes"]) {
     for (nlohmann::json& primitive : mesh["primitives"]) {
       primitive.erase("indices");  // tinygltf refuses accessors without a view as indices

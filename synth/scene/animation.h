@@ -25,10 +25,28 @@ struct AnimationChannel {
   AnimationCurve curve;
 };
 
+/// The factors of how brightly a light or a surface shines.
+enum class BrightnessFactor { light_color, light_strength, emission_color, emission_strength };
+
+/// A curve of one factor, linear RGB or a number, which counts as 0 where it is less.
+struct BrightnessChannel {
+  BrightnessFactor factor = BrightnessFactor::light_strength;
+  int target = 0;  ///< index into Scene::lights or, of an emission, Scene::materials
+  AnimationCurve curve;
+
+  bool is_of_light() const {
+    return factor == BrightnessFactor::light_color || factor == BrightnessFactor::light_strength;
+  }
+  bool is_color() const {
+    return factor == BrightnessFactor::light_color || factor == BrightnessFactor::emission_color;
+  }
+};
+
 struct Animation {
   std::string name;
   double duration = 0;  ///< s, time of the animation's last key
   std::vector<AnimationChannel> channels;
+  std::vector<BrightnessChannel> brightness;
   double start = 0;  ///< s, scene time at which it begins; before, its first keys count
   double stop =
       std::numeric_limits<double>::infinity();  ///< s, scene time from which it holds still

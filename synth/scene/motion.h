@@ -55,6 +55,12 @@ struct DeformableMesh {
   int skin = -1;  ///< index into SceneMotion::skins; -1 = only morphed
 };
 
+/// The two factors of a light's intensity or of a material's emission.
+struct Brightness {
+  Eigen::Vector3f color = Eigen::Vector3f::Ones();  ///< linear RGB
+  float strength = 1;
+};
+
 /// The motion of a scene over time (see scene_motion.h). Empty for a static scene.
 struct SceneMotion {
   std::vector<MotionNode> nodes;
@@ -65,6 +71,9 @@ struct SceneMotion {
   std::vector<MeshShape> shapes;
   std::vector<Skin> skins;
   std::vector<DeformableMesh> deforming;
+  std::vector<Brightness>
+      light_brightness;              ///< of Scene::lights; empty if no animation changes any
+  std::vector<Brightness> emission;  ///< of Scene::materials; empty if no animation changes any
   bool loop = false;  ///< animations restart at their end instead of holding their last pose
 };
 

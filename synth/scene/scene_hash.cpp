@@ -144,6 +144,12 @@ void add(vo::ContentHash& hash, const Animation& animation) {
     hash.add_values(std::span<const float>(channel.curve.times));
     hash.add_values(std::span<const float>(channel.curve.values));
   }
+  for (const BrightnessChannel& channel : animation.brightness) {
+    add_numbers(hash, {static_cast<int>(channel.factor), channel.target,
+                       static_cast<int>(channel.curve.interpolation)});
+    hash.add_values(std::span<const float>(channel.curve.times));
+    hash.add_values(std::span<const float>(channel.curve.values));
+  }
   const Animation at_once;
   if (animation.start != at_once.start || animation.stop != at_once.stop || animation.loops) {
     const std::array times = {animation.start, animation.stop};
@@ -170,6 +176,11 @@ void add(vo::ContentHash& hash, const Skin& skin) {
   }
 }
 
+void add(vo::ContentHash& hash, const Brightness& brightness) {
+  add_matrix(hash, brightness.color);
+  hash.add_values(std::span<const float>(&brightness.strength, 1));
+}
+
 template <typename Element>
 void add_all(vo::ContentHash& hash, const std::vector<Element>& elements) {
   for (const Element& element : elements) {
@@ -188,6 +199,8 @@ void add(vo::ContentHash& hash, const SceneMotion& motion) {
     add_numbers(hash, {deforming.instance, deforming.shape, deforming.node, deforming.skin});
   }
   add_numbers(hash, {static_cast<int>(motion.loop)});
+  add_all(hash, motion.light_brightness);
+  add_all(hash, motion.emission);
 }
 
 }  // namespace

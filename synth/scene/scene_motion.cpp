@@ -77,6 +77,42 @@ Frames place_nodes(const SceneMotion& motion, const Poses& poses) {
   return frames;
 }
 
+Brightness changed(Brightness brightness, bool is_color, const std::vector<double>& value) {
+  const auto factor = [&](std::size_t i) { return static_cast<float>(std::max(0.0, value[i])); };
+  if (is_color) {
+    brightness.color = {factor(0), factor(1), factor(2)};
+  } else {
+    brightness.strength = factor(0);
+  }
+  return brightness;
+}
+
+/// Makes lights and surfaces as bright as the animations say; a channel of each factor of one may
+/// come after the other.
+void set_brightness(const SceneMotion& motion, double time, Scene& scene) {
+  std::vector<Brightness> lights = motion.light_brightness;
+  std::vector<Brightness> emission = motion.emission;
+  for (const Animation& animation : motion.animations) {
+    const double within = time_within(animation, time, motion.loop);
+    for (const BrightnessChannel& channel : animation.brightness) {
+      const std::size_t target = at(channel.target);
+      Brightness& brightness = channel.is_of_light() ? lights[target] : emission[target];
+      brightness = changed(brightness, channel.is_color(), value_at(channel.curve, within));
+      (channel.is_of_light() ? scene.lights[target].intensity : scene.materials[target].emission) =
+          brightness.color * brightness.strength;
+    }
+  }
+}
+
+bool changes_brightness(const SceneMotion& motion) {
+  return std::any_of(
+      motion.animations.begin(), motion.animations.end(), [](const Animation& animation) {
+        return std::any_of(
+            animation.brightness.begin(), animation.brightness.end(),
+            [](const BrightnessChannel& channel) { return !is_constant(channel.curve); });
+      });
+}
+
 /// Skins a mesh and places its instance at the first joint, so that its coordinates stay small.
 void follow_joints(const SceneMotion& motion, const DeformableMesh& deforming, const Frames& frames,
                    Scene& scene) {
@@ -170,6 +206,7 @@ Scene scene_at(const Scene& scene, double time) {
   Scene at_time = without_motion(scene);
   if (!scene.motion.animations.empty()) {
     place_all(scene.motion, poses_at(scene.motion, time), at_time);
+    set_brightness(scene.motion, time, at_time);
   }
   return at_time;
 }
@@ -194,7 +231,7 @@ Scene scene_at_rest(const Scene& scene) {
 bool moves(const Scene& scene) {
   const std::vector<bool> instances = moving_instances(scene);
   return std::find(instances.begin(), instances.end(), true) != instances.end() ||
-         any_moves(scene.motion, scene.motion.light_nodes);
+         any_moves(scene.motion, scene.motion.light_nodes) || changes_brightness(scene.motion);
 }
 
 bool moves_cameras(const Scene& scene) {

@@ -12,11 +12,11 @@ namespace synth {
 double scene_time(const vo::Trajectory& truth, double timestamp);
 
 /// Returns the static scene at a time in s, with nodes, skins, morph targets, lights and cameras as
-/// its animations place them. Meshes, instances and triangles keep their order at all times, so
-/// that (instance, triangle, barycentric coordinates) identifies a surface point. Before an
-/// animation's first key and after its last, values stay those of that key, as in glTF; with
-/// SceneMotion::loop each animation restarts at its last key. Throws vo::Error if a transform or
-/// vertex overflows.
+/// its animations place them, and what shines as bright as they make it. Meshes, instances and
+/// triangles keep their order at all times, so that (instance, triangle, barycentric coordinates)
+/// identifies a surface point. Before an animation's first key and after its last, values stay
+/// those of that key, as in glTF; with SceneMotion::loop each animation restarts at its last key.
+/// Throws vo::Error if a transform or vertex overflows.
 Scene scene_at(const Scene& scene, double time);
 
 /// The states of a scene around one instant of its animations.
@@ -34,7 +34,8 @@ SceneDuring scene_during(const Scene& scene, double now, double begin, double en
 /// Returns the static scene as its file places it while no animation plays.
 Scene scene_at_rest(const Scene& scene);
 
-/// Returns whether an animation moves or deforms anything visible: an instance or a light.
+/// Returns whether an animation changes anything visible: moves or deforms an instance, moves a
+/// light, or changes how bright a light or a surface is.
 bool moves(const Scene& scene);
 
 /// Returns whether an animation moves one of the scene's cameras.
