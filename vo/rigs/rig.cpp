@@ -42,8 +42,19 @@ void require_side_by_side(const std::string& place, const SE3& T_left_right) {
 
 }  // namespace
 
+bool is_plain_name(const std::string& name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_';
+  });
+}
+
 std::string describe(const RigCamera& camera) {
   return concat(camera.place, ": camera '", camera.name, "'");
+}
+
+std::string describe(const RigProjector& projector) {
+  return concat(projector.place, ": projector '", projector.name, "'");
 }
 
 const RigCamera& stereo_partner(const Rig& rig, const RigCamera& left) {

@@ -10,71 +10,19 @@
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/dataset/camera_file.h"
-#include "vo/motion_files/trajectory_file.h"
+#include "vo/rigs/rig_pose.h"
+#include "vo/rigs/rig_projector.h"
 
 namespace vo {
 namespace {
 
 constexpr const char* kSensor = "sensor.";
 
-/// A pose as a rig's file has it.
-struct PoseValues {
-  std::vector<double> matrix;  ///< four rows
-  std::vector<double> position;
-  std::vector<double> orientation;  ///< x, y, z, w
-};
-
-/// Returns a field that takes `count` numbers into a vector.
-Field numbers_field(const std::string& key, const char* help, std::size_t count,
-                    std::vector<double>& values) {
-  return {key, help, FieldType::reals, [] { return std::string(); },
-          [&values, count](std::string_view text) { values = parse_reals(text, count); }};
-}
-
-void add_pose_fields(const std::string& prefix, const std::string& matrix, PoseValues& pose,
-                     std::vector<Field>& fields) {
-  fields.push_back(numbers_field(prefix + matrix, "four rows of a matrix", 16, pose.matrix));
-  fields.push_back(numbers_field(prefix + "position", "in the body, m", 3, pose.position));
-  fields.push_back(
-      numbers_field(prefix + "orientation", "quaternion x, y, z, w", 4, pose.orientation));
-}
-
-/// Returns the pose of a matrix of four rows. Throws Error, which begins with `place`, if it is
-/// none.
-SE3 pose_of_matrix(const std::string& place, const std::vector<double>& values) {
-  const Eigen::Matrix4d T =
-      Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(values.data());
-  require(T.row(3) == Eigen::RowVector4d(0, 0, 0, 1), place,
-          ": expected 0, 0, 0, 1 as the fourth row");
-  return checked_pose(place, Eigen::Matrix<double, 3, 4>(T.topRows<3>()));
-}
-
-/// Returns the pose that a file gives. Throws Error, which begins with `place`, if it is none.
-SE3 pose_of(const std::string& place, const std::string& matrix, const PoseValues& values) {
-  const bool has_parts = !values.position.empty() || !values.orientation.empty();
-  require(values.matrix.empty() || !has_parts, place, ": expected ", matrix,
-          " or position and orientation, not both");
-  if (!values.matrix.empty()) {
-    return pose_of_matrix(concat(place, ": ", matrix), values.matrix);
-  }
-  const std::vector<double> p = values.position.empty() ? std::vector<double>(3) : values.position;
-  const std::vector<double> q =
-      values.orientation.empty() ? std::vector<double>{0, 0, 0, 1} : values.orientation;
-  return checked_pose(place, Eigen::Quaterniond(q[3], q[0], q[1], q[2]),
-                      Eigen::Vector3d(p[0], p[1], p[2]));
-}
-
-bool is_in_folder_name(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-         c == '_';
-}
-
 /// Throws Error unless a camera's name can be that of its folder beside the rig's own files.
 void require_folder_name(const RigCamera& camera) {
   require(!camera.name.empty(), camera.place, ": [[camera]]: expected a name");
-  require(std::all_of(camera.name.begin(), camera.name.end(), is_in_folder_name) &&
-              camera.name != "truth",
-          describe(camera), ": expected a name of letters, digits, '-' and '_', other than truth");
+  require(is_plain_name(camera.name) && camera.name != "truth", describe(camera),
+          ": expected a name of letters, digits, '-' and '_', other than truth");
 }
 
 void validate(const RigCamera& camera) {
@@ -87,6 +35,10 @@ void validate(const RigCamera& camera) {
   require(std::abs(camera.time_offset) <= kMaxOffset, describe(camera),
           ": time_offset: expected at most ", kMaxOffset, " s, got ",
           format_real(camera.time_offset));
+  require(camera.scene_light >= 0 && camera.scene_light <= 1, describe(camera),
+          ": scene_light: expected a share from 0 to 1, got ", format_real(camera.scene_light));
+  require(camera.scene_light == 1 || camera.spectrum == Spectrum::infrared, describe(camera),
+          ": scene_light: is for cameras with spectrum = \"infrared\"; others see all of it");
 }
 
 /// Moves the values of the sensor out of those of a camera, their keys without `sensor.`.
@@ -116,6 +68,8 @@ RigCamera read_rig_camera(TomlRecord record) {
   visit_fields(collect, result.camera);
   collect("time_offset", result.time_offset, "s");
   collect("stereo", result.stereo, "name of the partner");
+  collect("spectrum", result.spectrum, "the light that it sees");
+  collect("scene_light", result.scene_light, "share of the scene's light in infrared");
   add_pose_fields("", "T_body_camera", pose, fields);
   assign_fields(record.values, fields);
   require_folder_name(result);
@@ -132,16 +86,6 @@ SE3 read_imu_pose(const std::filesystem::path& path, const std::vector<TomlValue
   return pose_of(path.string() + ": imu", "T_body_imu", pose);
 }
 
-std::string format_pose(const std::string& key, const SE3& T) {
-  const Eigen::Matrix3d R = T.rotation_matrix();
-  std::string text = key + " = [";
-  for (int row = 0; row < 3; ++row) {
-    text += concat("\n  [", format_real(R(row, 0)), ", ", format_real(R(row, 1)), ", ",
-                   format_real(R(row, 2)), ", ", format_real(T.translation()[row]), "],");
-  }
-  return text + "\n  [0, 0, 0, 1],\n]\n";
-}
-
 std::string format_rig_camera(const RigCamera& camera) {
   std::string text =
       concat("\n[[camera]]\nname = ", quoted_toml(camera.name), "\n",
@@ -153,11 +97,26 @@ std::string format_rig_camera(const RigCamera& camera) {
   if (!camera.stereo.empty()) {
     text += concat("stereo = ", quoted_toml(camera.stereo), "\n");
   }
+  if (camera.spectrum != Spectrum::visible) {
+    text += concat("spectrum = ", quoted_toml(to_string(camera.spectrum)), "\n");
+    text +=
+        format_toml(TomlValue{"scene_light", format_real(camera.scene_light), FieldType::real, ""});
+  }
   for (TomlValue value : camera.sensor) {
     value.key = kSensor + value.key;
     text += format_toml(value);
   }
   return text;
+}
+
+/// Throws Error unless each camera or projector has a name that no other one has.
+template <typename Part>
+void require_own_names(const std::vector<Part>& parts, const char* kind) {
+  std::set<std::string> names;
+  for (const Part& part : parts) {
+    require(names.insert(part.name).second, describe(part),
+            ": expected a name of its own, another ", kind, " has it");
+  }
 }
 
 }  // namespace
@@ -167,17 +126,19 @@ bool is_rig(const std::filesystem::path& folder) {
 }
 
 Rig read_rig(const std::filesystem::path& path) {
-  TomlRecords file = read_toml_records(path, "camera");
-  require(!file.records.empty(), path.string(), ": expected a table [[camera]] for each camera");
+  TomlRecords file = read_toml_records(path, {"camera", "projector"});
+  std::vector<TomlRecord>& cameras = file.arrays["camera"];
+  require(!cameras.empty(), path.string(), ": expected a table [[camera]] for each camera");
   Rig rig;
   rig.T_body_imu = read_imu_pose(path, file.others);
-  std::set<std::string> names;
-  for (TomlRecord& record : file.records) {
+  for (TomlRecord& record : cameras) {
     rig.cameras.push_back(read_rig_camera(std::move(record)));
-    const RigCamera& camera = rig.cameras.back();
-    require(names.insert(camera.name).second, describe(camera),
-            ": expected a name of its own, another camera has it");
   }
+  for (const TomlRecord& record : file.arrays["projector"]) {
+    rig.projectors.push_back(read_rig_projector(record, path.parent_path()));
+  }
+  require_own_names(rig.cameras, "camera");
+  require_own_names(rig.projectors, "projector");
   for (const RigCamera& camera : rig.cameras) {
     if (!camera.stereo.empty()) {
       stereo_partner(rig, camera);
@@ -193,6 +154,9 @@ std::string format_rig(const Rig& rig) {
       format_pose("T_body_imu", rig.T_body_imu);
   for (const RigCamera& camera : rig.cameras) {
     text += format_rig_camera(camera);
+  }
+  for (const RigProjector& projector : rig.projectors) {
+    text += format_rig_projector(projector);
   }
   return text;
 }

@@ -206,17 +206,20 @@ std::vector<TomlValue> read_toml(const Path& path) {
   return flattened(parsed(path), path);
 }
 
-TomlRecords read_toml_records(const Path& path, const std::string& name) {
+TomlRecords read_toml_records(const Path& path, const std::vector<std::string>& names) {
   toml::table document = parsed(path);
   TomlRecords result;
-  if (const toml::node* node = document.get(name)) {
-    const toml::array* array = node->as_array();
-    require(array != nullptr && array->is_homogeneous<toml::table>(), place_of(*node, path), ": ",
-            name, ": expected tables [[", name, "]]");
-    for (const toml::node& element : *array) {
-      result.records.push_back({place_of(element, path), flattened(*element.as_table(), path)});
+  for (const std::string& name : names) {
+    std::vector<TomlRecord>& records = result.arrays[name];
+    if (const toml::node* node = document.get(name)) {
+      const toml::array* array = node->as_array();
+      require(array != nullptr && array->is_homogeneous<toml::table>(), place_of(*node, path), ": ",
+              name, ": expected tables [[", name, "]]");
+      for (const toml::node& element : *array) {
+        records.push_back({place_of(element, path), flattened(*element.as_table(), path)});
+      }
+      document.erase(name);
     }
-    document.erase(name);
   }
   result.others = flattened(document, path);
   return result;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,15 +31,16 @@ struct TomlRecord {
   std::vector<TomlValue> values;
 };
 
-/// The values of a TOML file in which the tables of one array stand apart.
+/// The values of a TOML file in which the tables of some arrays stand apart.
 struct TomlRecords {
   std::vector<TomlValue> others;
-  std::vector<TomlRecord> records;  ///< in the file's order; none where there is no such array
+  std::map<std::string, std::vector<TomlRecord>> arrays;  ///< of each name, in the file's order
 };
 
-/// Returns the values of a TOML file with an array of tables of this name. Throws as `read_toml`
-/// does, and where the name is that of something else.
-TomlRecords read_toml_records(const std::filesystem::path& path, const std::string& name);
+/// Returns the values of a TOML file with arrays of tables of these names; those that the file
+/// lacks are empty. Throws as `read_toml` does, and where a name is that of something else.
+TomlRecords read_toml_records(const std::filesystem::path& path,
+                              const std::vector<std::string>& names);
 
 /// A table of a TOML file.
 struct TomlTable {

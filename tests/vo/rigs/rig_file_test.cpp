@@ -82,6 +82,68 @@ TEST(RigFile, ReadsWhatIsWrittenOfARig) {
   EXPECT_EQ(vo::format_rig(again), vo::format_rig(read(vo::format_rig(again))));
 }
 
+constexpr const char* kFov = "fov_deg = [80, 50.5]\n";
+
+std::string projector(const std::string& name, const std::string& rest = kFov) {
+  return "[[projector]]\nname = \"" + name + "\"\n" + rest + "\n";
+}
+
+TEST(RigFile, ReadsProjectorsAndTheLightThatCamerasSee) {
+  const TempFolder folder;
+  const vo::Rig rig = vo::read_rig(folder.write(
+      "rig.toml",
+      projector("a", std::string(kFov) +
+                         "position = [0.1, 0, 0]\norientation = [0, 0.6, 0, 0.8]\npower = 7\n"
+                         "dots.number = 9\ndots.diameter_deg = 0.5\ndots.seed = 3") +
+          camera("color") + camera("left", "spectrum = \"infrared\"\nscene_light = 0.25") +
+          projector("b", std::string(kFov) + "pattern = \"patterns/b.png\"") + camera("rest")));
+  EXPECT_EQ(rig.cameras[0].spectrum, vo::Spectrum::visible);
+  EXPECT_EQ(rig.cameras[1].spectrum, vo::Spectrum::infrared);
+  EXPECT_EQ(rig.cameras[1].scene_light, 0.25);
+  EXPECT_EQ(rig.cameras.size(), 3U);
+  ASSERT_EQ(rig.projectors.size(), 2U);
+  const vo::RigProjector& dots = rig.projectors[0];
+  EXPECT_LT(difference(dots.T_body_projector, {{0.8, 0, 0.6, 0}, {0.1, 0, 0}}), 1e-15);
+  EXPECT_EQ(dots.fov_deg, Eigen::Vector2d(80, 50.5));
+  EXPECT_EQ(dots.power, 7);
+  EXPECT_EQ(dots.dots.number, 9);
+  EXPECT_EQ(dots.dots.diameter_deg, 0.5);
+  EXPECT_EQ(dots.dots.seed, 3U);
+  EXPECT_FALSE(dots.has_file());
+  EXPECT_EQ(rig.projectors[1].power, 1);
+  EXPECT_EQ(rig.projectors[1].file(), folder.path() / "patterns/b.png");
+  EXPECT_EQ(vo::format_rig(read(vo::format_rig(rig))), vo::format_rig(rig));
+}
+
+TEST(RigFile, RefusesProjectorsThatAreNone) {
+  const auto refused = [](const std::string& rest) {
+    return refusal(camera("a") + projector("p", rest));
+  };
+  const std::string fov = kFov;
+  EXPECT_THAT(refusal(camera("a") + projector("p") + projector("p")),
+              HasSubstr("rig.toml:14: projector 'p': expected a name of its own"));
+  EXPECT_THAT(refusal(camera("a") + projector("../p")), HasSubstr("expected a name of letters"));
+  EXPECT_THAT(refusal(camera("a") + "[[projector]]\n" + fov), HasSubstr(":10: [[projector]]: "));
+  EXPECT_THAT(refused(""), HasSubstr("rig.toml:10: projector 'p': expected fov_deg"));
+  EXPECT_THAT(refused("fov_deg = [80]"), HasSubstr("rig.toml:12: fov_deg"));
+  EXPECT_THAT(refused("fov_deg = [80, 0]"), HasSubstr("'p': fov_deg: expected two angles"));
+  EXPECT_THAT(refused("fov_deg = [180, 60]"), HasSubstr("from 1 to 170 deg, got 180"));
+  EXPECT_THAT(refused("fov_deg = [nan, 60]"), HasSubstr("fov_deg"));
+  EXPECT_THAT(refused(fov + "power = -1.0"), HasSubstr("'p': power: expected"));
+  EXPECT_THAT(refused(fov + "power = inf"), HasSubstr("power"));
+  EXPECT_THAT(refused(fov + "pattern = \"stripes\""),
+              HasSubstr("'p': pattern: is \"stripes\", expected \"random_dots\" or a PNG file"));
+  EXPECT_THAT(refused(fov + "pattern = \"p.png\"\ndots.seed = 1"), HasSubstr("'p': dots: "));
+  EXPECT_THAT(refused(fov + "dots.number = 0"), HasSubstr("'p': dots.number: expected"));
+  EXPECT_THAT(refused(fov + "dots.diameter_deg = 0.0"), HasSubstr("'p': dots.diameter_deg"));
+  EXPECT_THAT(refused(fov + "brightness = 2"), HasSubstr("rig.toml:13: "));
+  EXPECT_THAT(refused(fov + "orientation = [0, 0, 0, 2]"), HasSubstr("projector 'p': expected a"));
+  EXPECT_THAT(refusal(camera("a", "spectrum = \"ultraviolet\"")), HasSubstr("infrared"));
+  EXPECT_THAT(refusal(camera("a", "scene_light = 0.5")), HasSubstr("'a': scene_light: is for"));
+  EXPECT_THAT(refusal(camera("a", "spectrum = \"infrared\"\nscene_light = 1.5")),
+              HasSubstr("'a': scene_light: expected a share from 0 to 1, got 1.5"));
+}
+
 TEST(RigFile, TheBaselineIsTheDistanceOfARectifiedPairHoweverItIsTurned) {
   const std::string turned = "\norientation = [0, 0, 0.6, 0.8]";  // x is (0.28, 0.96, 0)
   const vo::Rig rig = read(camera("l", "stereo = \"r\"\nposition = [1, 2, 3]" + turned) +

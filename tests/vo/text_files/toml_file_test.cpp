@@ -113,22 +113,27 @@ TEST(TomlFile, WhatIsNoTomlNamesLineAndColumn) {
   EXPECT_THAT(error_of("[top]\ncount = 1\ncount = 2\n"), HasSubstr("s.toml:3:"));
 }
 
-TEST(TomlFile, TablesOfAnArrayAreReadApartInTheirOrder) {
+TEST(TomlFile, TablesOfArraysAreReadApartInTheirOrder) {
   const TempFolder folder;
   const vo::TomlRecords file = vo::read_toml_records(
       folder.write("s.toml",
-                   "a.b = 1\n[[item]]\nsize = 2.0\n[item.part]\nname = \"x\"\n[[item]]\n"),
-      "item");
+                   "a.b = 1\n[[item]]\nsize = 2.0\n[item.part]\nname = \"x\"\n[[item]]\n"
+                   "[[thing]]\nsize = 3\n"),
+      {"item", "thing", "other"});
   ASSERT_EQ(file.others.size(), 1U);
   EXPECT_EQ(file.others[0].key, "a.b");
-  ASSERT_EQ(file.records.size(), 2U);
-  EXPECT_THAT(file.records[0].place, EndsWith("s.toml:2"));
-  ASSERT_EQ(file.records[0].values.size(), 2U);
-  EXPECT_EQ(file.records[0].values[0].key, "part.name");
-  EXPECT_THAT(file.records[0].values[0].place, EndsWith("s.toml:5"));
-  EXPECT_EQ(file.records[0].values[1].text, "2");
-  EXPECT_EQ(vo::format_toml(file.records[0].values[1]), "size = 2.0\n");
-  EXPECT_TRUE(file.records[1].values.empty());
+  const std::vector<vo::TomlRecord>& items = file.arrays.at("item");
+  ASSERT_EQ(items.size(), 2U);
+  EXPECT_THAT(items[0].place, EndsWith("s.toml:2"));
+  ASSERT_EQ(items[0].values.size(), 2U);
+  EXPECT_EQ(items[0].values[0].key, "part.name");
+  EXPECT_THAT(items[0].values[0].place, EndsWith("s.toml:5"));
+  EXPECT_EQ(items[0].values[1].text, "2");
+  EXPECT_EQ(vo::format_toml(items[0].values[1]), "size = 2.0\n");
+  EXPECT_TRUE(items[1].values.empty());
+  ASSERT_EQ(file.arrays.at("thing").size(), 1U);
+  EXPECT_THAT(file.arrays.at("thing")[0].place, EndsWith("s.toml:7"));
+  EXPECT_TRUE(file.arrays.at("other").empty());
 }
 
 }  // namespace
