@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 #include "synth/scene/scene_motion.h"
@@ -49,19 +50,33 @@ bool has_lit_surface(const Scene& scene) {
   });
 }
 
-double exposure_of(const std::vector<float>& luminances) {
-  const float median = vo::upper_median(luminances);
-  return median > 0 ? kMiddleGrey / median : 1;
+/// Returns the colour that a camera sees of a view.
+RenderedFrame seen(const Renderer& renderer, const vo::PinholeCamera& camera,
+                   const vo::SE3& T_world_camera, const std::optional<InfraredBand>& infrared) {
+  Capture capture = still(camera, T_world_camera);
+  capture.infrared = infrared;
+  return renderer.render(capture);
+}
+
+/// Returns the gain that brings the median, or an infrared camera's mean, to middle grey.
+double exposure_of(const std::vector<float>& luminances, bool is_infrared) {
+  if (luminances.empty()) {
+    return 1;
+  }
+  const double middle = is_infrared ? std::accumulate(luminances.begin(), luminances.end(), 0.0) /
+                                          static_cast<double>(luminances.size())
+                                    : vo::upper_median(luminances);
+  return middle > 0 ? kMiddleGrey / middle : 1;
 }
 
 }  // namespace
 
 Metering meter(const Renderer& renderer, const vo::PinholeCamera& camera,
-               const vo::SE3& T_world_camera) {
-  const RenderedFrame view = renderer.render(metering_camera(camera), T_world_camera);
+               const vo::SE3& T_world_camera, const std::optional<InfraredBand>& infrared) {
+  const RenderedFrame view = seen(renderer, metering_camera(camera), T_world_camera, infrared);
   std::vector<float> luminances;
   append_luminances(view, luminances);
-  Metering metering{.exposure = exposure_of(luminances)};
+  Metering metering{.exposure = exposure_of(luminances, infrared.has_value())};
   const cv::Scalar mean = cv::mean(view.radiance);
   if (mean[0] > 0 && mean[1] > 0 && mean[2] > 0) {
     metering.mean = {mean[0], mean[1], mean[2]};
@@ -71,9 +86,10 @@ Metering meter(const Renderer& renderer, const vo::PinholeCamera& camera,
 
 double meter_exposure(const Scene& scene, const RenderersOverTime& renderers,
                       const vo::PinholeCamera& camera, const vo::Trajectory& trajectory,
-                      double scene_delay) {
+                      double scene_delay, const std::optional<InfraredBand>& infrared) {
   const bool has_default_sky = scene.lights.empty() && scene.environment.empty();
-  if (has_default_sky || !has_lit_surface(scene) || trajectory.empty()) {
+  const bool has_final_colors = !infrared && (has_default_sky || !has_lit_surface(scene));
+  if (has_final_colors || trajectory.empty()) {
     return 1;
   }
   const vo::PinholeCamera small = metering_camera(camera);
@@ -83,9 +99,9 @@ double meter_exposure(const Scene& scene, const RenderersOverTime& renderers,
     const std::size_t index = i * (trajectory.size() - 1) / std::max<std::size_t>(1, poses - 1);
     const auto& [stamp, T_world_camera] = trajectory[index];
     const auto renderer = renderers.at(scene_time(trajectory, stamp) + scene_delay);
-    append_luminances(renderer->render(small, T_world_camera), luminances);
+    append_luminances(seen(*renderer, small, T_world_camera, infrared), luminances);
   }
-  return exposure_of(luminances);
+  return exposure_of(luminances, infrared.has_value());
 }
 
 }  // namespace synth

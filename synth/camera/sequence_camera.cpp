@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <tbb/parallel_for.h>
 
@@ -38,22 +39,25 @@ bool sees_materials(const Scene& scene, const SensorOptions& options) {
 
 SequenceCamera::SequenceCamera(const Scene& scene, const RenderersOverTime& renderers,
                                const vo::PinholeCamera& camera, const CameraTruth& motion,
-                               const SensorOptions& options)
+                               const SensorOptions& options, std::optional<InfraredBand> infrared)
     : renderers_(renderers),
       camera_(camera),
       motion_(motion),
       options_(seeded(options)),
+      infrared_(std::move(infrared)),
       sees_materials_(sees_materials(scene, options)),
       settings_(motion.truth.size()) {
-  const double exposure = options.exposure > 0 ? options.exposure
-                                               : meter_exposure(scene, renderers, camera,
-                                                                motion.truth, motion.scene_delay);
+  const double exposure =
+      options.exposure > 0
+          ? options.exposure
+          : meter_exposure(scene, renderers, camera, motion.truth, motion.scene_delay, infrared_);
   for (std::size_t i = 0; i < settings_.size(); ++i) {
     settings_[i] = {.index = i,
                     .stamp = motion.truth[i].timestamp,
                     .exposure = exposure,
                     .exposure_time = options.shutter.exposure_time,
-                    .balance = {options.white_balance.red, 1, options.white_balance.blue}};
+                    .balance = {options.white_balance.red, 1, options.white_balance.blue},
+                    .is_infrared = infrared_.has_value()};
   }
   if (options.auto_exposure.enabled || options.white_balance.enabled) {
     const std::vector<Metering> metered = meter_frames();
@@ -65,7 +69,7 @@ SequenceCamera::SequenceCamera(const Scene& scene, const RenderersOverTime& rend
 std::vector<Metering> SequenceCamera::meter_frames() const {
   std::vector<Metering> metered(motion_.truth.size());
   tbb::parallel_for(std::size_t{0}, metered.size(), [&](std::size_t i) {
-    metered[i] = meter(*renderer_at(i), camera_, motion_.truth[i].T_world_camera);
+    metered[i] = meter(*renderer_at(i), camera_, motion_.truth[i].T_world_camera, infrared_);
   });
   return metered;
 }
@@ -142,6 +146,7 @@ Capture SequenceCamera::color_capture(std::size_t index) const {
   capture.shutter.exposure_time = settings_[index].exposure_time;
   capture.seed = vo::mixed(options_.noise.seed) + index;
   capture.scene_time = scene_time_of(index);
+  capture.infrared = infrared_;
   if (capture.shutter.exposure_time > 0 || capture.shutter.readout_time > 0) {
     capture.motion = [this, t = stamp](double time) { return motion_.path(t + time); };
   }

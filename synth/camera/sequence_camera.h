@@ -2,11 +2,13 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "synth/camera/metering.h"
 #include "synth/camera/renderers_over_time.h"
 #include "synth/path/camera_path.h"
+#include "synth/rendering/infrared.h"
 #include "synth/rendering/renderer.h"
 #include "synth/scene/scene.h"
 #include "synth/sensor/sensor.h"
@@ -34,10 +36,10 @@ bool sees_materials(const Scene& scene, const SensorOptions& options);
 class SequenceCamera {
  public:
   /// Meters the scene where `options.exposure` is 0, and every frame where exposure or white
-  /// balance are automatic.
+  /// balance are automatic. `infrared` is how an infrared camera sees; none: it sees colours.
   SequenceCamera(const Scene& scene, const RenderersOverTime& renderers,
                  const vo::PinholeCamera& camera, const CameraTruth& motion,
-                 const SensorOptions& options);
+                 const SensorOptions& options, std::optional<InfraredBand> infrared = std::nullopt);
 
   /// Takes a frame, stamped with the colour image's time; depth is `options.depth.delay` later.
   vo::RgbdFrame take(std::size_t index) const { return take(index, *renderer_at(index)); }
@@ -64,6 +66,7 @@ class SequenceCamera {
   const vo::PinholeCamera& camera_;
   const CameraTruth& motion_;
   SensorOptions options_;
+  std::optional<InfraredBand> infrared_;
   bool sees_materials_;
   std::vector<FrameSetting> settings_;
 };

@@ -158,6 +158,9 @@ RenderedFrame Rasterizer::render(const Capture& capture) const {
   const bool has_color = capture.channels.color && mode_ != RenderMode::depth;
   if (has_color) {
     draw_color(camera, frame);
+    if (capture.infrared) {
+      frame.radiance = grey_of(frame.radiance, capture.infrared->scene_light);
+    }
   }
   if (capture.channels.depth || capture.channels.normal || capture.channels.ids) {
     const bool was_drawn = has_color && cells_.size() == 1;

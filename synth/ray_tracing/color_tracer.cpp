@@ -41,8 +41,11 @@ ColorTracer::ColorTracer(const WorldGeometry& world, const EmbreeScene& embree,
   }
 }
 
-ColorMemory ColorTracer::new_memory() const {
-  return {.seen = {}, .blockers = std::vector<Occluder>(lights_.size() + 2)};
+ColorMemory ColorTracer::new_memory(const Capture& capture) const {
+  const std::size_t projectors = capture.infrared ? capture.infrared->projectors.size() : 0;
+  return {.seen = {},
+          .blockers = std::vector<Occluder>(lights_.size() + 2),
+          .projector_blockers = std::vector<Occluder>(projectors)};
 }
 
 PacketColors ColorTracer::trace(ColorPacket& packet, ColorMemory& memory,
@@ -81,6 +84,9 @@ void ColorTracer::advance(PathLegs& bundle, Step& step) const {
   }
   if (step.lit.points.size > 0) {
     add_lights(step);
+    if (step.packet.infrared != nullptr) {
+      add_projectors(step);
+    }
   }
   if (step.lit.points.size > 0 && emitters_) {
     add_emitters(step);
@@ -172,12 +178,13 @@ void ColorTracer::meet_lit_surface(const PathLegs& bundle, int lane,
   scatter_from({leg, material, medium, point, weight, reach}, step);
 }
 
-/// Adds the radiance that a leg sees at its end, which is without noise as long as the leg comes
-/// straight from the camera.
+/// Adds the radiance of the scene that a leg sees at its end, which is without noise as long as the
+/// leg comes straight from the camera.
 void ColorTracer::show(const Eigen::Vector3f& radiance, const PathLeg& leg, Step& step) {
-  step.colors[leg.sample] += radiance;
+  const Eigen::Vector3f seen = step.packet.scene_light() * radiance;
+  step.colors[leg.sample] += seen;
   if (FirstSight* sight = step.sight_of(leg)) {
-    sight->shown += radiance;
+    sight->shown += seen;
   }
 }
 

@@ -48,14 +48,22 @@ struct PathLegs {
 struct ColorPacket {
   PathLegs start;  ///< the caller adds the rays, ColorTracer sets the legs
   std::array<SampleId, kPacketSize> ids;
-  std::uint64_t seed = 0;  ///< seed of the paths' random numbers
-  float sample_width = 0;  ///< m, width of a sample's cone at 1 m
+  std::uint64_t seed = 0;                    ///< seed of the paths' random numbers
+  float sample_width = 0;                    ///< m, width of a sample's cone at 1 m
+  const InfraredBand* infrared = nullptr;    ///< null for a camera that sees colours
+  std::array<CameraPose, kPacketSize> eyes;  ///< of each ray, where there are projectors
+
+  /// Returns the share of the scene's light that the camera sees.
+  float scene_light() const {
+    return infrared == nullptr ? 1.0F : static_cast<float>(infrared->scene_light);
+  }
 };
 
 /// The triangle and the occluders met last, which the next rays are likely to meet again.
 struct ColorMemory {
   HitCache<SurfaceTriangle> seen;
-  std::vector<Occluder> blockers;  ///< last occluder of each light, and of emitters
+  std::vector<Occluder> blockers;  ///< last occluder of each light, emitters, the environment
+  std::vector<Occluder> projector_blockers;  ///< likewise of each projector
 };
 
 using PacketColors = std::array<Eigen::Vector3f, kPacketSize>;
@@ -82,10 +90,12 @@ class ColorTracer {
   PacketColors trace(ColorPacket& packet, ColorMemory& memory,
                      PacketSights* sights = nullptr) const;
 
-  ColorMemory new_memory() const;
+  /// Returns the memory of packets whose light is that of a capture.
+  ColorMemory new_memory(const Capture& capture) const;
 
  private:
   struct Arrival;
+  struct Lamp;
   struct LitPoints;
   struct Step;
 
@@ -110,6 +120,11 @@ class ColorTracer {
   void bounce(const Arrival& arrival, Step& step) const;
   static void go_on(PathLeg next, float chance, const CameraRay& ray, Step& step);
   void add_lights(Step& step) const;
+  void add_projectors(Step& step) const;
+  void add_lamp(Lamp& lamp, Occluder& blocker, ShadowPacket& shadows, const LitLanes& lit,
+                Lanes3& sum) const;
+  Lamp lamp_of(const Projector& projector, const Step& step) const;
+  static void show_lit(const Lanes3& light, bool is_certain, Step& step);
   void add_emitters(Step& step) const;
   void add_environment(Step& step) const;
   template <typename DrawLight>

@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -57,27 +60,87 @@ void ColorTracer::add_lights(Step& step) const {
   Lanes3 sum;
   for (std::size_t i = 0; i < lights_.size(); ++i) {
     const PlacedLight& light = lights_[i];
-    LightLanes direct = direct_light(light, places_on_light(i, step), lit, instruction_set_);
-    aim_at_light(shadows, direct, shadow_reach(light));
-    const ShadowCasters casters =
-        has_clear_walls_ ? ShadowCasters::all_but_clear_walls : ShadowCasters::all;
-    if (!cast_shadows(shadows, shadow_reach(light), step.memory.blockers[i], casters)) {
-      continue;
-    }
-    direct.keep(shadows.active);
-    Lanes3 reflected;
-    add_reflected(lit, direct, light.intensity, instruction_set_,
-                  has_clear_walls_ ? reflected : sum);
-    if (has_clear_walls_) {
-      add_tinted(reflected, light_through_walls(shadows), sum);
-    }
+    Lamp lamp{direct_light(light, places_on_light(i, step), lit, instruction_set_), light.intensity,
+              shadow_reach(light)};
+    add_lamp(lamp, step.memory.blockers[i], shadows, lit, sum);
   }
+  const float seen = step.packet.scene_light();
   for (std::size_t i = 0; i < static_cast<std::size_t>(lit.size); ++i) {
+    sum.x[i] *= seen;
+    sum.y[i] *= seen;
+    sum.z[i] *= seen;
+  }
+  show_lit(sum, light_radius_ == 0, step);
+}
+
+/// Adds the light of the camera's projectors, as if they were lamps.
+void ColorTracer::add_projectors(Step& step) const {
+  const std::vector<Projector>& projectors = step.packet.infrared->projectors;
+  ShadowPacket shadows = shadow_rays(step.lit.points);
+  Lanes3 sum;
+  for (std::size_t i = 0; i < projectors.size(); ++i) {
+    Lamp lamp = lamp_of(projectors[i], step);
+    add_lamp(lamp, step.memory.projector_blockers[i], shadows, step.lit.points, sum);
+  }
+  show_lit(sum, true, step);
+}
+
+/// Returns the light of a projector where it is at each path's own instant.
+ColorTracer::Lamp ColorTracer::lamp_of(const Projector& projector, const Step& step) const {
+  const LitLanes& lit = step.lit.points;
+  const vo::SE3 T_projector_camera = projector.T_camera_projector.inverse();
+  Lanes3 places;
+  Lanes pattern{};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(lit.size); ++i) {
+    const CameraPose& eye = step.packet.eyes[step.lit.legs[i]->sample];
+    const Eigen::Vector3d p_world =
+        Eigen::Vector3f(lit.position.x[i], lit.position.y[i], lit.position.z[i]).cast<double>() +
+        world_.origin;
+    pattern[i] = pattern_along(projector, T_projector_camera * (eye.R_world_camera.transpose() *
+                                                                (p_world - eye.position)));
+    const Eigen::Vector3f place = (eye.position - world_.origin +
+                                   eye.R_world_camera * projector.T_camera_projector.translation())
+                                      .cast<float>();
+    places.x[i] = place.x();
+    places.y[i] = place.y();
+    places.z[i] = place.z();
+  }
+  const PlacedLight everywhere;
+  Lamp lamp{direct_light(everywhere, places, lit, instruction_set_),
+            Eigen::Vector3f::Constant(static_cast<float>(projector.power)),
+            shadow_reach(everywhere)};
+  std::transform(lamp.direct.share.begin(), lamp.direct.share.end(), pattern.begin(),
+                 lamp.direct.share.begin(), std::multiplies<>());
+  return lamp;
+}
+
+/// Adds the reflected light of a lamp to the points that nothing hides from it.
+void ColorTracer::add_lamp(Lamp& lamp, Occluder& blocker, ShadowPacket& shadows,
+                           const LitLanes& lit, Lanes3& sum) const {
+  aim_at_light(shadows, lamp.direct, lamp.reach);
+  const ShadowCasters casters =
+      has_clear_walls_ ? ShadowCasters::all_but_clear_walls : ShadowCasters::all;
+  if (!cast_shadows(shadows, lamp.reach, blocker, casters)) {
+    return;
+  }
+  lamp.direct.keep(shadows.active);
+  Lanes3 reflected;
+  add_reflected(lit, lamp.direct, lamp.intensity, instruction_set_,
+                has_clear_walls_ ? reflected : sum);
+  if (has_clear_walls_) {
+    add_tinted(reflected, light_through_walls(shadows), sum);
+  }
+}
+
+/// Adds the reflected light of lamps to the colours; `is_certain` says that no random number
+/// decides it.
+void ColorTracer::show_lit(const Lanes3& light, bool is_certain, Step& step) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(step.lit.points.size); ++i) {
     const Eigen::Vector3f radiance =
-        step.lit.weights[i].cwiseProduct(Eigen::Vector3f(sum.x[i], sum.y[i], sum.z[i]));
+        step.lit.weights[i].cwiseProduct(Eigen::Vector3f(light.x[i], light.y[i], light.z[i]));
     step.colors[step.lit.legs[i]->sample] += radiance;
     FirstSight* sight = step.sight_of(*step.lit.legs[i]);
-    if (sight != nullptr && light_radius_ == 0 && step.lit.is_certain[i]) {
+    if (sight != nullptr && is_certain && step.lit.is_certain[i]) {
       sight->shown += radiance;
     }
   }
@@ -110,6 +173,7 @@ void ColorTracer::add_drawn(DrawLight draw_light, float reach, Occluder& occlude
   for (std::size_t i = 0; i < size; ++i) {
     if (direct.share[i] > 0) {
       step.colors[step.lit.legs[i]->sample] +=
+          step.packet.scene_light() *
           step.lit.weights[i]
               .cwiseProduct(radiance[i])
               .cwiseProduct(Eigen::Vector3f(sum.x[i], sum.y[i], sum.z[i]));

@@ -54,6 +54,13 @@ struct ColorTracer::LitPoints {
   std::array<bool, kPacketSize> is_certain;        ///< no layer of the surface was chosen at random
 };
 
+/// The light of one lamp, or of one projector, at the lit points of a step.
+struct ColorTracer::Lamp {
+  LightLanes direct;          ///< without occluders
+  Eigen::Vector3f intensity;  ///< linear RGB, cd; directional: lx
+  float reach;                ///< of shadow rays, in lengths of LightLanes::to_light
+};
+
 /// The state of a step in which all legs of a packet advance by one surface.
 struct ColorTracer::Step {
   Step(const ColorPacket& traced, ColorMemory& remembered, PacketColors& sums,

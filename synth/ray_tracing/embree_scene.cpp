@@ -302,10 +302,19 @@ void View::add_ray_at_cell(const cv::Point& pixel, const PixelCell& cell, HitPac
     add_ray(packet, ray_from_row(pixel.y, place));
     return;
   }
-  const double turn = instants_.uniform(pixel.x, pixel.y) + cell.instant;
-  const double time =
-      capture_.shutter.time_in_row(pixel.y, turn - std::floor(turn), capture_.camera.height);
+  const double time = time_of_cell(pixel, cell);
   add_ray(packet, ray_from(poses_.at(time), place, share_at(time)));
+}
+
+/// Returns the instant of a pixel's cell within an exposure, s after the stamp.
+double View::time_of_cell(const cv::Point& pixel, const PixelCell& cell) const {
+  const double turn = instants_.uniform(pixel.x, pixel.y) + cell.instant;
+  return capture_.shutter.time_in_row(pixel.y, turn - std::floor(turn), capture_.camera.height);
+}
+
+CameraPose View::pose_at_cell(const cv::Point& pixel, const PixelCell& cell) const {
+  return capture_.shutter.exposure_time == 0 ? poses_.of_row(pixel.y)
+                                             : poses_.at(time_of_cell(pixel, cell));
 }
 
 PlaneView View::eye(int v) const {

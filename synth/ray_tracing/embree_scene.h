@@ -156,6 +156,9 @@ class View {
   std::uint64_t seed() const { return capture_.seed; }
   float pixel_width() const { return pixel_width_; }  ///< m at 1 m depth
 
+  /// Returns how an infrared camera sees; null for one that sees colours.
+  const InfraredBand* infrared() const { return capture_.infrared ? &*capture_.infrared : nullptr; }
+
   /// Returns whether all rows are exposed at once, so that they share one camera pose and time.
   bool is_at_rest() const { return capture_.shutter.readout_time == 0; }
 
@@ -165,6 +168,9 @@ class View {
 
   /// Adds a ray through the centre of one of the pixel's cells at the cell's own instant.
   void add_ray_at_cell(const cv::Point& pixel, const PixelCell& cell, HitPacket& packet) const;
+
+  /// Returns the camera's pose at that instant.
+  CameraPose pose_at_cell(const cv::Point& pixel, const PixelCell& cell) const;
 
   /// Returns the depth, m, at which the ray through the pixel's centre meets the plane of the
   /// triangle that `ray` hit; the single-precision depth of `ray` if depth_of() gives none.
@@ -202,6 +208,7 @@ class View {
   CameraRay ray_from(const CameraPose& camera_pose, const Eigen::Vector2d& pixel,
                      float share) const;
   CameraRay ray_from_row(int v, const Eigen::Vector2d& pixel) const;
+  double time_of_cell(const cv::Point& pixel, const PixelCell& cell) const;
   Eigen::Vector3d direction(const CameraPose& camera_pose, const Eigen::Vector2d& pixel) const;
 
   const WorldGeometry& world_;

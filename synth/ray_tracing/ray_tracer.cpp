@@ -117,7 +117,7 @@ RenderedFrame RayTracer::render(const Capture& capture) const {
   const View view(world_, capture);
   RenderedFrame frame = empty_frame(camera, capture.channels);
   const SurfaceIds ids = capture.channels.ids ? surface_ids(world_) : SurfaceIds();
-  ColorMemory memory = color_tracer_.new_memory();
+  ColorMemory memory = color_tracer_.new_memory(capture);
   const bool is_denoised = denoises_ && capture.channels.color;
   NoisyPicture noisy = is_denoised ? NoisyPicture({camera.width, camera.height}) : NoisyPicture();
   for (int v = 0; v < camera.height; v += kTile) {
@@ -136,6 +136,9 @@ RenderedFrame RayTracer::render(const Capture& capture) const {
   }
   if (is_denoised) {
     frame.radiance = denoised(noisy);
+  }
+  if (capture.infrared) {
+    frame.radiance = grey_of(frame.radiance);
   }
   return frame;
 }
@@ -183,6 +186,8 @@ void RayTracer::trace_cells(const View& view, const Tile& tile, ColorMemory& mem
   ColorPacket packet;
   packet.seed = view.seed();
   packet.sample_width = view.pixel_width() * width_of_cell_;
+  packet.infrared = view.infrared();
+  const bool has_projectors = packet.infrared != nullptr && !packet.infrared->projectors.empty();
   std::array<std::pair<std::size_t, std::size_t>, kPacketSize> places;  // pixel and cell of a ray
   const auto trace = [&] {
     const PacketColors colors = color_tracer_.trace(packet, memory, sights);
@@ -198,6 +203,9 @@ void RayTracer::trace_cells(const View& view, const Tile& tile, ColorMemory& mem
       packet.ids[lane] = samples_[cell];
       packet.ids[lane].pixel = tile.pixels[place];
       view.add_ray_at_cell(tile.pixels[place], cells_[cell], packet.start.rays);
+      if (has_projectors) {
+        packet.eyes[lane] = view.pose_at_cell(tile.pixels[place], cells_[cell]);
+      }
       if (lane + 1 == kPacketSize) {
         trace();
       }

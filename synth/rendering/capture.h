@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "synth/rendering/infrared.h"
 #include "vo/geometry/camera.h"
 #include "vo/geometry/se3.h"
 
@@ -49,14 +51,15 @@ struct Channels {
   bool sight = false;  ///< DepthSight; the ray tracer alone makes it
 };
 
-/// One picture to take: camera, motion, shutter and channels.
+/// One picture to take: camera, motion, shutter, channels and the light that the camera sees.
 struct Capture {
   vo::PinholeCamera camera;
   CameraMotion motion;
   Shutter shutter;
   Channels channels;
-  std::uint64_t seed = 0;  ///< seed of the renderer's random samples
-  double scene_time = 0;   ///< s, the stamp in the time of the scene's animations
+  std::uint64_t seed = 0;                ///< seed of the renderer's random samples
+  double scene_time = 0;                 ///< s, the stamp in the time of the scene's animations
+  std::optional<InfraredBand> infrared;  ///< none for a camera that sees colours
 };
 
 /// Returns a capture by a camera at rest.

@@ -92,7 +92,7 @@ struct DepthSight {
 /// The images of an ideal sensor. Depth, normals and ids of a row are those of the middle of its
 /// exposure; radiance is a mean over all of it.
 struct RenderedFrame {
-  cv::Mat_<cv::Vec3f> radiance;  ///< linear RGB, mean over the pixel's area
+  cv::Mat_<cv::Vec3f> radiance;  ///< linear RGB, mean over the pixel's area; infrared: grey
   vo::DepthImage depth;        ///< m along the optical axis, at the pixel's centre; 0 = nothing hit
   cv::Mat_<cv::Vec3f> normal;  ///< unit triangle normal, camera's axes, towards the camera; or 0
   IdImage instance;            ///< SurfaceIds::instance at the pixel's centre; 0 = nothing hit

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 
 #include "synth/path/camera_path.h"
+#include "synth/rendering/infrared.h"
+#include "synth/rig/projector_pattern.h"
 #include "synth/sensor/preset.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
@@ -67,6 +70,34 @@ void choose_channels(const vo::Rig& rig, const vo::RigCamera& camera, TruthOptio
   }
 }
 
+std::vector<cv::Mat_<float>> patterns_of(const vo::Rig& rig) {
+  std::vector<cv::Mat_<float>> patterns;
+  for (const vo::RigProjector& projector : rig.projectors) {
+    patterns.push_back(pattern_of(projector));
+  }
+  return patterns;
+}
+
+/// Returns how a camera of a rig sees infrared light, `patterns` being the projectors'; none if it
+/// sees colours.
+std::optional<InfraredBand> infrared_of(const vo::Rig& rig, const vo::RigCamera& camera,
+                                        const std::vector<cv::Mat_<float>>& patterns) {
+  if (camera.spectrum != vo::Spectrum::infrared) {
+    return std::nullopt;
+  }
+  InfraredBand band{.scene_light = camera.scene_light};
+  for (std::size_t i = 0; i < patterns.size(); ++i) {
+    const vo::RigProjector& projector = rig.projectors[i];
+    band.projectors.push_back(
+        {.name = projector.name,
+         .T_camera_projector = camera.T_body_camera.inverse() * projector.T_body_projector,
+         .half_extent = half_extent_of(projector),
+         .power = projector.power,
+         .pattern = patterns[i]});
+  }
+  return band;
+}
+
 RenderJob camera_job(const RigJob& job, std::size_t number) {
   const vo::RigCamera& camera = job.rig.cameras[number];
   RenderJob own = job.body;
@@ -86,8 +117,10 @@ RenderJob camera_job(const RigJob& job, std::size_t number) {
 
 std::vector<RenderJob> camera_jobs(const RigJob& job) {
   std::vector<RenderJob> jobs;
+  const std::vector<cv::Mat_<float>> patterns = patterns_of(job.rig);
   for (std::size_t i = 0; i < job.rig.cameras.size(); ++i) {
     jobs.push_back(camera_job(job, i));
+    jobs.back().recipe.infrared = infrared_of(job.rig, job.rig.cameras[i], patterns);
   }
   const std::vector<TruthChannel>& channels = job.body.recipe.channels.channels;
   const bool has_pair = std::any_of(job.rig.cameras.begin(), job.rig.cameras.end(),

@@ -1,11 +1,14 @@
 #include "synth/rig/render_rig.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "synth/camera/renderers_over_time.h"
+#include "synth/rendering/renderer.h"
+#include "synth/rig/projector_pattern.h"
 #include "synth/scene/scene.h"
 #include "synth/sequence/depth_coverage.h"
 #include "synth/sequence/frame_share.h"
@@ -45,6 +48,11 @@ vo::ImuRecord measure_body(const RigJob& job) {
   return record;
 }
 
+/// Returns the name of the copy of a projector's pattern in the folder of a rig.
+std::string pattern_file(const vo::RigProjector& projector) {
+  return vo::concat("projector_", projector.name, ".png");
+}
+
 /// Returns the files of the body, which belong to no camera.
 std::vector<vo::NamedBytes> body_files(const RigJob& job) {
   const SequenceRecipe& recipe = job.body.recipe;
@@ -52,6 +60,11 @@ std::vector<vo::NamedBytes> body_files(const RigJob& job) {
   if (recipe.channels.has(TruthChannel::imu)) {
     const std::vector<vo::NamedBytes> imu = encode_imu(measure_body(job));
     files.insert(files.end(), imu.begin(), imu.end());
+  }
+  for (const vo::RigProjector& projector : job.rig.projectors) {
+    if (projector.has_file()) {
+      files.push_back({pattern_file(projector), pattern_bytes(projector)});
+    }
   }
   return files;
 }
@@ -75,6 +88,9 @@ vo::NamedBytes marker_of(const RigJob& job, const std::vector<RenderJob>& jobs) 
       rig.cameras[i].sensor.push_back({field.key, field.get(), field.type, ""});
     }
     manifests.add(sequence_manifest(jobs[i]).bytes);
+  }
+  for (vo::RigProjector& projector : rig.projectors) {
+    projector.pattern = projector.has_file() ? pattern_file(projector) : projector.pattern;
   }
   return {vo::kRigFile,
           vo::concat("# Hash of the cameras' sequence.toml, which say what they were made of: ",
@@ -184,9 +200,27 @@ RenderOutcome render_rig(const RigJob& job, const fs::path& folder, const vo::Ou
   }
   RenderOutcome outcome =
       render_share(share_of_rig(job, plan), folder, policy, {progress, first_camera});
-  outcome.notes = notes_on_scene(job.body);
+  outcome.notes = notes_on_rig(job);
   add_coverage(job, plan, outcome);
   return outcome;
+}
+
+std::vector<std::string> notes_on_rig(const RigJob& job) {
+  std::vector<std::string> notes = notes_on_scene(job.body);
+  const RenderOptions& render = job.body.recipe.render;
+  if (job.rig.projectors.empty() || render.mode == RenderMode::depth) {
+    return notes;
+  }
+  const bool has_infrared = std::any_of(
+      job.rig.cameras.begin(), job.rig.cameras.end(),
+      [](const vo::RigCamera& camera) { return camera.spectrum == vo::Spectrum::infrared; });
+  if (!has_infrared) {
+    notes.emplace_back("projectors are left out: no camera of the rig has spectrum = \"infrared\"");
+  } else if (render.kind == RendererKind::rasterizer || render.mode == RenderMode::unlit) {
+    notes.emplace_back(
+        "projectors are left out; the ray tracer draws their light in the modes direct and path");
+  }
+  return notes;
 }
 
 RenderPlan plan_rig(const RigJob& job, const fs::path& folder) {

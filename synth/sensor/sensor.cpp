@@ -25,6 +25,14 @@ cv::Mat_<cv::Vec3f> saturated(const cv::Mat_<cv::Vec3f>& linear) {
   return cv::Mat_<cv::Vec3f>(cv::min(linear, cv::Scalar::all(1)));
 }
 
+/// Returns an image whose channels are the green one of another.
+vo::ColorImage green_in_all(const vo::ColorImage& image) {
+  vo::ColorImage grey(image.size());
+  std::transform(image.begin(), image.end(), grey.begin(),
+                 [](const cv::Vec3b& bgr) { return cv::Vec3b::all(bgr[1]); });
+  return grey;
+}
+
 vo::DepthImage in_range(const vo::DepthImage& depth, const SensorOptions& options) {
   vo::DepthImage result(depth.size());
   std::transform(depth.begin(), depth.end(), result.begin(), [&](float value) {
@@ -127,10 +135,11 @@ vo::ColorImage develop(const cv::Mat_<cv::Vec3f>& radiance, const vo::PinholeCam
   if (options.noise.is_on()) {
     linear = with_image_noise(linear, options.noise, setting.amplification, setting.index);
   }
-  if (!setting.balance.isOnes(0)) {
+  if (!setting.balance.isOnes(0) && !setting.is_infrared) {
     linear = scaled(saturated(linear), setting.balance);
   }
-  const vo::ColorImage image = encode(linear, options.response);
+  const vo::ColorImage colors = encode(linear, options.response);
+  const vo::ColorImage image = setting.is_infrared ? green_in_all(colors) : colors;
   return options.jpeg.quality > 0 ? through_jpeg(image, options.jpeg) : image;
 }
 

@@ -131,10 +131,12 @@ struct FrameSetting {
   double amplification = 1;  ///< factor of `exposure` due to signal gain, not light
   double exposure_time = 0;  ///< s in which each row collects light
   Eigen::Vector3d balance = Eigen::Vector3d::Ones();  ///< gains of red, green, blue
+  bool is_infrared = false;  ///< the radiance is grey, and the sensor has no colour filters
 };
 
 /// Returns the image of linear radiance after lens, flicker, noise, saturation, white balance,
-/// response and JPEG.
+/// response and JPEG. An infrared camera's image is grey: what the sensor makes of green, which no
+/// white balance changes, stands in all channels.
 vo::ColorImage develop(const cv::Mat_<cv::Vec3f>& radiance, const vo::PinholeCamera& camera,
                        const SensorOptions& options, const FrameSetting& setting);
 

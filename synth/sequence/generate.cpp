@@ -72,7 +72,7 @@ FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe,
     renderers_ = std::make_shared<const RenderersOverTime>(scene, recipe.render);
   }
   sensor_ = std::make_unique<SequenceCamera>(scene, *renderers_, recipe.camera.pinhole, motion_,
-                                             recipe.sensor);
+                                             recipe.sensor, recipe.infrared);
   if (!recipe.channels.channels.empty()) {
     truth_ = std::make_unique<const TruthGenerator>(
         TruthSubject{scene, recipe.camera.pinhole, recipe.truth, recipe.render.ambient,

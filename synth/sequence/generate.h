@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "synth/camera/sequence_camera.h"
 #include "synth/gltf/gltf.h"
+#include "synth/rendering/infrared.h"
 #include "synth/rendering/renderer.h"
 #include "synth/scene/scene.h"
 #include "synth/sensor/sensor.h"
@@ -32,6 +34,7 @@ struct SequenceRecipe {
   vo::FloatDepth float_depth = vo::FloatDepth::none;
   TruthOptions channels;   ///< exact ground truth to write beside the poses
   double scene_delay = 0;  ///< s, the time of the scene's animations at the first stamp
+  std::optional<InfraredBand> infrared;  ///< how an infrared camera sees; none: it sees colours
 };
 
 /// Returns the recipe's camera with the depth noise of its sensor, as camera.toml tells it.

@@ -1,7 +1,9 @@
 #include "synth/sequence/render_sequence.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <span>
 
 #include "synth/camera/make_renderer.h"
 #include "synth/camera/sequence_camera.h"
@@ -83,6 +85,47 @@ std::string describe_channels(const SequenceRecipe& recipe) {
     text += vo::concat("truth.stereo_baseline = ", vo::format_real(options.stereo_baseline), "\n");
   }
   return text + describe_classes(options) + describe_motion(recipe);
+}
+
+/// Returns numbers as an array of TOML.
+template <typename Vector>
+std::string array_of_reals(const Vector& numbers) {
+  std::string array;
+  for (const double number : numbers) {
+    array += vo::concat(array.empty() ? "" : ", ", vo::format_real(number));
+  }
+  return vo::concat("[", array, "]");
+}
+
+/// Returns a projector as TOML: its pose in the camera, and a hash of its pattern's size and
+/// values.
+std::string describe_projector(const Projector& projector, const std::string& key) {
+  vo::ContentHash pattern;
+  const std::array size = {projector.pattern.cols, projector.pattern.rows};
+  pattern.add_values(std::span<const int>(size));
+  pattern.add_values(
+      std::span<const float>(projector.pattern.ptr<float>(), projector.pattern.total()));
+  const vo::SE3& T = projector.T_camera_projector;
+  return vo::concat(key, "name = ", vo::quoted_toml(projector.name), "\n",      //
+                    key, "position = ", array_of_reals(T.translation()), "\n",  //
+                    key, "orientation = ", array_of_reals(T.rotation().coeffs()), "\n", key,
+                    "half_extent = ", array_of_reals(projector.half_extent), "\n", key,
+                    "power = ", vo::format_real(projector.power), "\n", key, "pattern_hash = \"",
+                    pattern.hex(), "\"\n");
+}
+
+/// Returns how an infrared camera sees, as TOML; nothing for one that sees colours.
+std::string describe_infrared(const SequenceRecipe& recipe) {
+  if (!recipe.infrared) {
+    return "";
+  }
+  std::string text =
+      vo::concat("infrared.scene_light = ", vo::format_real(recipe.infrared->scene_light), "\n");
+  for (std::size_t i = 0; i < recipe.infrared->projectors.size(); ++i) {
+    text += describe_projector(recipe.infrared->projectors[i],
+                               vo::concat("infrared.projector.", i, "."));
+  }
+  return text;
 }
 
 bool moves_between_stamps(const SensorOptions& sensor) {
@@ -221,7 +264,8 @@ std::string format_recipe(const RenderJob& job) {
   keep_if_on(sensor, "sensor.depth.turn", !recipe.sensor.depth.turn.isZero(0));
   keep_if_on(sensor, "sensor.depth.materials.", sees_materials(job.scene.scene(), recipe.sensor));
   text += vo::format_toml(render) + vo::format_toml(sensor);
-  return text + describe_channels(recipe) + format_actors(job.scene.actors());
+  return text + describe_infrared(recipe) + describe_channels(recipe) +
+         format_actors(job.scene.actors());
 }
 
 std::string format_actors(const std::vector<ActorOptions>& actors) {

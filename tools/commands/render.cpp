@@ -244,7 +244,8 @@ synth::RenderOutcome rendered(const RenderArguments& arguments, WatchedRun& watc
 
 /// Throws vo::Error if the scene has what would be left out of the pictures.
 void refuse_what_is_left_out(const RenderArguments& arguments) {
-  const std::vector<std::string> notes = synth::notes_on_scene(arguments.job);
+  const std::vector<std::string> notes = arguments.rig ? synth::notes_on_rig(arguments.rig_job())
+                                                       : synth::notes_on_scene(arguments.job);
   vo::require(notes.empty(), arguments.scene, ": ", notes.empty() ? "" : notes.front(),
               ", expected a scene of which nothing is left out, as --strict says");
 }

@@ -4,22 +4,18 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-
-#ifdef EDVO_HAS_CALIB3D
-#include <opencv2/calib3d.hpp>
-#endif
 #include <opencv2/imgproc.hpp>
 
 #include "synth/camera/make_renderer.h"
 #include "synth/gltf/scene_file.h"
 #include "synth/truth/motion_truth.h"
 #include "synth/truth/stereo_truth.h"
+#include "tests/cross/stereo/opencv_matcher.h"
 
 namespace synth {
 namespace {
 
 constexpr double kBaseline = 0.1;  // m
-constexpr int kDisparities = 64;   // px, which the matcher searches
 
 #ifdef EDVO_HAS_CALIB3D
 
@@ -32,20 +28,6 @@ cv::Mat_<std::uint8_t> grey_picture(const Renderer& renderer, const vo::PinholeC
   cv::Mat_<std::uint8_t> picture;
   brightness.convertTo(picture, CV_8U, 255);
   return picture;
-}
-
-/// Returns the disparity that OpenCV's semi-global matcher finds, px, below 0 where it finds none.
-cv::Mat_<float> matched(const cv::Mat_<std::uint8_t>& left, const cv::Mat_<std::uint8_t>& right) {
-  constexpr int kBlock = 5;
-  constexpr double kUnitsPerPixel = 16;
-  const auto matcher =
-      cv::StereoSGBM::create(0, kDisparities, kBlock, 8 * kBlock * kBlock, 32 * kBlock * kBlock, 1,
-                             0, 10, 100, 2, cv::StereoSGBM::MODE_HH);
-  cv::Mat found;
-  matcher->compute(left, right, found);
-  cv::Mat_<float> disparity;
-  found.convertTo(disparity, CV_32F, 1 / kUnitsPerPixel);
-  return disparity;
 }
 
 /// Returns where the image has texture along its rows.
@@ -65,7 +47,8 @@ TEST(Disparity, IsWhatOpencvsMatcherFindsInPicturesOfTheDesk) {
   const vo::SE3 T_world_right = T_world_left * T_left_right(kBaseline);
   const auto renderer = make_renderer(scene, {.mode = RenderMode::unlit, .samples = 8});
   const cv::Mat_<std::uint8_t> left = grey_picture(*renderer, camera, T_world_left);
-  const cv::Mat_<float> found = matched(left, grey_picture(*renderer, camera, T_world_right));
+  const cv::Mat_<float> found =
+      support::matched(left, grey_picture(*renderer, camera, T_world_right));
   const PointTracer tracer(scene);
   const PointImage points = tracer.trace(camera, T_world_left);
   const cv::Mat_<float> exact = disparity_truth(points, camera.fx * kBaseline);
@@ -73,7 +56,7 @@ TEST(Disparity, IsWhatOpencvsMatcherFindsInPicturesOfTheDesk) {
   const cv::Mat_<std::uint8_t> has_texture = textured(left);
   std::vector<double> errors;
   for (int v = 0; v < camera.height; ++v) {
-    for (int u = kDisparities; u < camera.width; ++u) {
+    for (int u = support::kDisparities; u < camera.width; ++u) {
       if (found(v, u) >= 0 && has_texture(v, u) != 0 && fates(v, u) == 0) {
         errors.push_back(std::abs(found(v, u) - exact(v, u)));
       }

@@ -40,10 +40,11 @@ CameraTruth drifting(int frames) {
 /// What a sensor makes of the room, frame by frame.
 class Recorder {
  public:
-  explicit Recorder(const SensorOptions& options, int frames = 3)
+  explicit Recorder(const SensorOptions& options, int frames = 3,
+                    const std::optional<InfraredBand>& infrared = std::nullopt)
       : motion_(drifting(frames)),
         renderers_(scene_, {}),
-        sensor_(scene_, renderers_, camera_, motion_, options) {}
+        sensor_(scene_, renderers_, camera_, motion_, options, infrared) {}
 
   vo::RgbdFrame take(std::size_t index) const { return sensor_.take(index); }
   const SequenceCamera& sensor() const { return sensor_; }
@@ -207,6 +208,30 @@ TEST(SequenceCamera, MeasuresThroughGlassWhatTheSensorSeesThere) {
     EXPECT_NEAR(middle_of(ClearSurface::beyond, delay), 2, 1e-6);
     EXPECT_EQ(middle_of(ClearSurface::lost, delay), 0);
   }
+}
+
+TEST(SequenceCamera, AnInfraredImageIsGreyWithOneNoiseAndNoWhiteBalance) {
+  SensorOptions noisy = preset_options(SensorPreset::realsense_d435);
+  noisy.white_balance.red = 0.5;
+  const vo::ColorImage image = cv::Mat(Recorder(noisy, 3, InfraredBand{0.5, {}}).take(1).image);
+  for (const cv::Vec3b& pixel : image) {
+    EXPECT_TRUE(pixel[0] == pixel[1] && pixel[2] == pixel[1]);
+  }
+  noisy.noise = {};
+  const vo::ColorImage clean = cv::Mat(Recorder(noisy, 3, InfraredBand{0.5, {}}).take(1).image);
+  EXPECT_GT(cv::norm(image, clean, cv::NORM_L1), 0);
+}
+
+TEST(SequenceCamera, AnInfraredCameraMetersTheMeanOfWhatItSees) {
+  // A pattern of one dot in darkness, most of whose view would have the median 0.
+  Projector dot{.power = 50, .pattern = cv::Mat_<float>(9, 9, 0.0F)};
+  dot.pattern(4, 4) = 1;
+  const InfraredBand band{0, {dot}};
+  const Recorder recorder({}, 1, band);
+  Capture capture = still(recorder.camera(), drift(0));
+  capture.infrared = band;
+  const RenderedFrame view = recorder.renderer().render(capture);
+  EXPECT_NEAR(recorder.sensor().setting(0).exposure * cv::mean(view.radiance)[1], 0.18, 1e-6);
 }
 
 }  // namespace

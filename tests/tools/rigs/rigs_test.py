@@ -33,6 +33,14 @@ STEREO = ("[imu]\nposition = [0.05, 0.01, -0.02]\norientation = [0.5, -0.5, 0.5,
           "distortion.model = \"kannala_brandt\"\ndistortion.k1 = -0.013\ndistortion.k2 = 0.021\n"
           f"[[camera]]\nname = \"late\"\ntime_offset = 0.1\n{IMAGE}distortion.k1 = -0.2\ndistortion.k2 = 0.05\n"
           "[camera.sensor]\npreset = \"kinect-v1\"\nshutter.exposure_time = 0.01\n")
+LIGHT = "spectrum = \"infrared\"\n"
+COLOR = f"[[camera]]\nname = \"color\"\nposition = [-0.02, 0.0, 0.0]\n{IMAGE}[camera.sensor]\npreset = \"kinect-v1\"\n"
+INFRARED = (f"[[camera]]\nname = \"dark\"\n{TURNED}{IMAGE}{LIGHT}scene_light = 0.0\n"
+            f"[[camera]]\nname = \"grey\"\nposition = [0.05, 0.0, 0.0]\n{IMAGE}{LIGHT}"
+            "[camera.sensor]\npreset = \"realsense-d435\"\nshutter.readout_time = 0.02\n")
+MOUNT = "position = [0.1, 0.02, -0.03]\norientation = [0.1, 0.0, 0.0, 0.99498743710662]\n"
+SLIDE = f"[[projector]]\nname = \"slide\"\n{MOUNT}fov_deg = [50.0, 40.0]\npower = 20\npattern = \"slide.png\"\n"
+DOTS = "[[projector]]\nname = \"dots\"\nfov_deg = [60.0, 45.0]\npower = 30.0\ndots.number = 500\ndots.diameter_deg = 0.8\n"
 
 
 class Program:
@@ -231,9 +239,72 @@ def imu_list(rig):
     return place
 
 
+def check_projectors(edvo, rig):
+    """Cameras that see colours know of no projector; infrared ones see its light where it falls."""
+    (edvo.work / "slide.png").write_bytes((rig / "left/rgb/000000.png").read_bytes())
+    edvo.rig("active.toml", COLOR + INFRARED + SLIDE + DOTS)
+    edvo.rig("passive.toml", COLOR + INFRARED)
+    for name in ("active", "passive"):
+        edvo.render("moving_room", f"--rig {name}.toml --channels depth --out {name}")
+    active, passive = edvo.work / "active", edvo.work / "passive"
+    require_same(active / "color", passive / "color")
+    assert not any((passive / f"dark/rgb/{number:06}.png").read_bytes() == (active / f"dark/rgb/{number:06}.png").read_bytes()
+                   for number in range(4))
+    assert files.read_png(passive / "dark/rgb/000000.png").max() == 0
+    for number in range(4):
+        image = files.read_png(active / f"grey/rgb/{number:06}.png")
+        assert (image == image[:, :, :1]).all()
+    check_lit_pixels(active)
+    for number in (2, 1):
+        edvo.render("moving_room", f"--rig active.toml --channels depth --threads 1 --shard {number}/2 --out active_shared")
+    require_same(active, edvo.work / "active_shared")
+    assert (active / "projector_slide.png").read_bytes() == (edvo.work / "slide.png").read_bytes()
+    edvo.render("moving_room", "--rig active/rig.toml --channels depth --out active_again")
+    require_same(active / "dark/rgb", edvo.work / "active_again/dark/rgb")
+    require_same(active / "grey/rgb", edvo.work / "active_again/grey/rgb")
+    edvo.run("convert active active_euroc --format euroc --quiet")
+
+
+def check_lit_pixels(rig):
+    """In darkness a pixel is black where its point is outside of both fields of view."""
+    camera = pose(INFRARED.split("[[camera]]")[1])
+    depth = numpy.load(rig / "dark/truth/depth/000000.npy").astype(float)
+    image = files.read_png(rig / "dark/rgb/000000.png")[:, :, 0]
+    v, u = numpy.nonzero(depth > 0)
+    z = depth[v, u]
+    points = camera @ numpy.stack([(u - 47.0) / 70.0 * z, (v - 36.0) / 71.0 * z, z, numpy.ones_like(z)])
+
+    def beyond(T_body_projector, fov_deg):
+        """How far each point is beyond the edge of a field of view, in its half widths; below 0 within."""
+        x, y, z, _ = numpy.linalg.inv(T_body_projector) @ points
+        half = numpy.tan(numpy.radians(numpy.array(fov_deg) / 2))
+        assert (z > 0).all()
+        return numpy.maximum(abs(x) / z / half[0], abs(y) / z / half[1]) - 1
+
+    of_slide, of_dots = beyond(pose(MOUNT), (50, 40)), beyond(numpy.eye(4), (60, 45))
+    one_pixel = 0.05
+    outside = (of_slide > one_pixel) & (of_dots > one_pixel)
+    assert outside.sum() > 500 and image[v, u][outside].max() == 0
+    inside = of_slide < -one_pixel
+    assert inside.sum() > 1000 and numpy.mean(image[v, u][inside] > 0) > 0.9, numpy.mean(image[v, u][inside] > 0)
+
+
+def check_notes_on_projectors(edvo):
+    """Who leaves the projectors out says so, and --strict refuses it."""
+    edvo.rig("still.toml", f"[[camera]]\nname = \"grey\"\n{IMAGE}{LIGHT}{DOTS}")
+    edvo.rig("blind.toml", f"[[camera]]\nname = \"color\"\n{IMAGE}{DOTS}")
+    for options in ("--rig still.toml --renderer rasterizer", "--rig still.toml --mode unlit", "--rig blind.toml"):
+        notes = json.loads(edvo.render("room", f"{options} --json --out noted --force")[0])["notes"]
+        assert any("projectors are left out" in note for note in notes), notes
+        assert "projectors are left out" in edvo.render("room", f"{options} --strict --out refused", 3)[1]
+        assert not (edvo.work / "refused").exists()
+    edvo.render("room", "--rig still.toml --strict --out strict")
+
+
 def check_refusals(edvo, rig):
     """What is wrong is named with file and element, exit code 3, and nothing is left behind."""
     camera = f"[[camera]]\nname = \"a\"\n{IMAGE}"
+    (edvo.work / "broken.png").write_bytes((edvo.work / "slide.png").read_bytes()[:500])
     for text, words in (
             (camera + camera, ["bad.toml:9", "'a'"]),
             (camera + "T_body_camera = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 2, 0], [0, 0, 0, 1]]\n", ["'a'", "rotation"]),
@@ -244,6 +315,16 @@ def check_refusals(edvo, rig):
             (STEREO.replace("0.12, 0.03", "-0.12, 0.03"), ["'left'", "positive baseline"]),
             (STEREO.replace("0.12, 0.03", "0.02, 0.03"), ["'left'", "positive baseline"]),
             (STEREO.replace("0.12, 0.03", "0.12, 0.04"), ["'left'", "rectified"]),
+            (camera + DOTS + DOTS, ["bad.toml:15", "projector 'dots'", "name of its own"]),
+            (camera + DOTS + "brightness = 2.0\n", ["bad.toml:15", "brightness"]),
+            (camera + DOTS.replace("30.0", "-1.0"), ["bad.toml:9: projector 'dots': power", "-1"]),
+            (camera + DOTS.replace("[60.0", "[180.0"), ["'dots': fov_deg", "180"]),
+            (camera + DOTS.replace("0.8", "0.001"), ["'dots': dots.diameter_deg", "at least"]),
+            (camera + SLIDE.replace("slide.png", "stripes"), ["'slide': pattern", "stripes", "random_dots"]),
+            (camera + SLIDE.replace("slide.png", "missing.png"), ["bad.toml:9: projector 'slide': pattern", "missing.png"]),
+            (camera + SLIDE.replace("slide.png", "broken.png"), ["'slide': pattern", "broken.png"]),
+            (camera + "spectrum = \"red\"\n", ["bad.toml:9", "spectrum", "infrared"]),
+            (camera + "scene_light = 0.5\n", ["'a': scene_light"]),
             ("", ["bad.toml", "[[camera]]"])):
         edvo.rig("bad.toml", text)
         _, errors = edvo.render("room", "--rig bad.toml --channels depth --out bad", 3)
@@ -276,6 +357,8 @@ def main():
     check_disparity(rig)
     check_imu(edvo)
     check_euroc(edvo, rig)
+    check_projectors(edvo, rig)
+    check_notes_on_projectors(edvo)
     check_refusals(edvo, rig)
     return 0
 
