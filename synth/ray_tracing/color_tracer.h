@@ -10,11 +10,11 @@
 #include <opencv2/core.hpp>
 
 #include "synth/ray_tracing/embree_scene.h"
-#include "synth/ray_tracing/emitters.h"
 #include "synth/ray_tracing/hit_cache.h"
 #include "synth/ray_tracing/occluder.h"
 #include "synth/rendering/renderer.h"
 #include "synth/scene/world_geometry.h"
+#include "synth/shading/emitters.h"
 #include "synth/shading/shading.h"
 #include "vo/core/instruction_set.h"
 

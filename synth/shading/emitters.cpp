@@ -1,4 +1,4 @@
-#include "synth/ray_tracing/emitters.h"
+#include "synth/shading/emitters.h"
 
 #include <algorithm>
 #include <cmath>
