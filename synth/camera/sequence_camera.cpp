@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include "synth/depth_sensor/depth_materials.h"
+#include "synth/depth_sensor/depth_multipath.h"
 #include "synth/depth_sensor/depth_registration.h"
 #include "synth/ray_tracing/depth_sight_tracer.h"
 #include "synth/scene/scene_motion.h"
@@ -145,6 +146,8 @@ Capture SequenceCamera::color_capture(std::size_t index) const {
   capture.shutter = options_.shutter;
   capture.shutter.exposure_time = settings_[index].exposure_time;
   capture.seed = vo::mixed(options_.noise.seed) + index;
+  capture.multipath = options_.depth.multipath;
+  capture.multipath.seed = vo::mixed(capture.multipath.seed) + index;
   capture.scene_time = scene_time_of(index);
   capture.infrared = infrared_;
   if (capture.shutter.exposure_time > 0 || capture.shutter.readout_time > 0) {
@@ -153,10 +156,17 @@ Capture SequenceCamera::color_capture(std::size_t index) const {
   return capture;
 }
 
+/// Returns the channels of colour and of all that depth is measured from.
+Channels SequenceCamera::depth_channels() const {
+  const bool has_multipath = options_.depth.multipath.is_on();
+  return {.normal = true, .sight = sees_materials_ || has_multipath, .multipath = has_multipath};
+}
+
 Capture SequenceCamera::depth_capture(std::size_t index) const {
   const DepthSensorOptions& depth = options_.depth;
   Capture capture = color_capture(index);
-  capture.channels = {.color = false, .depth = true, .normal = true, .sight = sees_materials_};
+  capture.channels = depth_channels();
+  capture.channels.color = false;
   if (depth.is_elsewhere()) {
     capture.camera = camera_.without_distortion();
   }
@@ -181,16 +191,16 @@ TimeSpan SequenceCamera::span(std::size_t index) const {
 vo::RgbdFrame SequenceCamera::take(std::size_t index, const Renderer& now) const {
   const bool apart = options_.depth.is_apart();
   Capture capture = color_capture(index);
-  capture.channels = {
-      .color = true, .depth = !apart, .normal = !apart, .sight = !apart && sees_materials_};
+  capture.channels = apart ? Channels{.depth = false} : depth_channels();
   const RenderedFrame color = now.render(capture);
   vo::RgbdFrame frame{.timestamp = motion_.truth[index].timestamp,
                       .image = develop(color.radiance, camera_, options_, settings_[index])};
   if (apart) {
     capture = depth_capture(index);
   }
-  const DepthView view =
-      seen_by_depth_camera(apart ? now.render(capture) : color, options_.depth.materials);
+  const RenderedFrame ideal = apart ? now.render(capture) : color;
+  const DepthView view = seen_by_depth_camera(
+      with_multipath(ideal, capture.camera, options_.depth.multipath), options_.depth.materials);
   frame.depth = measure_depth(view, capture.camera, options_, index);
   if (options_.depth.is_elsewhere()) {
     frame.depth = registered(frame.depth, camera_, options_.depth.T_color_depth());

@@ -60,6 +60,7 @@ class SequenceCamera {
   std::shared_ptr<const Renderer> renderer_at(std::size_t index) const;
   std::vector<double> stamps() const;
   Capture color_capture(std::size_t index) const;
+  Channels depth_channels() const;
   Capture depth_capture(std::size_t index) const;
 
   const RenderersOverTime& renderers_;

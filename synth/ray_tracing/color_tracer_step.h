@@ -37,13 +37,6 @@ struct ColorTracer::Arrival {
   float reach;             ///< m, path length from the camera
 };
 
-/// Returns a ray that leaves a surface in a unit direction, on either side of it.
-inline CameraRay ray_from(const SurfacePoint& point, const Eigen::Vector3f& direction) {
-  const float side = point.face_normal.dot(direction) < 0 ? -1.0F : 1.0F;
-  return {point.position + side * point.rounding * point.face_normal, direction, 0, kUnlimited,
-          point.share};
-}
-
 struct ColorTracer::LitPoints {
   LitLanes points;
   std::array<const PathLeg*, kPacketSize> legs;

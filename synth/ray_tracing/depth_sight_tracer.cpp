@@ -47,7 +47,14 @@ float brightness(const SurfacePoint& point) {
   return std::numbers::pi_v<float> * reflectance(point, point.to_viewer).mean() * cosine;
 }
 
-FirstSurface kind_of(const SurfacePoint& point) {
+/// Returns the cosine of the incidence on the triangle.
+float incidence_cosine(const SurfacePoint& point) {
+  return std::clamp(point.face_normal.dot(point.to_viewer), 0.0F, 1.0F);
+}
+
+}  // namespace
+
+FirstSurface clear_kind(const SurfacePoint& point) {
   if (point.roughness > kSmooth) {
     return FirstSurface::opaque;
   }
@@ -58,21 +65,17 @@ FirstSurface kind_of(const SurfacePoint& point) {
                                                                  : FirstSurface::opaque;
 }
 
-/// Returns the part of the light that a clear surface sends on; `cosine` is that of the incidence.
-float share_sent_on(FirstSurface kind, const SurfacePoint& point, const Material& material,
-                    float cosine) {
+float share_sent_on(FirstSurface kind, const SurfacePoint& point, const Material& material) {
   switch (kind) {
     case FirstSurface::glass:
-      return glass_share(point, material, cosine);
+      return glass_share(point, material, incidence_cosine(point));
     case FirstSurface::mirror:
-      return mirror_share(point, cosine);
+      return mirror_share(point, incidence_cosine(point));
     case FirstSurface::opaque:
       break;
   }
   return 0;
 }
-
-}  // namespace
 
 bool may_show_clear_surfaces(const Scene& scene) {
   return std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {
@@ -98,7 +101,8 @@ struct DepthSightTracer::Line {
 struct DepthSightTracer::Met {
   FirstSurface kind = FirstSurface::opaque;
   DepthPlane plane;
-  double depth = 0;    ///< m along the optical axis
+  double depth = 0;  ///< m along the optical axis
+  SurfacePoint point;
   float returned = 0;  ///< light that returns, as in DepthSight
   float share = 0;     ///< of the light, what a clear surface sends on
   float margin = 0;    ///< m of depth, within which the surface may be met again
@@ -113,19 +117,18 @@ DepthSightTracer::Met DepthSightTracer::meet(const Line& line, const HitPacket& 
   const float traced = packet.lanes.ray.tfar[lane];
   met.depth = met.plane.depth_along(line.direction).value_or(traced);
   const SurfaceTriangle surface(world_, mesh, triangle, share);
-  const SurfacePoint point = surface_point(
-      surface,
-      {packet.weights(lane), line.direction.cast<float>(), view_.pixel_width() * traced, share});
-  const float cosine = std::clamp(point.face_normal.dot(point.to_viewer), 0.0F, 1.0F);
+  met.point = surface_point(surface, {packet.weights(lane), line.direction.cast<float>(),
+                                      view_.pixel_width() * traced, share});
   if (!met.plane.normal.isZero(0)) {  // a triangle without area has no plane to mirror in
-    met.kind = kind_of(point);
+    met.kind = clear_kind(met.point);
   }
-  met.share = share_sent_on(met.kind, point, *surface.mesh->material, cosine);
+  met.share = share_sent_on(met.kind, met.point, *surface.mesh->material);
   const auto per_depth = static_cast<float>(line.direction.norm());  // m of distance per m of depth
   const float shares = line.share / (per_depth * traced);
-  met.returned = shares * shares * brightness(point);
-  met.margin = static_cast<float>(kDepthError * met.depth) +
-               2 * point.rounding / (per_depth * std::max(kGrazingCosine, cosine));
+  met.returned = shares * shares * brightness(met.point);
+  met.margin =
+      static_cast<float>(kDepthError * met.depth) +
+      2 * met.point.rounding / (per_depth * std::max(kGrazingCosine, incidence_cosine(met.point)));
   return met;
 }
 
@@ -154,6 +157,20 @@ void DepthSightTracer::record(const Line& line, const Met& met, DepthSight& sigh
   sight.beyond_returned(line.pixel) = met.returned;
 }
 
+/// Adds what the pixel of a line sees at its end.
+void DepthSightTracer::add_seen(const Line& line, const Met& met, SeenPoints& seen) {
+  seen.lanes[static_cast<std::size_t>(seen.size++)] = {
+      line.pixel, met.point, static_cast<float>(line.direction.norm() * met.depth), line.share};
+}
+
+void DepthSightTracer::add_multipath(const SeenPoints& seen, DepthSight& sight) const {
+  const MultipathTracer::Phasors phasors = multipath_.trace(seen);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(seen.size); ++i) {
+    sight.multipath(seen.lanes[i].pixel) = {static_cast<float>(phasors[i].real()),
+                                            static_cast<float>(phasors[i].imag())};
+  }
+}
+
 CameraRay DepthSightTracer::ray_along(const Line& line) const {
   return {(line.eye.eye - world_.origin).cast<float>(), line.direction.cast<float>(), line.near,
           std::numeric_limits<float>::infinity(), line.eye.share};
@@ -162,6 +179,7 @@ CameraRay DepthSightTracer::ray_along(const Line& line) const {
 void DepthSightTracer::follow(const cv::Point* pixels, const HitPacket& first,
                               DepthSight& sight) const {
   HitPacket packet = first;
+  SeenPoints seen;
   std::array<Line, kPacketSize> lines;
   for (int lane = 0; lane < packet.size; ++lane) {
     lines[static_cast<std::size_t>(lane)] = {pixels[lane], view_.eye(pixels[lane].y),
@@ -181,6 +199,9 @@ void DepthSightTracer::follow(const cv::Point* pixels, const HitPacket& first,
       }
       if (met.kind == FirstSurface::opaque || met_before == kMostClear) {
         record(line, met, sight);
+        if (!sight.multipath.empty()) {
+          add_seen(line, met, seen);
+        }
       } else {
         go_on(met, line);
         lines[static_cast<std::size_t>(onward.size)] = line;
@@ -191,6 +212,9 @@ void DepthSightTracer::follow(const cv::Point* pixels, const HitPacket& first,
       embree_.intersect(onward, Sight::solid);
     }
     packet = onward;
+  }
+  if (seen.size > 0) {
+    add_multipath(seen, sight);
   }
 }
 

@@ -116,6 +116,14 @@ struct CameraRay {
   float share = 0;  ///< WorldGeometry::share_at of the time at which it sees the scene
 };
 
+/// Returns a ray that leaves a surface in a unit direction, on either side of it.
+inline CameraRay ray_from(const SurfacePoint& point, const Eigen::Vector3f& direction) {
+  const float side = point.face_normal.dot(direction) < 0 ? -1.0F : 1.0F;
+  CameraRay ray{point.position + side * point.rounding * point.face_normal, direction};
+  ray.share = point.share;
+  return ray;
+}
+
 void add_ray(HitPacket& packet, const CameraRay& ray);
 
 /// Sets a camera ray from a point, m, in the world-space geometry's coordinates, along a direction
@@ -154,6 +162,7 @@ class View {
   const vo::PinholeCamera& camera() const { return capture_.camera; }
   Eigen::Matrix3d R_world_camera(int v) const { return poses_.of_row(v).R_world_camera; }
   std::uint64_t seed() const { return capture_.seed; }
+  const MultipathOptions& multipath() const { return capture_.multipath; }
   float pixel_width() const { return pixel_width_; }  ///< m at 1 m depth
 
   /// Returns how an infrared camera sees; null for one that sees colours.

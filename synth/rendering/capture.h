@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "synth/rendering/infrared.h"
+#include "synth/rendering/multipath.h"
 #include "vo/geometry/camera.h"
 #include "vo/geometry/se3.h"
 
@@ -47,8 +48,9 @@ struct Channels {
   bool color = true;
   bool depth = true;
   bool normal = false;
-  bool ids = false;    ///< instance and material ids
-  bool sight = false;  ///< DepthSight; the ray tracer alone makes it
+  bool ids = false;        ///< instance and material ids
+  bool sight = false;      ///< DepthSight; the ray tracer alone makes it
+  bool multipath = false;  ///< DepthSight::multipath, with sight
 };
 
 /// One picture to take: camera, motion, shutter, channels and the light that the camera sees.
@@ -60,6 +62,7 @@ struct Capture {
   std::uint64_t seed = 0;                ///< seed of the renderer's random samples
   double scene_time = 0;                 ///< s, the stamp in the time of the scene's animations
   std::optional<InfraredBand> infrared;  ///< none for a camera that sees colours
+  MultipathOptions multipath;            ///< how Channels::multipath is made
 };
 
 /// Returns a capture by a camera at rest.

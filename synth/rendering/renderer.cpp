@@ -48,9 +48,15 @@ RenderedFrame empty_frame(const vo::PinholeCamera& camera, const Channels& chann
     frame.normal = cv::Mat_<cv::Vec3f>(size, none);
   }
   if (channels.sight) {
-    frame.sight = {cv::Mat_<std::uint8_t>(size, std::uint8_t{0}), cv::Mat_<float>(size, 0.0F),
-                   vo::DepthImage(size, 0.0F), cv::Mat_<cv::Vec3f>(size, none),
-                   cv::Mat_<float>(size, 0.0F)};
+    frame.sight = {cv::Mat_<std::uint8_t>(size, std::uint8_t{0}),
+                   cv::Mat_<float>(size, 0.0F),
+                   vo::DepthImage(size, 0.0F),
+                   cv::Mat_<cv::Vec3f>(size, none),
+                   cv::Mat_<float>(size, 0.0F),
+                   cv::Mat_<cv::Vec2f>()};
+  }
+  if (channels.multipath) {
+    frame.sight.multipath = cv::Mat_<cv::Vec2f>(size, cv::Vec2f(0, 0));
   }
   if (channels.ids) {
     frame.instance = IdImage(size, std::uint16_t{0});

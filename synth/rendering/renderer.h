@@ -87,6 +87,10 @@ struct DepthSight {
   vo::DepthImage beyond;              ///< m along the optical axis, of the opaque surface
   cv::Mat_<cv::Vec3f> beyond_normal;  ///< unit triangle normal, camera's axes, towards the camera
   cv::Mat_<float> beyond_returned;    ///< light that returns from the opaque surface
+  /// The sum of the phasors of the light that reaches the pixel by way of other surfaces before the
+  /// opaque one, as Capture::multipath says: real and imaginary part in the unit of
+  /// beyond_returned, whose light has the phase 0. Empty without Channels::multipath.
+  cv::Mat_<cv::Vec2f> multipath;
 };
 
 /// The images of an ideal sensor. Depth, normals and ids of a row are those of the middle of its

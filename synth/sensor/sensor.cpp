@@ -87,6 +87,7 @@ void DepthSensorOptions::validate() const {
                 "sensor.depth: expected a correlation from 0 to ", kMaxCorrelation, " px, got ",
                 correlation);
   }
+  multipath.validate();
   vo::require(is_share(flying.share) && is_share(holes.edge_loss),
               "sensor.depth: expected flying.share and holes.edge_loss from 0 to 1, got ",
               flying.share, ", ", holes.edge_loss);
@@ -115,9 +116,9 @@ void SensorOptions::validate() const {
 SensorOptions seeded(const SensorOptions& options) {
   SensorOptions result = options;
   for (std::uint64_t* seed :
-       {&result.noise.seed, &result.depth.normal.seed, &result.depth.lateral.seed,
-        &result.depth.axial.seed, &result.depth.disparity.seed, &result.depth.flying.seed,
-        &result.depth.holes.seed}) {
+       {&result.noise.seed, &result.depth.multipath.seed, &result.depth.normal.seed,
+        &result.depth.lateral.seed, &result.depth.axial.seed, &result.depth.disparity.seed,
+        &result.depth.flying.seed, &result.depth.holes.seed}) {
     *seed = vo::mixed(options.seed) ^ *seed;
   }
   result.seed = 0;

@@ -10,6 +10,7 @@
 #include "synth/depth_sensor/depth_materials.h"
 #include "synth/depth_sensor/depth_noise.h"
 #include "synth/rendering/capture.h"
+#include "synth/rendering/multipath.h"
 #include "synth/rendering/renderer.h"
 #include "synth/sensor/exposure_control.h"
 #include "synth/sensor/flicker.h"
@@ -44,14 +45,15 @@ constexpr auto enum_names(DepthShutter) {
                     std::pair{DepthShutter::global, "global"}};
 }
 
-/// The depth camera and its effects on depth, in this order: materials, noise, flying pixels,
-/// holes, rounding, registration to the colour image.
+/// The depth camera and its effects on depth, in this order: materials, multipath, noise, flying
+/// pixels, holes, rounding, registration to the colour image.
 struct DepthSensorOptions {
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();  ///< m, position in the colour camera's axes
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();    ///< deg, rotation vector in those axes
   double delay = 0;  ///< s, from the colour image's stamp to depth's
   DepthShutter shutter = DepthShutter::as_color;
   DepthMaterials materials;
+  MultipathOptions multipath;
   NormalNoise normal;
   LateralNoise lateral;
   AxialNoise axial;
@@ -93,6 +95,7 @@ void visit_fields(Visitor& visit, DepthSensorOptions& options) {
   visit("delay", options.delay, "of depth's stamp after the colour image's, s");
   visit("shutter", options.shutter, "when the rows of depth are measured");
   visit("materials", options.materials, "");
+  visit("multipath", options.multipath, "");
   visit("normal", options.normal, "");
   visit("lateral", options.lateral, "");
   visit("axial", options.axial, "");

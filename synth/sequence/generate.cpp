@@ -49,7 +49,8 @@ NeededTextures needed_textures(const SequenceRecipe& recipe) {
   }
   const bool shows_surfaces = recipe.channels.has(TruthChannel::edges) ||  // some are in textures
                               recipe.channels.has(TruthChannel::depth_beyond) ||
-                              recipe.sensor.depth.materials.is_on();
+                              recipe.sensor.depth.materials.is_on() ||
+                              recipe.sensor.depth.multipath.is_on();
   if (is_lit || shows_surfaces) {
     return NeededTextures::surfaces;
   }

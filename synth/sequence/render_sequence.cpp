@@ -216,6 +216,12 @@ std::vector<std::string> notes_on_scene(const RenderJob& job) {
         "sensor.depth.materials is left out: the rasterizer measures every surface; the ray tracer "
         "sees what glass, mirrors and dark surfaces do to depth");
   }
+  if (job.recipe.render.kind == RendererKind::rasterizer &&
+      job.recipe.sensor.depth.multipath.is_on()) {
+    notes.emplace_back(
+        "sensor.depth.multipath is left out: the rasterizer follows no light from surface to "
+        "surface; the ray tracer does");
+  }
   return notes;
 }
 
@@ -263,6 +269,7 @@ std::string format_recipe(const RenderJob& job) {
   keep_if_on(sensor, "sensor.flicker.", recipe.sensor.flicker.is_on());
   keep_if_on(sensor, "sensor.depth.turn", !recipe.sensor.depth.turn.isZero(0));
   keep_if_on(sensor, "sensor.depth.materials.", sees_materials(job.scene.scene(), recipe.sensor));
+  keep_if_on(sensor, "sensor.depth.multipath.", recipe.sensor.depth.multipath.is_on());
   text += vo::format_toml(render) + vo::format_toml(sensor);
   return text + describe_infrared(recipe) + describe_channels(recipe) +
          format_actors(job.scene.actors());

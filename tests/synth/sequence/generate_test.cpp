@@ -80,6 +80,26 @@ TEST(GenerateSequence, WritesTheSameBytesOnOneThreadAndOnTwo) {
   EXPECT_EQ(contents(one.path()), contents(two.path()));
 }
 
+TEST(GenerateSequence, FollowsLightToTheSameDepthOnAnyNumberOfThreads) {
+  SequenceRecipe recipe{
+      .truth = short_orbit(), .camera = kCamera, .float_depth = vo::FloatDepth::npy};
+  const support::TempFolder straight;
+  generate(small_room(), recipe, straight.path());
+  recipe.sensor.depth.multipath = {.frequency = 200e6, .samples = 2, .lamp = LampField::all};
+  const support::TempFolder one;
+  const support::TempFolder two;
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+    generate(small_room(), recipe, one.path());
+  }
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 2);
+    generate(small_room(), recipe, two.path());
+  }
+  EXPECT_EQ(contents(one.path()), contents(two.path()));
+  EXPECT_NE(contents(one.path()), contents(straight.path()));
+}
+
 TEST(GenerateSequence, WritesWhatTheSensorMeasuresAtThePosesOfTheTruth) {
   const support::TempFolder folder;
   generate(folder.path());
