@@ -42,7 +42,7 @@ SeenSurfaces::SeenSurfaces(const DepthSight& depth_sight, const vo::PinholeCamer
 
 /// Sums of the normal equations of the weighted fit of two linear functions of place.
 struct LinearFit {
-  void add(const cv::Point& offset, double weight, const cv::Vec2f& weighted_value) {
+  void add(const cv::Point& offset, double weight, const cv::Vec2d& weighted_value) {
     const Eigen::Vector3d place(1, offset.x, offset.y);
     A += weight * place * place.transpose();
     b += place * Eigen::RowVector2d(weighted_value[0], weighted_value[1]);
@@ -61,17 +61,26 @@ struct LinearFit {
   Eigen::Matrix<double, 3, 2> b = Eigen::Matrix<double, 3, 2>::Zero();
 };
 
+/// Returns the weight of a pixel this far off in a window, by Epanechnikov's kernel.
+double window_weight(const cv::Point& offset, int radius) {
+  const double edge = radius + 1.0;
+  return std::max(0.0, 1 - offset.dot(offset) / (edge * edge));
+}
+
 /// Returns the phasor of all light that a pixel sees, in any unit; the phase of the straight light
 /// is 0.
 std::complex<double> phasor_at(const cv::Point& pixel, const SeenSurfaces& seen, int radius) {
   const DepthSight& sight = seen.sight;
+  const cv::Rect window(pixel.x - radius, pixel.y - radius, 2 * radius + 1, 2 * radius + 1);
+  const cv::Rect inside = window & cv::Rect({0, 0}, seen.points.size());
   LinearFit fit;
-  for (int v = std::max(0, pixel.y - radius); v <= std::min(seen.points.rows - 1, pixel.y + radius);
-       ++v) {
-    for (int u = std::max(0, pixel.x - radius);
-         u <= std::min(seen.points.cols - 1, pixel.x + radius); ++u) {
-      if (seen.are_level(pixel, {u, v})) {
-        fit.add(cv::Point(u, v) - pixel, sight.beyond_returned(v, u), sight.multipath(v, u));
+  for (int v = inside.y; v < inside.br().y; ++v) {
+    for (int u = inside.x; u < inside.br().x; ++u) {
+      const cv::Point offset = cv::Point(u, v) - pixel;
+      const double weight = window_weight(offset, radius);
+      if (weight > 0 && seen.are_level(pixel, {u, v})) {
+        fit.add(offset, weight * sight.beyond_returned(v, u),
+                weight * cv::Vec2d(sight.multipath(v, u)));
       }
     }
   }

@@ -13,6 +13,10 @@
 namespace synth {
 namespace {
 
+/// How many times brighter than the straight light one path makes a white diffuse surface at most,
+/// so that none stands out: highlights of the lamp on metals, which few paths find, are left out.
+constexpr float kBrightest = 10;
+
 constexpr int kBlock = 8;  // px, edge of a square of pixels that share a Sobol sequence
 
 /// Returns the place of a pixel in its square, in Morton order: neighbours that are averaged have
@@ -30,6 +34,13 @@ void become_grey(SurfacePoint& point) {
   point.base_color.setConstant(point.base_color.mean());
 }
 
+/// Returns the radiance that a white diffuse surface would send back on the straight path, per
+/// intensity of the lamp, 1/(m^2 sr), through what is before it once.
+float straight_radiance(const SeenPoint& seen) {
+  const float cosine = std::clamp(seen.point.face_normal.dot(seen.point.to_viewer), 0.0F, 1.0F);
+  return seen.share * cosine / (std::numbers::pi_v<float> * seen.distance * seen.distance);
+}
+
 }  // namespace
 
 /// A path of light from the lamp to a pixel, followed against its direction.
@@ -37,6 +48,7 @@ struct MultipathTracer::Path {
   std::size_t seen = 0;  ///< lane of the point that the pixel sees
   SurfacePoint point;    ///< as seen from the path's surface before, with a grey base colour
   float weight = 1;      ///< radiance at the pixel per radiance that leaves `point` along the path
+  float most = 0;        ///< 1/(m^2 sr), greatest radiance at the pixel, per intensity of the lamp
   float length = 0;      ///< m, from the seen point to `point`
   FirstSurface kind = FirstSurface::opaque;
   float share_sent_on = 0;  ///< of the light, by glass
@@ -83,6 +95,9 @@ MultipathTracer::Paths MultipathTracer::next_surfaces(const SeenPoints& seen, co
     const cv::Point& pixel = seen.lanes[path.seen].pixel;
     const std::uint64_t bits = random_.bits(pixel.x / kBlock, pixel.y / kBlock, step);
     const CameraRay ray = go_on(bits, place_in_block(pixel) * options_.samples + sample, path);
+    if (step == 0) {
+      path.most = path.weight * kBrightest * straight_radiance(seen.lanes[path.seen]);
+    }
     if (path.weight > 0) {
       leaving.add(path);
       add_ray(rays, ray);
@@ -174,7 +189,8 @@ void MultipathTracer::add_lamp(const SeenPoints& seen, const Paths& paths, Phaso
     const float to_lamp =
         Eigen::Vector3f(light.to_light.x[i], light.to_light.y[i], light.to_light.z[i]).norm();
     const double detour = path.length + to_lamp - seen.lanes[path.seen].distance;
-    sums[path.seen] += std::polar<double>(path.weight * reflected.x[i], wave_number_ * detour);
+    const float amplitude = std::min(path.most, path.weight * reflected.x[i]);
+    sums[path.seen] += std::polar<double>(amplitude, wave_number_ * detour);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "synth/camera/make_renderer.h"
 #include "synth/ray_tracing/ray_tracer.h"
+#include "synth/scene/scene_motion.h"
 #include "tests/support/quads.h"
 #include "vo/core/error.h"
 
@@ -234,6 +235,35 @@ TEST(Multipath, OfARollingShutterIsThatOfEachRowsOwnPose) {
         1e-6)
         << v;
   }
+}
+
+/// The corner whose floor sinks from kFloor to 0.2 m more in 1 s.
+Scene corner_with_sinking_floor() {
+  Scene scene = corner_of(0.8F, kFloor + 0.2F);
+  scene.meshes[1] = corner_of(0.8F).meshes[1];
+  scene.motion.nodes.resize(2);
+  scene.motion.instance_nodes = {0, 1};
+  const AnimationCurve curve{.width = 3, .times = {0, 1}, .values = {0, 0, 0, 0, 0.2F, 0}};
+  scene.motion.animations = {
+      {.duration = 1,
+       .channels = {{.node = 1, .property = AnimatedProperty::translation, .curve = curve}}}};
+  return scene;
+}
+
+TEST(Multipath, OfMovingThingsIsThatOfTheirPlaces) {
+  const Scene scene = corner_with_sinking_floor();
+  Capture capture = multipath_capture(wide_camera(), followed(8, 2));
+  capture.scene_time = 0.75;
+  const SceneDuring during = scene_during(scene, 0.5, 0, 1);
+  const RenderedFrame moving_floor =
+      make_ray_tracer(during, {.mode = RenderMode::depth})->render(capture);
+  Scene at_rest = corner_of(0.8F, kFloor + 0.2F);
+  at_rest.meshes[1] = corner_of(0.8F, kFloor + 0.15F).meshes[1];
+  const RenderedFrame floor_at_rest = frame_of(at_rest, followed(8, 2));
+  EXPECT_LT(cv::norm(moving_floor.depth, floor_at_rest.depth, cv::NORM_INF), 1e-5);
+  EXPECT_LT(cv::norm(moving_floor.sight.multipath.rowRange(0, 30),
+                     floor_at_rest.sight.multipath.rowRange(0, 30), cv::NORM_INF),
+            1e-4);
 }
 
 /// Of the straight light a pane passes (1 - F) / (1 + F) twice, of the other light once.
