@@ -146,6 +146,7 @@ Capture SequenceCamera::color_capture(std::size_t index) const {
   capture.shutter = options_.shutter;
   capture.shutter.exposure_time = settings_[index].exposure_time;
   capture.seed = vo::mixed(options_.noise.seed) + index;
+  capture.solids = options_.depth.materials.solids;
   capture.multipath = options_.depth.multipath;
   capture.multipath.seed = vo::mixed(capture.multipath.seed) + index;
   capture.scene_time = scene_time_of(index);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "synth/depth_sensor/depth_noise.h"
+#include "synth/rendering/capture.h"
 #include "synth/rendering/renderer.h"
 
 namespace synth {
@@ -25,6 +26,7 @@ constexpr auto enum_names(ClearSurface) {
 struct DepthMaterials {
   ClearSurface glass = ClearSurface::surface;
   ClearSurface mirrors = ClearSurface::surface;
+  SolidGlass solids = SolidGlass::straight;  ///< on the way to what is beyond glass
   double min_return = 0;  ///< least light that returns, as in DepthSight; 0 = any
 
   bool is_on() const;
@@ -34,6 +36,7 @@ template <typename Visitor>
 void visit_fields(Visitor& visit, DepthMaterials& materials) {
   visit("glass", materials.glass, "what is measured where smooth glass is in front");
   visit("mirrors", materials.mirrors, "what is measured where a mirror is in front");
+  visit("solids", materials.solids, "how light goes through solids of glass to what is beyond");
   visit("min_return", materials.min_return,
         "least light of its own that returns, as a share of what a white wall returns from 1 m; "
         "0 = any");

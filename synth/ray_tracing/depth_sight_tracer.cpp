@@ -7,8 +7,9 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <optional>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "synth/shading/glass.h"
 #include "synth/shading/shading.h"
@@ -29,13 +30,13 @@ float mirror_share(const SurfacePoint& point, float cosine) {
   return straight + (1 - straight) * std::pow(1 - cosine, 5.0F);
 }
 
-/// Returns what passes one surface of glass, straight; a thin wall has two boundaries, between
-/// which light goes to and fro: (1 - F) / (1 + F).
-float glass_share(const SurfacePoint& point, const Material& material, float cosine) {
+/// Returns what passes one surface of glass; a thin wall has two boundaries, between which light
+/// goes to and fro: (1 - F) / (1 + F).
+float glass_share(const SurfacePoint& point, const Material& material, float cosine, float ratio) {
   if (material.ior == 0) {
     return 0;
   }
-  const float mirrored = point.specular * fresnel_reflectance(cosine, material.ior);
+  const float mirrored = point.specular * fresnel_reflectance(cosine, ratio);
   const float passed = material.layers.is_solid ? 1 - mirrored : (1 - mirrored) / (1 + mirrored);
   return point.transmission * passed * point.base_color.mean();
 }
@@ -65,10 +66,11 @@ FirstSurface clear_kind(const SurfacePoint& point) {
                                                                  : FirstSurface::opaque;
 }
 
-float share_sent_on(FirstSurface kind, const SurfacePoint& point, const Material& material) {
+float share_sent_on(FirstSurface kind, const SurfacePoint& point, const Material& material,
+                    float ratio) {
   switch (kind) {
     case FirstSurface::glass:
-      return glass_share(point, material, incidence_cosine(point));
+      return glass_share(point, material, incidence_cosine(point), ratio);
     case FirstSurface::mirror:
       return mirror_share(point, incidence_cosine(point));
     case FirstSurface::opaque:
@@ -86,12 +88,15 @@ bool may_show_clear_surfaces(const Scene& scene) {
   });
 }
 
-/// A line of sight, made straight: behind a mirror it goes on from the mirror's image of the eye.
+/// A line of sight, made straight: behind a mirror it goes on from the mirror's image of the eye,
+/// where it was refracted from a point against its new direction. Depths along it are of the
+/// optical path.
 struct DepthSightTracer::Line {
   cv::Point pixel;
   PlaneView eye;
-  Eigen::Vector3d direction;  ///< world axes, with component 1 along the eye's axis
-  /// From world axes as the mirrors show them to world axes.
+  Eigen::Vector3d direction;  ///< world axes, m per m of depth; component 1 along the eye's axis
+  double index = 1;           ///< of refraction of what the line is in
+  /// From world axes as mirrors and refraction show them to world axes.
   Eigen::Matrix3d R_world_mirrored = Eigen::Matrix3d::Identity();
   float near = 0;   ///< m, depth of the last clear surface, with a margin
   float share = 1;  ///< of light, what clear surfaces send on, one way
@@ -106,6 +111,7 @@ struct DepthSightTracer::Met {
   float returned = 0;  ///< light that returns, as in DepthSight
   float share = 0;     ///< of the light, what a clear surface sends on
   float margin = 0;    ///< m of depth, within which the surface may be met again
+  float ratio = 1;     ///< index of refraction behind the surface over that before it, if it bends
 };
 
 DepthSightTracer::Met DepthSightTracer::meet(const Line& line, const HitPacket& packet,
@@ -122,9 +128,12 @@ DepthSightTracer::Met DepthSightTracer::meet(const Line& line, const HitPacket& 
   if (!met.plane.normal.isZero(0)) {  // a triangle without area has no plane to mirror in
     met.kind = clear_kind(met.point);
   }
-  met.share = share_sent_on(met.kind, met.point, *surface.mesh->material);
+  const Material& material = *surface.mesh->material;
+  met.ratio = met.kind == FirstSurface::glass ? index_ratio(met.point, material) : 1;
+  met.share =
+      share_sent_on(met.kind, met.point, material, met.ratio == 1 ? material.ior : met.ratio);
   const auto per_depth = static_cast<float>(line.direction.norm());  // m of distance per m of depth
-  const float shares = line.share / (per_depth * traced);
+  const float shares = line.share / (static_cast<float>(line.index) * per_depth * traced);
   met.returned = shares * shares * brightness(met.point);
   met.margin =
       static_cast<float>(kDepthError * met.depth) +
@@ -132,18 +141,56 @@ DepthSightTracer::Met DepthSightTracer::meet(const Line& line, const HitPacket& 
   return met;
 }
 
-/// Leads a line on behind glass, or to what a mirror shows.
+/// Returns the index of refraction behind the surface of a solid over that before it; 1 where it
+/// does not bend light.
+float DepthSightTracer::index_ratio(const SurfacePoint& point, const Material& material) const {
+  if (view_.solids() == SolidGlass::straight || !material.layers.is_solid || material.ior == 0) {
+    return 1;
+  }
+  return point.is_from_behind ? 1 / material.ior : material.ior;
+}
+
+/// Leads a line to what a mirror shows.
+void DepthSightTracer::reflect(const Met& met, Line& line) {
+  const Eigen::Vector3d& n = met.plane.normal;
+  const Eigen::Matrix3d mirror =
+      Eigen::Matrix3d::Identity() - 2 / n.squaredNorm() * n * n.transpose();
+  line.eye.eye += 2 * met.plane.offset / n.squaredNorm() * n;
+  line.eye.optical_axis = mirror * line.eye.optical_axis;
+  line.direction = mirror * line.direction;
+  line.R_world_mirrored = line.R_world_mirrored * mirror;
+}
+
+/// Leads a line on in a unit direction, from where it meets the surface.
+void DepthSightTracer::refract(const Met& met, const Eigen::Vector3f& onward, Line& line) {
+  const Eigen::Vector3d before = line.direction;
+  const Eigen::Vector3d place = line.eye.eye + met.depth * before;
+  line.index *= met.ratio;
+  line.direction = before.norm() / met.ratio * onward.cast<double>().normalized();
+  line.eye.eye = place - met.depth * line.direction;
+  line.eye.optical_axis = line.direction / line.direction.squaredNorm();
+  line.R_world_mirrored =
+      line.R_world_mirrored * Eigen::Quaterniond::FromTwoVectors(line.direction, before);
+}
+
+/// Leads a line on behind glass, or to what a mirror shows. Inside glass a surface is a mirror
+/// beyond the critical angle.
 void DepthSightTracer::go_on(const Met& met, Line& line) {
   line.near = static_cast<float>(met.depth) + met.margin;
+  if (met.ratio != 1) {
+    const std::optional<Eigen::Vector3f> onward =
+        refracted(met.point.to_viewer, met.point.face_normal, met.ratio);
+    if (onward) {
+      line.share *= met.share;
+      refract(met, *onward, line);
+    } else {
+      reflect(met, line);
+    }
+    return;
+  }
   line.share *= met.share;
   if (met.kind == FirstSurface::mirror) {
-    const Eigen::Vector3d& n = met.plane.normal;
-    const Eigen::Matrix3d mirror =
-        Eigen::Matrix3d::Identity() - 2 / n.squaredNorm() * n * n.transpose();
-    line.eye.eye += 2 * met.plane.offset / n.squaredNorm() * n;
-    line.eye.optical_axis = mirror * line.eye.optical_axis;
-    line.direction = mirror * line.direction;
-    line.R_world_mirrored = line.R_world_mirrored * mirror;
+    reflect(met, line);
   }
 }
 
@@ -160,7 +207,8 @@ void DepthSightTracer::record(const Line& line, const Met& met, DepthSight& sigh
 /// Adds what the pixel of a line sees at its end.
 void DepthSightTracer::add_seen(const Line& line, const Met& met, SeenPoints& seen) {
   seen.lanes[static_cast<std::size_t>(seen.size++)] = {
-      line.pixel, met.point, static_cast<float>(line.direction.norm() * met.depth), line.share};
+      line.pixel, met.point, static_cast<float>(line.index * line.direction.norm() * met.depth),
+      line.share};
 }
 
 void DepthSightTracer::add_multipath(const SeenPoints& seen, DepthSight& sight) const {
@@ -199,9 +247,7 @@ void DepthSightTracer::follow(const cv::Point* pixels, const HitPacket& first,
       }
       if (met.kind == FirstSurface::opaque || met_before == kMostClear) {
         record(line, met, sight);
-        if (!sight.multipath.empty()) {
-          add_seen(line, met, seen);
-        }
+        add_seen(line, met, seen);
       } else {
         go_on(met, line);
         lines[static_cast<std::size_t>(onward.size)] = line;
@@ -213,7 +259,7 @@ void DepthSightTracer::follow(const cv::Point* pixels, const HitPacket& first,
     }
     packet = onward;
   }
-  if (seen.size > 0) {
+  if (!sight.multipath.empty()) {
     add_multipath(seen, sight);
   }
 }

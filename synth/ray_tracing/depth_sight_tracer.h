@@ -17,9 +17,11 @@ bool may_show_clear_surfaces(const Scene& scene);
 /// Returns what a depth camera takes a point of a surface for.
 FirstSurface clear_kind(const SurfacePoint& point);
 
-/// Returns the part of the light, 0 to 1, that a clear surface of this kind sends on, straight
-/// through it or mirrored, of what comes from the point's viewer; 0 if it is opaque.
-float share_sent_on(FirstSurface kind, const SurfacePoint& point, const Material& material);
+/// Returns the part of the light, 0 to 1, that a clear surface of this kind sends on, through it or
+/// mirrored, of what comes from the point's viewer; 0 if it is opaque. `ratio` is the index of
+/// refraction behind glass over that before it.
+float share_sent_on(FirstSurface kind, const SurfacePoint& point, const Material& material,
+                    float ratio);
 
 /// Follows the lines of sight of a depth camera through glass and by mirrors. Refers to its
 /// arguments, which must outlive it.
@@ -36,6 +38,9 @@ class DepthSightTracer {
   struct Met;
 
   Met meet(const Line& line, const HitPacket& packet, int lane) const;
+  float index_ratio(const SurfacePoint& point, const Material& material) const;
+  static void reflect(const Met& met, Line& line);
+  static void refract(const Met& met, const Eigen::Vector3f& onward, Line& line);
   static void go_on(const Met& met, Line& line);
   CameraRay ray_along(const Line& line) const;
   void record(const Line& line, const Met& met, DepthSight& sight) const;

@@ -162,6 +162,7 @@ class View {
   const vo::PinholeCamera& camera() const { return capture_.camera; }
   Eigen::Matrix3d R_world_camera(int v) const { return poses_.of_row(v).R_world_camera; }
   std::uint64_t seed() const { return capture_.seed; }
+  SolidGlass solids() const { return capture_.solids; }
   const MultipathOptions& multipath() const { return capture_.multipath; }
   float pixel_width() const { return pixel_width_; }  ///< m at 1 m depth
 

@@ -142,8 +142,9 @@ MultipathTracer::Path MultipathTracer::arrival(const Path& leaving, const HitPac
       triangle, {rays.weights(lane), rays.direction(lane), width * length, rays.share(lane)});
   become_grey(path.point);
   path.length += length;
+  const Material& material = *triangle.mesh->material;
   path.kind = clear_kind(path.point);
-  path.share_sent_on = share_sent_on(path.kind, path.point, *triangle.mesh->material);
+  path.share_sent_on = share_sent_on(path.kind, path.point, material, material.ior);
   return path;
 }
 

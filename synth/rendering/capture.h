@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -43,6 +45,18 @@ void visit_fields(Visitor& visit, Shutter& shutter) {
 /// T_world_camera as a function of the time after a picture's stamp, s.
 using CameraMotion = std::function<vo::SE3(double time)>;
 
+/// How the sight of a depth camera goes through solids of smooth glass (KHR_materials_volume).
+enum class SolidGlass {
+  straight,   ///< glass does not bend it
+  refracted,  ///< by Snell's law; depths are those of the optical path, as light's time of flight
+              ///< is
+};
+
+constexpr auto enum_names(SolidGlass) {
+  return std::array{std::pair{SolidGlass::straight, "straight"},
+                    std::pair{SolidGlass::refracted, "refracted"}};
+}
+
 /// The images that a renderer makes; those not asked for stay empty.
 struct Channels {
   bool color = true;
@@ -59,10 +73,11 @@ struct Capture {
   CameraMotion motion;
   Shutter shutter;
   Channels channels;
-  std::uint64_t seed = 0;                ///< seed of the renderer's random samples
-  double scene_time = 0;                 ///< s, the stamp in the time of the scene's animations
-  std::optional<InfraredBand> infrared;  ///< none for a camera that sees colours
-  MultipathOptions multipath;            ///< how Channels::multipath is made
+  std::uint64_t seed = 0;                    ///< seed of the renderer's random samples
+  double scene_time = 0;                     ///< s, the stamp in the time of the scene's animations
+  std::optional<InfraredBand> infrared;      ///< none for a camera that sees colours
+  SolidGlass solids = SolidGlass::straight;  ///< in DepthSight
+  MultipathOptions multipath;                ///< how Channels::multipath is made
 };
 
 /// Returns a capture by a camera at rest.

@@ -78,7 +78,9 @@ enum class FirstSurface : std::uint8_t {
 
 /// DepthSight holds what a depth camera meets at the pixels' centres if glass lets it see straight
 /// through and mirrors reflect it, up to the first surface that is neither. All is as from one
-/// straight ray, as if what a mirror shows were behind it; 0 where nothing was met. Light that
+/// straight ray, as if what a mirror shows were behind it; 0 where nothing was met. What is seen
+/// through solids that refract (Capture::solids) is as far away as the optical path is long: the
+/// sum of lengths times indices of refraction. Light that
 /// returns is that of a lamp at the camera, as a share of what a white diffuse wall returns from 1
 /// m straight ahead; the mean of red, green and blue stands for the lamp's colour.
 struct DepthSight {

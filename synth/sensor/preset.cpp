@@ -44,7 +44,9 @@ SensorOptions azure_kinect() {
   DepthSensorOptions& depth = sensor.depth;
   depth.offset = {-0.032, 0, 0};
   depth.shutter = DepthShutter::global;
-  depth.materials = {.glass = ClearSurface::beyond, .mirrors = ClearSurface::beyond};
+  depth.materials = {.glass = ClearSurface::beyond,
+                     .mirrors = ClearSurface::beyond,
+                     .solids = SolidGlass::refracted};
   depth.lateral = {.sigma = 0.25, .sampling = DepthSampling::linear};
   depth.axial = {.constant = 0.0005, .linear = 0.001, .linear_from = 0.5};
   depth.flying = {.share = 0.4};

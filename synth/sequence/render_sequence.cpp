@@ -269,6 +269,8 @@ std::string format_recipe(const RenderJob& job) {
   keep_if_on(sensor, "sensor.flicker.", recipe.sensor.flicker.is_on());
   keep_if_on(sensor, "sensor.depth.turn", !recipe.sensor.depth.turn.isZero(0));
   keep_if_on(sensor, "sensor.depth.materials.", sees_materials(job.scene.scene(), recipe.sensor));
+  keep_if_on(sensor, "sensor.depth.materials.solids",
+             recipe.sensor.depth.materials.solids != SolidGlass::straight);
   keep_if_on(sensor, "sensor.depth.multipath.", recipe.sensor.depth.multipath.is_on());
   text += vo::format_toml(render) + vo::format_toml(sensor);
   return text + describe_infrared(recipe) + describe_channels(recipe) +

@@ -36,9 +36,10 @@ Mesh leaning_wall() {
 }
 
 /// Returns the sight, depth and normals of a depth camera that stands still.
-RenderedFrame sight_of(const Scene& scene, const vo::SE3& T_world_camera = {}) {
+RenderedFrame sight_of(const Scene& scene, SolidGlass solids = SolidGlass::straight) {
   const vo::PinholeCamera camera = wide_camera();
-  Capture capture = still(camera, T_world_camera);
+  Capture capture = still(camera, {});
+  capture.solids = solids;
   capture.channels = {.color = false, .depth = true, .normal = true, .sight = true};
   return make_ray_tracer(scene, {.mode = RenderMode::depth})->render(capture);
 }
@@ -174,6 +175,53 @@ TEST(DepthSight, EndsWhereNothingIsAndAmongMirrorsWithoutEnd) {
   const RenderedFrame frame = sight_of(mirrors);
   EXPECT_EQ(frame.sight.first(kOnAxis), kind(FirstSurface::mirror));
   EXPECT_NEAR(frame.sight.beyond(kOnAxis), 1 + 16 * 2, 1e-3) << "the seventeenth counts as opaque";
+}
+
+Material solid_glass(double ior) {
+  Material material = pane();
+  material.layers.is_solid = true;
+  material.ior = static_cast<float>(ior);
+  return material;
+}
+
+/// Between planes of a slab z and z + t, of n times the path that a ray at the cosine c takes to a
+/// wall across the axis at Z, the depth is Z - t + n t c / c', with Snell's s' = s / n.
+TEST(DepthSight, ThroughASlabIsTheOpticalPathOfTheClosedForm) {
+  constexpr double kIor = 1.6;
+  constexpr float kThickness = 0.4F;
+  Scene scene;  // the slab's fronts are outside
+  add(scene, quad({9, -9, 1}, {-18, 0, 0}, {0, 18, 0}), solid_glass(kIor));
+  add(scene, quad({-9, -9, 1 + kThickness}, {18, 0, 0}, {0, 18, 0}), solid_glass(kIor));
+  add(scene, square_at(2.5, 9), diffuse({1, 1, 1}));
+  const RenderedFrame bent = sight_of(scene, SolidGlass::refracted);
+  const RenderedFrame straight = sight_of(scene);
+  for (const cv::Point pixel : {kOnAxis, cv::Point(0, 0), cv::Point(50, 10), cv::Point(3, 45)}) {
+    const double cosine = 1 / wide_camera().unproject({pixel.x, pixel.y}, 1).norm();
+    const double inside = std::sqrt(1 - (1 - cosine * cosine) / (kIor * kIor));
+    EXPECT_NEAR(bent.sight.beyond(pixel), 2.5 + 0.4 * (kIor * cosine / inside - 1), 2e-6);
+    EXPECT_LT(cv::norm(bent.sight.beyond_normal(pixel), cv::Vec3f(0, 0, -1)), 1e-5);
+    EXPECT_NEAR(straight.sight.beyond(pixel), 2.5, 2e-6);
+  }
+  const float passed = 1 - std::pow(0.6F / 2.6F, 2.0F);  // of one face, at the incidence 0
+  const float length = bent.sight.beyond(kOnAxis);
+  EXPECT_NEAR(bent.sight.beyond_returned(kOnAxis), std::pow(passed, 4.0F) / (length * length),
+              1e-5);
+}
+
+/// A right-angled prism turns the axis by total reflection at its long side, and shows what is at
+/// the side where it would be straight ahead.
+TEST(DepthSight, InAPrismIsReflectedInsideBeyondTheCriticalAngle) {
+  constexpr double kIor = 1.5;
+  Scene scene;  // from (x, z) = (-0.5, 1) to (0.5, 1) and (0.5, 2); the long side faces -x, +z
+  add(scene, quad({0.5F, -1, 1}, {-1, 0, 0}, {0, 2, 0}), solid_glass(kIor));
+  add(scene, quad({-0.5F, -1, 1}, {1, 0, 1}, {0, 2, 0}), solid_glass(kIor));
+  add(scene, quad({0.5F, -1, 2}, {0, 0, -1}, {0, 2, 0}), solid_glass(kIor));
+  add(scene, quad({2, -1, 2}, {0, 0, -1}, {0, 2, 0}), diffuse({1, 1, 1}));
+  add(scene, square_at(5, 9), diffuse({1, 1, 1}));
+  const RenderedFrame bent = sight_of(scene, SolidGlass::refracted);
+  EXPECT_NEAR(bent.sight.beyond(kOnAxis), 1 + kIor * 1 + 1.5, 5e-6);
+  EXPECT_LT(cv::norm(bent.sight.beyond_normal(kOnAxis), cv::Vec3f(0, 0, -1)), 1e-5);
+  EXPECT_NEAR(sight_of(scene).sight.beyond(kOnAxis), 5, 5e-6) << "straight through it";
 }
 
 TEST(DepthSight, LooksForMaterialsThatMayBeClear) {
