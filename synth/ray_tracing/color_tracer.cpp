@@ -75,6 +75,7 @@ PacketColors ColorTracer::trace(ColorPacket& packet, ColorMemory& memory,
 }
 
 void ColorTracer::advance(PathLegs& bundle, Step& step) const {
+  bundle.rays.coherence = step.coherence();
   embree_.intersect(bundle.rays, Sight::layers);
   for (int lane = 0; lane < bundle.rays.size; ++lane) {
     if (bundle.rays.has_hit(lane)) {

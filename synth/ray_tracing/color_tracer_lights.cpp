@@ -57,6 +57,7 @@ void add_tinted(const Lanes3& light, const PacketColors& tints, Lanes3& sum) {
 void ColorTracer::add_lights(Step& step) const {
   const LitLanes& lit = step.lit.points;
   ShadowPacket shadows = shadow_rays(lit);
+  shadows.coherence = step.coherence();
   Lanes3 sum;
   for (std::size_t i = 0; i < lights_.size(); ++i) {
     const PlacedLight& light = lights_[i];
@@ -163,6 +164,7 @@ void ColorTracer::add_drawn(DrawLight draw_light, float reach, Occluder& occlude
     }
   }
   ShadowPacket shadows = shadow_rays(lit);
+  shadows.coherence = step.coherence();
   aim_at_light(shadows, direct, reach);
   if (!cast_shadows(shadows, reach, occluder, ShadowCasters::all)) {
     return;

@@ -78,6 +78,11 @@ struct ColorTracer::Step {
   std::array<std::uint64_t, kPacketSize> bits{};  ///< random in mode `path`, of each sample's pixel
   LitPoints lit;
   PathLegs next;
+
+  /// Rays of a packet that the camera sent go side by side; after a reflection none do.
+  Coherence coherence() const {
+    return index == 0 ? Coherence::coherent : Coherence::incoherent;
+  }
 };
 
 }  // namespace synth

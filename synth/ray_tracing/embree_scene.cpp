@@ -159,7 +159,7 @@ void EmbreeScene::intersect(HitPacket& packet, Sight sight) const {
     set_lane(packet.lanes.ray, lane, {Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ()});
     retire_lane(packet.lanes.ray, lane);
   }
-  embree_intersect(hierarchy_.get(), query.context, Coherence::coherent, first.mask.data(),
+  embree_intersect(hierarchy_.get(), query.context, packet.coherence, first.mask.data(),
                    packet.lanes);
 }
 
@@ -170,7 +170,10 @@ void EmbreeScene::occlude(ShadowPacket& packet, ShadowHit& occluder, ShadowCaste
       retire_lane(packet.lanes, lane);
     }
   }
-  embree_occlude(hierarchy_.get(), query.context, shadow_coherence_, packet.active.data(),
+  const bool is_coherent =
+      packet.coherence == Coherence::coherent && shadow_coherence_ == Coherence::coherent;
+  embree_occlude(hierarchy_.get(), query.context,
+                 is_coherent ? Coherence::coherent : Coherence::incoherent, packet.active.data(),
                  packet.lanes);
   const float* const left = packet.lanes.tfar;
   std::transform(packet.active.begin(), packet.active.end(), left, packet.active.begin(),

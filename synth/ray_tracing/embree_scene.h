@@ -27,10 +27,11 @@ inline int mesh_of(unsigned instance, unsigned geometry) {
   return static_cast<int>(instance == RTC_INVALID_GEOMETRY_ID ? geometry : instance);
 }
 
-/// Coherent rays that are traced together, with their hits, in the first `size` lanes.
+/// Rays that are traced together, with their hits, in the first `size` lanes.
 struct HitPacket {
   RTCRayHit16 lanes;
   int size = 0;
+  Coherence coherence = Coherence::coherent;
 
   bool has_hit(int lane) const { return lanes.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID; }
   int mesh(int lane) const { return mesh_of(lanes.hit.instID[0][lane], lanes.hit.geomID[lane]); }
@@ -50,6 +51,7 @@ struct HitPacket {
 struct ShadowPacket {
   RTCRay16 lanes;
   alignas(64) LaneMask active;
+  Coherence coherence = Coherence::coherent;
 
   bool has_rays() const { return std::find(active.begin(), active.end(), -1) != active.end(); }
 };

@@ -105,6 +105,7 @@ MultipathTracer::Paths MultipathTracer::next_surfaces(const SeenPoints& seen, co
   }
   Paths met;
   if (rays.size > 0) {
+    rays.coherence = Coherence::incoherent;
     embree_.intersect(rays, Sight::solid);
   }
   for (int lane = 0; lane < rays.size; ++lane) {
@@ -167,6 +168,7 @@ LightLanes MultipathTracer::light_of_lamp(const SeenPoints& seen, const Paths& p
   std::transform(is_lit.begin(), is_lit.end(), light.share.begin(), light.share.begin(),
                  [](bool lit_there, float share) { return lit_there ? share : 0; });
   ShadowPacket shadows = shadow_rays(lit);
+  shadows.coherence = Coherence::incoherent;
   aim_at_light(shadows, light, shadow_reach(lamp));
   if (shadows.has_rays()) {
     ShadowHit occluder;
