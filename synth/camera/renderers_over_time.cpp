@@ -12,24 +12,28 @@ struct Moment {
   std::unique_ptr<const Renderer> renderer;
 };
 
+/// Returns a renderer of the scene at a time, s, which keeps that scene.
+std::shared_ptr<const Renderer> renderer_at(const Scene& scene, double time,
+                                            const RenderOptions& options) {
+  const auto moment = std::make_shared<Moment>();
+  moment->scene = scene_at(scene, time);
+  moment->renderer = make_renderer(moment->scene, options);
+  return {moment, moment->renderer.get()};
+}
+
 }  // namespace
 
 RenderersOverTime::RenderersOverTime(const Scene& scene, const RenderOptions& options)
     : scene_(&scene), options_(options) {
   options.validate();
   if (!moves(scene)) {
-    still_ = make_renderer(scene, options);
+    still_ = scene.motion.animations.empty() ? make_renderer(scene, options)
+                                             : renderer_at(scene, 0, options);
   }
 }
 
 std::shared_ptr<const Renderer> RenderersOverTime::at(double time) const {
-  if (still_ != nullptr) {
-    return still_;
-  }
-  const auto moment = std::make_shared<Moment>();
-  moment->scene = scene_at(*scene_, time);
-  moment->renderer = make_renderer(moment->scene, options_);
-  return {moment, moment->renderer.get()};
+  return still_ != nullptr ? still_ : renderer_at(*scene_, time, options_);
 }
 
 }  // namespace synth

@@ -30,6 +30,13 @@ bool has_brightness_channels(const SceneMotion& motion) {
 
 }  // namespace
 
+std::size_t count_of_targets(const AnimationPointer& pointer, const ShiningSources& sources) {
+  const bool is_light = BrightnessChannel{.factor = factor_of(pointer)}.is_of_light();
+  const std::vector<int>& elements = is_light ? sources.lights : sources.materials;
+  return static_cast<std::size_t>(
+      std::count(elements.begin(), elements.end(), static_cast<int>(pointer.index)));
+}
+
 std::vector<BrightnessChannel> brightness_channels(const AnimationPointer& pointer,
                                                    const AnimationCurve& curve, const Scene& scene,
                                                    const ShiningSources& sources) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "synth/gltf_document/check_motion.h"
@@ -14,6 +15,9 @@ struct ShiningSources {
   std::vector<int> materials;  ///< of each of Scene::materials
   double scale = 1;            ///< GltfOptions::scale
 };
+
+/// Returns the number of lights and materials of the scene that a pointer changes.
+std::size_t count_of_targets(const AnimationPointer& pointer, const ShiningSources& sources);
 
 /// Returns the channels by which a pointer at a light or a material changes the scene: one for each
 /// of its lights or materials that was read from there. `curve` has the file's units.

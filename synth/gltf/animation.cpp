@@ -63,11 +63,14 @@ struct ChannelTarget {
 
 /// Returns what a channel changes; nothing if this is not supported.
 std::optional<ChannelTarget> target_of(const tinygltf::AnimationChannel& channel) {
-  const auto extension = channel.target_extensions.find(kAnimationPointerExtension);
-  if (channel.target_path != "pointer" || extension == channel.target_extensions.end()) {
+  if (channel.target_path != "pointer") {
     return channel.target_node == kNone
                ? std::nullopt
                : std::optional(ChannelTarget{channel.target_node, channel.target_path, {}});
+  }
+  const auto extension = channel.target_extensions.find(kAnimationPointerExtension);
+  if (extension == channel.target_extensions.end()) {
+    return std::nullopt;
   }
   const std::string& pointer = extension->second.Get("pointer").Get<std::string>();
   const std::optional<AnimationPointer> named = parse_animation_pointer(pointer);
@@ -149,7 +152,9 @@ Animation read_animation(GltfReading& reading, int index, const AnimatedElements
     const std::string place =
         model.place("animations", index) + ".samplers[" + std::to_string(channel.sampler) + ']';
     const tinygltf::AnimationSampler& sampler = source.samplers[at(channel.sampler)];
-    reading.budget.take(memory_of(model.content, sampler), place);
+    const std::size_t curves =
+        target->is_brightness() ? count_of_targets(*target->shine, elements.shining) : 1;
+    reading.budget.take(curves * memory_of(model.content, sampler), place);
     AnimationCurve curve = read_curve(model, sampler, *target, place);
     if (!holds_data(model.content, sampler.input) || !holds_data(model.content, sampler.output)) {
       add_note(reading.notes, "animation channels without data are left out");

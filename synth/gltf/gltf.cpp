@@ -43,9 +43,12 @@ LabelledScene load(const GltfFile& file, const GltfOptions& options, Notes* note
   return read_scene(model, options, left_out);
 }
 
-/// Drops the motion of a scene in which nothing moves.
+/// Drops the motion of a scene in which nothing moves; what constant curves say holds for ever.
 LabelledScene without_needless_motion(LabelledScene labelled) {
   if (!moves(labelled.scene) && !moves_cameras(labelled.scene)) {
+    if (!labelled.scene.motion.animations.empty()) {
+      labelled.scene = scene_at(labelled.scene, 0);
+    }
     labelled.scene.motion = {};
   }
   return labelled;

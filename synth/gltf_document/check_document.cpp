@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -97,18 +98,24 @@ void check_textures(const JsonObject& root) {
   }
 }
 
+void check_texcoord_set(const JsonObject& info) {
+  constexpr std::size_t kMost = 1000;  // more than any mesh has
+  const std::size_t set = info.whole_number("texCoord").value_or(0);
+  require(set <= kMost, info.place(), ": texCoord is ", set, ", expected at most ", kMost);
+}
+
 void check_texture_info(const JsonObject& parent, const std::string& key, std::size_t textures) {
   const std::optional<JsonObject> info = parent.object(key);
   if (!info) {
     return;
   }
   info->required_index("index", textures);
-  info->whole_number("texCoord");
+  check_texcoord_set(*info);
   if (const auto transform = info->extension("KHR_texture_transform")) {
     transform->numbers("offset", 2);
     transform->numbers("scale", 2);
     transform->number("rotation");
-    transform->whole_number("texCoord");
+    check_texcoord_set(*transform);
   }
 }
 
@@ -164,21 +171,30 @@ void check_volume(const JsonObject& material) {
   }
 }
 
+/// Checks the factor of a normal map's x and y, beyond which a normal is only a direction.
+void check_normal_scale(const JsonObject& map) {
+  constexpr double kMost = 1e6;
+  const double scale = map.number("scale").value_or(1);
+  require(std::abs(scale) <= kMost, map.place(), ": scale is ", scale, ", expected at most ",
+          kMost);
+}
+
 void check_specular_color(const JsonObject& material) {
+  constexpr double kMostSpecularColor = 1e6;
   const auto specular = material.extension("KHR_materials_specular");
   if (!specular) {
     return;
   }
   for (const double color : specular->numbers("specularColorFactor", 3)) {
-    require(color >= 0, place_in(material, *specular), ": specularColorFactor has ", color,
-            ", expected 0 or more");
+    require(color >= 0 && color <= kMostSpecularColor, place_in(material, *specular),
+            ": specularColorFactor has ", color, ", expected 0 to ", kMostSpecularColor);
   }
 }
 
 void check_coat_normal(const JsonObject& material) {
   const auto coat = material.extension("KHR_materials_clearcoat");
   if (const auto normal = coat ? coat->object("clearcoatNormalTexture") : std::nullopt) {
-    normal->number("scale");
+    check_normal_scale(*normal);
   }
 }
 
@@ -207,7 +223,7 @@ void check_material(const JsonObject& material, std::size_t textures) {
     check_texture_info(material, key, textures);
   }
   if (const auto normal = material.object("normalTexture")) {
-    normal->number("scale");
+    check_normal_scale(*normal);
   }
   if (const auto occlusion = material.object("occlusionTexture")) {
     occlusion->number("strength");

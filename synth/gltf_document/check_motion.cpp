@@ -140,7 +140,9 @@ std::optional<ChannelTarget> pointed_target(const JsonObject& target,
   const std::string pointer = extension->required_text("pointer");
   const std::optional<AnimationPointer> named = parse_animation_pointer(pointer);
   if (!named) {
-    add_note(document.notes, "animation channels of " + pointer + " are left out");
+    add_note(document.notes,
+             vo::concat("animation channels of ", kAnimationPointerExtension,
+                        " at anything but nodes, brightness of lights and emission are left out"));
     return std::nullopt;
   }
   const std::size_t count = named->array == "nodes"    ? document.nodes.size()

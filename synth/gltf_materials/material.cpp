@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <string>
 
-#include "synth/gltf_document/check_motion.h"
 #include "synth/gltf_document/notes.h"
 
 namespace synth {
@@ -148,8 +147,13 @@ void MaterialReader::read_surface(const tinygltf::Material& source, Material& ma
 
 /// Returns whether an animation may let a surface shine that does not shine at rest.
 bool MaterialReader::may_begin_to_shine() const {
-  const std::vector<std::string>& used = model_.content.extensionsUsed;
-  return std::find(used.begin(), used.end(), kAnimationPointerExtension) != used.end();
+  const std::vector<tinygltf::Animation>& animations = model_.content.animations;
+  return std::any_of(
+      animations.begin(), animations.end(), [](const tinygltf::Animation& animation) {
+        return std::any_of(
+            animation.channels.begin(), animation.channels.end(),
+            [](const tinygltf::AnimationChannel& c) { return c.target_path == "pointer"; });
+      });
 }
 
 /// Returns the texture of a lit material.

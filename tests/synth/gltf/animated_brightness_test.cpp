@@ -1,5 +1,6 @@
 #include "synth/gltf/animated_brightness.h"
 
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -113,16 +114,50 @@ TEST(AnimatedBrightness, HasTheUnitOfTheScalesSquareButOfASun) {
   EXPECT_EQ(later.lights.at(1).intensity, Vector3f(0, 1, 0));
 }
 
-TEST(AnimatedBrightness, IsPartOfTheHashAndConstantCurvesMoveNothing) {
+TEST(AnimatedBrightness, IsPartOfTheHash) {
   GltfDocument document = shining_document();
   point_at(document, kLights + "0/intensity", {8, 4});
   const std::string dimmed = content_hash(load(document));
   GltfDocument other = shining_document();
   point_at(other, kLights + "0/intensity", {8, 5});
   EXPECT_NE(content_hash(load(other)), dimmed);
-  GltfDocument still = shining_document();
-  point_at(still, kLights + "0/intensity", {8, 8});
-  EXPECT_FALSE(moves(load(still)));
+}
+
+TEST(AnimatedBrightness, OfAConstantCurveHoldsForEver) {
+  GltfDocument document = shining_document();
+  point_at(document, kLights + "0/intensity", {2, 2});
+  point_at(document, "/nodes/0/translation", {0, 5, 0, 0, 5, 0});
+  const Scene scene = load(document);
+  EXPECT_FALSE(moves(scene));
+  EXPECT_EQ(scene.lights.at(0).intensity, Vector3f(2, 0, 0));
+  EXPECT_EQ(scene.instances.at(0).T_world_mesh.translation(), Vector3d(0, 5, 0));
+}
+
+TEST(AnimatedBrightness, TakesTheMemoryOfEachLampsCurve) {
+  GltfDocument document = shining_document();
+  for (int i = 0; i < 20000; ++i) {
+    document.json["nodes"].push_back(document.json["nodes"][1]);
+    document.json["scenes"][0]["nodes"].push_back(4 + i);
+  }
+  point_at(document, kLights + "0/intensity", {8, 4});
+  std::vector<float> times(10000);
+  std::iota(times.begin(), times.end(), 0.0F);
+  json& sampler = document.json["animations"][0]["samplers"][0];
+  sampler["input"] = document.add_accessor<float>("SCALAR", kFloat, times.size(), times);
+  sampler["output"] = sampler["input"];
+  EXPECT_THAT(support::error_text([&] { load(document); }), HasSubstr("bytes of memory"));
+}
+
+TEST(AnimatedBrightness, LetsASurfaceBeginToShineWithItsTexture) {
+  GltfDocument document = shining_document();
+  document.json["materials"][0] = {{"emissiveTexture", {{"index", 0}}}};
+  document.json["textures"] = {{{"source", 0}}};
+  document.json["images"] = {{{"uri", "missing.png"}}};
+  const GltfOptions options{.needed = NeededTextures::surfaces};
+  EXPECT_EQ(support::error_text([&] { load(document, options); }), "no error");
+  document.json.erase("extensionsUsed");
+  point_at(document, "/materials/0/emissiveFactor", {0, 0, 0, 1, 1, 1});
+  EXPECT_THAT(support::error_text([&] { load(document, options); }), HasSubstr("missing.png"));
 }
 
 TEST(AnimatedBrightness, OfAnActorIsThatOfItsOwnLampsAndSurfaces) {
@@ -156,7 +191,7 @@ TEST(AnimatedBrightness, NotesWhatIsNotSupported) {
   point_at(document, "/materials/0/pbrMetallicRoughness/roughnessFactor", {0, 1});
   Notes notes;
   EXPECT_FALSE(moves(load(document, {}, &notes)));
-  EXPECT_THAT(notes, Contains(HasSubstr("/materials/0/pbrMetallicRoughness/roughnessFactor")));
+  EXPECT_THAT(notes, Contains(HasSubstr("at anything but nodes, brightness")));
 }
 
 TEST(AnimatedBrightness, NamesWhatIsWrong) {
@@ -181,6 +216,7 @@ TEST(AnimatedBrightness, NamesWhatIsWrong) {
   GltfDocument without = shining_document();
   point_at(without, kLights + "0/intensity", {1, 2});
   without.json["animations"][0]["channels"][0]["target"].erase("extensions");
+  without.json["animations"][0]["channels"][0]["target"]["node"] = 0;
   Notes notes;
   EXPECT_FALSE(moves(load(without, {}, &notes)));
   EXPECT_THAT(notes, Contains(HasSubstr("without KHR_animation_pointer")));
