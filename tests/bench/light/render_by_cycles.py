@@ -20,15 +20,45 @@ view = View(int(width), int(height), focal, eye)
 
 bpy.ops.wm.read_factory_settings(use_empty=True)
 bpy.ops.import_scene.gltf(filepath=scene_file)
-# What the importer makes of a diffuse material is Disney's diffuse reflection, not Lambert's.
+
+
+def node(tree, kind, **inputs):
+    """Add a node whose inputs are values or sockets."""
+    added = tree.nodes.new(kind)
+    for name, value in inputs.items():
+        socket = next(socket for socket in added.inputs if socket.identifier == name)
+        if isinstance(value, bpy.types.NodeSocket):
+            tree.links.new(value, socket)
+        else:
+            socket.default_value = value
+    return added.outputs[0]
+
+
+def as_gltf_says(material):
+    """Make a material's surface that of glTF 2.0's appendix B as far as Cycles has nodes for it.
+
+    What the importer makes is Disney's: a dielectric's diffuse reflection grows with roughness and is not weakened by
+    what the surface reflects. Cycles' Fresnel is that of the normal, not of the half vector."""
+    tree = material.node_tree
+    principled = tree.nodes["Principled BSDF"].inputs
+    colour, metallic = principled["Base Color"].default_value[:], principled["Metallic"].default_value
+    surface = node(tree, "ShaderNodeBsdfDiffuse", Color=colour)
+    if not material.name.startswith("Lambert"):
+        roughness = principled["Roughness"].default_value
+        gloss = node(tree, "ShaderNodeBsdfGlossy", Color=(1, 1, 1, 1), Roughness=roughness)
+        tree.nodes[-1].distribution = "GGX"
+        fresnel = node(tree, "ShaderNodeFresnel", IOR=1.5)
+        dielectric = node(tree, "ShaderNodeMixShader", Fac=fresnel, Shader=surface, Shader_001=gloss)
+        metal = node(tree, "ShaderNodeBsdfPrincipled", **{"Base Color": colour, "Metallic": 1, "Roughness": roughness})
+        tree.nodes[-1].distribution = "GGX"
+        surface = node(tree, "ShaderNodeMixShader", Fac=metallic, Shader=dielectric, Shader_001=metal)
+    output = next(node for node in tree.nodes if node.type == "OUTPUT_MATERIAL")
+    tree.links.new(surface, output.inputs["Surface"])
+
+
 for material in bpy.data.materials:
-    if material.name.startswith("Lambert"):
-        nodes = material.node_tree.nodes
-        colour = nodes["Principled BSDF"].inputs["Base Color"].default_value[:]
-        lambert = nodes.new("ShaderNodeBsdfDiffuse")
-        lambert.inputs["Color"].default_value = colour
-        output = next(node for node in nodes if node.type == "OUTPUT_MATERIAL")
-        material.node_tree.links.new(lambert.outputs["BSDF"], output.inputs["Surface"])
+    if material.name != "lamp":
+        as_gltf_says(material)
 scene = bpy.context.scene
 scene.render.engine = "CYCLES"
 cycles = scene.cycles
