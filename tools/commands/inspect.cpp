@@ -102,6 +102,7 @@ ordered_json as_json(const InspectArguments& arguments, const synth::GltfSummary
           {"images", summary.images},
           {"skins", summary.skins},
           {"lights", list(summary.scene.lights)},
+          {"lights_from_all_sides", !summary.scene.environment.empty()},
           {"cameras", list(summary.scene.cameras)},
           {"animations", list(summary.animations)},
           {"extensions_used", summary.extensions_used},
@@ -143,7 +144,8 @@ void print_table(const synth::GltfSummary& summary, const Colours& colours) {
             << "scenes          " << as_text(summary.scenes) << "\n"
             << "materials       " << as_text(summary.materials) << "\n"
             << "textures        " << summary.textures << " of " << summary.images << " images\n"
-            << "lights          " << summary.scene.lights.size() << "\n"
+            << "lights          " << summary.scene.lights.size()
+            << (summary.scene.environment.empty() ? "" : ", and light from all sides") << "\n"
             << "cameras         " << as_text(cameras) << "\n"
             << "animations      " << as_text(animations) << "\n"
             << "extensions      " << as_text(summary.extensions_used) << "\n"
