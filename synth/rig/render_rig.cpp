@@ -6,68 +6,18 @@
 #include <string>
 #include <utility>
 
-#include "synth/camera/renderers_over_time.h"
 #include "synth/rendering/renderer.h"
-#include "synth/rig/projector_pattern.h"
-#include "synth/scene/scene.h"
+#include "synth/rig/rig_files.h"
 #include "synth/sequence/depth_coverage.h"
 #include "synth/sequence/frame_share.h"
 #include "synth/sequence/share_renderer.h"
-#include "synth/truth/imu.h"
-#include "synth/truth/truth_channels.h"
 #include "vo/core/error.h"
-#include "vo/core/fields.h"
-#include "vo/hashing/content_hash.h"
-#include "vo/motion_files/trajectory_file.h"
 #include "vo/output_folders/staged_folder.h"
-#include "vo/rigs/rig_file.h"
 
 namespace synth {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Puts files of a folder into one within another.
-void move_into(const std::string& folder, std::vector<vo::NamedBytes>& files) {
-  for (vo::NamedBytes& file : files) {
-    file.name.insert(0, folder + "/");
-  }
-}
-
-/// Returns what the rig's IMU measures, and the true states of the body.
-vo::ImuRecord measure_body(const RigJob& job) {
-  const SequenceRecipe& recipe = job.body.recipe;
-  const TimeSpan span{recipe.truth.front().timestamp, recipe.truth.back().timestamp};
-  const CameraPath body = path_of(recipe);
-  const CameraPath imu = [&](double time) { return body(time) * job.rig.T_body_imu; };
-  vo::ImuRecord record = measure_imu(imu, span, recipe.channels.imu);
-  for (vo::BodyState& state : record.states) {
-    state.T_world_body = body(state.timestamp);
-    state.velocity = path_motion(body, span, state.timestamp).velocity;
-  }
-  return record;
-}
-
-/// Returns the name of the copy of a projector's pattern in the folder of a rig.
-std::string pattern_file(const vo::RigProjector& projector) {
-  return vo::concat("projector_", projector.name, ".png");
-}
-
-/// Returns the files of the body, which belong to no camera.
-std::vector<vo::NamedBytes> body_files(const RigJob& job) {
-  const SequenceRecipe& recipe = job.body.recipe;
-  std::vector<vo::NamedBytes> files = {{"groundtruth.txt", vo::format_trajectory(recipe.truth)}};
-  if (recipe.channels.has(TruthChannel::imu)) {
-    const std::vector<vo::NamedBytes> imu = encode_imu(measure_body(job));
-    files.insert(files.end(), imu.begin(), imu.end());
-  }
-  for (const vo::RigProjector& projector : job.rig.projectors) {
-    if (projector.has_file()) {
-      files.push_back({pattern_file(projector), pattern_bytes(projector)});
-    }
-  }
-  return files;
-}
 
 /// A rig, its cameras' jobs, and the folder that they fill: for each pose of the body a part for
 /// each camera, in the rig's order.
@@ -76,38 +26,12 @@ struct RigPlan {
   vo::StagedContent content;
 };
 
-/// Returns rig.toml as it is written: each sensor with all its options, and by which inputs one
-/// folder is told from another, in a comment.
-vo::NamedBytes marker_of(const RigJob& job, const std::vector<RenderJob>& jobs) {
-  vo::Rig rig = job.rig;
-  vo::ContentHash manifests;
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    SensorOptions sensor = jobs[i].recipe.sensor;
-    rig.cameras[i].sensor.clear();
-    for (const vo::Field& field : vo::fields_of(sensor)) {
-      rig.cameras[i].sensor.push_back({field.key, field.get(), field.type, ""});
-    }
-    manifests.add(sequence_manifest(jobs[i]).bytes);
-  }
-  for (vo::RigProjector& projector : rig.projectors) {
-    projector.pattern = projector.has_file() ? pattern_file(projector) : projector.pattern;
-  }
-  return {vo::kRigFile,
-          vo::concat("# Hash of the cameras' sequence.toml, which say what they were made of: ",
-                     manifests.hex(), "\n", vo::format_rig(rig))};
-}
-
 RigPlan plan_of(const RigJob& job) {
   RigPlan plan{camera_jobs(job), {}};
-  plan.content.marker = marker_of(job, plan.jobs);
-  plan.content.rest = body_files(job);
-  for (std::size_t i = 0; i < plan.jobs.size(); ++i) {
-    const std::string& name = job.rig.cameras[i].name;
-    std::vector<vo::NamedBytes> files = sequence_files(plan.jobs[i]);
-    files.push_back(sequence_manifest(plan.jobs[i]));
-    move_into(name, files);
-    plan.content.rest.insert(plan.content.rest.end(), files.begin(), files.end());
-    plan.content.folders.push_back(name);
+  plan.content.marker = rig_manifest(job, plan.jobs);
+  plan.content.rest = rig_files(job, plan.jobs);
+  for (const vo::RigCamera& camera : job.rig.cameras) {
+    plan.content.folders.push_back(camera.name);
   }
   for (std::size_t frame = 0; frame < job.body.recipe.truth.size(); ++frame) {
     for (std::size_t i = 0; i < plan.jobs.size(); ++i) {
@@ -123,34 +47,15 @@ RigPlan plan_of(const RigJob& job) {
   return plan;
 }
 
-/// Makes the frames of all cameras, which see the scene by the same renderers.
-class RigFrames {
- public:
-  RigFrames(const vo::Rig& rig, const std::vector<RenderJob>& jobs) : rig_(rig) {
-    const Scene& scene = jobs.front().scene.scene();
-    const auto renderers =
-        std::make_shared<const RenderersOverTime>(scene, jobs.front().recipe.render);
-    for (const RenderJob& job : jobs) {
-      generators_.push_back(frame_generator(job, renderers));
-    }
-  }
-
-  MadeFrame make(std::size_t part) const {
-    const std::size_t camera = part % generators_.size();
-    MadeFrame frame = generators_[camera]->make(part / generators_.size());
-    move_into(rig_.cameras[camera].name, frame.files);
-    return frame;
-  }
-
- private:
-  const vo::Rig& rig_;
-  std::vector<std::unique_ptr<const FrameGenerator>> generators_;
-};
-
 ShareJob share_of_rig(const RigJob& job, const RigPlan& plan) {
   ShareJob share{plan.content, {}, [&]() -> PartMaker {
-                   const auto frames = std::make_shared<const RigFrames>(job.rig, plan.jobs);
-                   return [frames](std::size_t part) { return frames->make(part); };
+                   const auto frames = std::make_shared<const RigFrames>(plan.jobs);
+                   return [&job, frames](std::size_t part) {
+                     const std::size_t cameras = job.rig.cameras.size();
+                     MadeFrame frame = frames->make(part % cameras, part / cameras);
+                     move_into(job.rig.cameras[part % cameras].name, frame.files);
+                     return frame;
+                   };
                  }};
   for (const std::size_t frame : frames_of(job.body.share, job.body.recipe.truth.size())) {
     for (std::size_t i = 0; i < plan.jobs.size(); ++i) {

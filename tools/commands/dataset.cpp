@@ -107,8 +107,9 @@ void print_plan(const DatasetSpec& spec, const DatasetPlan& plan, const DatasetE
   }
   const double hours = estimate.processor_s / kSecondsPerHour;
   std::cout << "sequences  " << plan.sequence_count() << " of " << spec.sequences.size() << "\n"
-            << "frames     " << plan.frame_count() << "\n"
-            << "parts      " << plan.parts.size() << "\n"
+            << "frames     " << plan.frame_count()
+            << (spec.rig ? vo::concat(" of ", plan.cameras, " cameras\n") : "\n") << "parts      "
+            << plan.parts.size() << "\n"
             << "files      " << estimate.files << "\n"
             << "size       " << format_decimals(estimate.bytes / kBytesPerMegabyte, 1) << " MB\n"
             << "CPU time   " << format_decimals(hours, 3) << " h, as " << estimate.measured
@@ -139,7 +140,7 @@ std::optional<SimulatedJob> simulated(const DatasetArguments& arguments, const D
   set_cluster_options(arguments.simulate, job.cluster);
   std::vector<std::size_t> parts;
   for (const DatasetPart& part : plan.parts) {
-    parts.push_back(part.frame_count());
+    parts.push_back(plan.cameras * part.frame_count());
   }
   job.run = simulate_cluster(job.cluster, parts);
   return job;
@@ -178,7 +179,7 @@ std::size_t make_share(const DatasetPlan& plan, const std::vector<std::size_t>& 
                        PartMaker& maker, ProgressBar& bar) {
   std::size_t frames = 0;
   for (const std::size_t part : share) {
-    frames += plan.parts[part].frame_count();
+    frames += plan.cameras * plan.parts[part].frame_count();
   }
   std::size_t before = 0;
   std::size_t made = 0;
@@ -190,7 +191,7 @@ std::size_t make_share(const DatasetPlan& plan, const std::vector<std::size_t>& 
                  [&](std::size_t done, std::size_t /*total*/) { progress(before + done, frames); });
       ++made;
     }
-    before += plan.parts[part].frame_count();
+    before += plan.cameras * plan.parts[part].frame_count();
   }
   return made;
 }

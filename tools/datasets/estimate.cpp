@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "synth/rig/render_rig.h"
 #include "synth/sequence/render_plan.h"
 
 namespace tools {
@@ -34,7 +35,9 @@ DatasetEstimate estimate_dataset(const DatasetSpec& spec, const DatasetPlan& pla
   const std::vector<std::size_t> sequences = sampled(plan);
   std::size_t frames = 0;
   for (std::size_t i = 0; i < sequences.size(); ++i) {
-    const synth::RenderPlan one = synth::plan_sequence(jobs.job(sequences[i]), {});
+    const SequenceJob& job = jobs.job(sequences[i]);
+    const synth::RenderPlan one =
+        job.rig ? synth::plan_rig(*job.rig, {}) : synth::plan_sequence(job.cameras.front(), {});
     estimate.files += one.files;
     estimate.bytes += one.bytes;
     estimate.processor_s += one.processor_s;

@@ -54,6 +54,20 @@ void add_scene_files(const DatasetSequence& sequence, std::map<fs::path, std::st
   }
 }
 
+/// Adds the hashes of the rig's file and of the patterns that it names.
+void add_rig_files(const DatasetSpec& spec, Identity& identity) {
+  if (!spec.rig) {
+    return;
+  }
+  identity.emplace("rig file", vo::content_hash(vo::read_file(spec.rig_file())));
+  for (const vo::RigProjector& projector : spec.rig->projectors) {
+    if (projector.has_file()) {
+      identity.emplace(vo::concat("rig pattern of projector ", projector.name),
+                       vo::content_hash(vo::read_file(projector.file())));
+    }
+  }
+}
+
 /// Returns what determines a data set: all that the spec says, the files that it names, and the
 /// program that renders.
 Identity identity_of(const DatasetSpec& spec) {
@@ -61,6 +75,7 @@ Identity identity_of(const DatasetSpec& spec) {
   for (const vo::TomlValue& value : spec.values) {
     identity.emplace(value.key, value.text);
   }
+  add_rig_files(spec, identity);
   std::map<fs::path, std::string> hashes;
   for (const DatasetSequence& sequence : spec.sequences) {
     add_scene_files(sequence, hashes, identity);
@@ -77,7 +92,7 @@ Identity identity_of(const DatasetSpec& spec) {
   return identity;
 }
 
-/// Returns what the filter has against a sequence; empty where it passes.
+/// Returns what the filter has against the path of a camera; empty where it passes.
 std::string objection(const DatasetFilter& filter, const synth::RenderJob& job) {
   if (filter.is_empty()) {
     return {};
@@ -100,14 +115,25 @@ std::string objection(const DatasetFilter& filter, const synth::RenderJob& job) 
   return {};
 }
 
+/// Returns what the filter has against a sequence, of the first camera that does not pass.
+std::string objection(const DatasetFilter& filter, const SequenceJob& job) {
+  for (std::size_t camera = 0; camera < job.cameras.size(); ++camera) {
+    const std::string reason = objection(filter, job.cameras[camera]);
+    if (!reason.empty()) {
+      return job.rig ? vo::concat("camera '", job.camera_name(camera), "': ", reason) : reason;
+    }
+  }
+  return {};
+}
+
 /// Plans one sequence: its number of frames, or why there are none.
 void plan_one(const DatasetSpec& spec, std::size_t index, SequenceJobs& jobs, DatasetPlan& plan) {
   const DatasetSequence& sequence = spec.sequences[index];
   std::string reason;
   try {
-    const synth::RenderJob& job = jobs.job(index);
+    const SequenceJob& job = jobs.job(index);
     reason = objection(spec.filter, job);
-    plan.frames[index] = reason.empty() ? job.recipe.truth.size() : 0;
+    plan.frames[index] = reason.empty() ? job.frame_count() : 0;
   } catch (const vo::Error& error) {
     if (error.kind() != vo::ErrorKind::input) {
       throw;
@@ -169,7 +195,7 @@ void require_same(const std::map<std::string, std::string>& begun,
 }  // namespace
 
 std::size_t DatasetPlan::frame_count() const {
-  return std::accumulate(frames.begin(), frames.end(), std::size_t{0});
+  return cameras * std::accumulate(frames.begin(), frames.end(), std::size_t{0});
 }
 
 std::size_t DatasetPlan::sequence_count() const {
@@ -178,7 +204,7 @@ std::size_t DatasetPlan::sequence_count() const {
 }
 
 DatasetPlan make_plan(const DatasetSpec& spec, const vo::Progress& progress) {
-  DatasetPlan plan{.identity = identity_of(spec)};
+  DatasetPlan plan{.identity = identity_of(spec), .cameras = spec.camera_count()};
   plan.frames.resize(spec.sequences.size());
   SequenceJobs jobs(spec);
   for (std::size_t i = 0; i < spec.sequences.size(); ++i) {
@@ -206,7 +232,10 @@ DatasetPlan begin_dataset(const DatasetSpec& spec, const fs::path& plan_file,
 }
 
 std::vector<std::size_t> shares_by_part(const DatasetPlan& plan, std::size_t shares) {
-  const std::size_t total = plan.frame_count();
+  std::size_t total = 0;  // frames of all parts, of one camera as each part's are
+  for (const DatasetPart& part : plan.parts) {
+    total += part.frame_count();
+  }
   std::vector<std::size_t> by_part;
   std::size_t before = 0;  // frames of the parts before
   for (const DatasetPart& part : plan.parts) {

@@ -12,14 +12,14 @@
 
 namespace tools {
 
-/// Consecutive frames of one sequence that one task makes and moves together.
+/// Consecutive frames of one sequence that one task makes and moves together, of every camera.
 struct DatasetPart {
   std::size_t sequence = 0;  ///< index in the spec's sequences
   std::size_t number = 0;    ///< of the part in its sequence, from 0
   std::size_t first = 0;     ///< first frame
   std::size_t end = 0;       ///< one past the last frame
 
-  std::size_t frame_count() const { return end - first; }
+  std::size_t frame_count() const { return end - first; }  ///< of a camera
 };
 
 /// A sequence that is not made, and why.
@@ -32,11 +32,12 @@ struct RejectedSequence {
 /// that renders.
 struct DatasetPlan {
   std::map<std::string, std::string> identity;  ///< what determines the bytes, by key
-  std::vector<std::size_t> frames;              ///< by sequence of the spec; 0 where rejected
-  std::vector<RejectedSequence> rejected;       ///< in the order of the sequences
-  std::vector<DatasetPart> parts;               ///< by sequence and frame
+  std::size_t cameras = 1;                      ///< number of cameras that take each sequence
+  std::vector<std::size_t> frames;  ///< of a camera, by sequence of the spec; 0 where rejected
+  std::vector<RejectedSequence> rejected;  ///< in the order of the sequences
+  std::vector<DatasetPart> parts;          ///< by sequence and frame
 
-  std::size_t frame_count() const;
+  std::size_t frame_count() const;     ///< number of frames of all cameras
   std::size_t sequence_count() const;  ///< number of sequences that are made
 };
 

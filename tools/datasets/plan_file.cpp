@@ -25,12 +25,14 @@ std::string format_plan(const DatasetSpec& spec, const DatasetPlan& plan) {
   for (const DatasetPart& part : plan.parts) {
     parts.push_back({part.sequence, part.number, part.first, part.end});
   }
-  return json_text(json_document({"dataset_plan"}, {{"name", spec.options.name},
-                                                    {"identity", plan.identity},
-                                                    {"sequences", sequences},
-                                                    {"rejected", rejected},
-                                                    {"parts", parts}}),
-                   -1);
+  nlohmann::ordered_json members = {{"name", spec.options.name}, {"identity", plan.identity}};
+  if (spec.rig) {
+    members["cameras"] = plan.cameras;
+  }
+  members["sequences"] = sequences;
+  members["rejected"] = rejected;
+  members["parts"] = parts;
+  return json_text(json_document({"dataset_plan"}, members), -1);
 }
 
 DatasetPlan read_plan(const std::filesystem::path& file) {
@@ -40,6 +42,8 @@ DatasetPlan read_plan(const std::filesystem::path& file) {
   try {
     const nlohmann::json document = nlohmann::json::parse(text);
     document.at("identity").get_to(plan.identity);
+    plan.cameras = document.value("cameras", plan.cameras);
+    vo::require(plan.cameras >= 1, file.string(), ": cameras: expected at least 1");
     for (const nlohmann::json& sequence : document.at("sequences")) {
       plan.frames.push_back(sequence.at("frames").get<std::size_t>());
     }

@@ -13,6 +13,7 @@
 #include "tools/datasets/name_list.h"
 #include "tools/datasets/part_folder.h"
 #include "tools/datasets/spec_actors.h"
+#include "tools/datasets/spec_rig.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 
@@ -229,6 +230,7 @@ void add_sequences(const Combination& combination, const Alternatives& all, Data
                              .split = own_text(combination.scene, "split", "train"),
                              .licence = own_text(combination.scene, "licence", "not stated"),
                              .scenario = with_seed(scenario, seed)};
+    sequence.scenario.sensor.seed = scenario.sensor.seed + sensor_seed_offset(spec, seed);
     vo::require(is_name(sequence.split), combination.scene.place, ": scenes.", sequence.scene,
                 ".split: expected letters, digits and -, got '", sequence.split, "'");
     sequence.name = vo::concat(sequence.scene, "_", sequence.path, "_",
@@ -292,6 +294,9 @@ void read_options(DatasetSpec& spec) {
 void require_classes(const DatasetSpec& spec) {
   synth::TruthOptions truth = spec.sequences.front().scenario.truth();
   truth.channels = spec.channels();
+  if (spec.rig) {
+    std::erase_if(truth.channels, synth::is_of_pair);  // which some of its cameras have
+  }
   try {
     truth.validate();
   } catch (const vo::Error& error) {
@@ -368,14 +373,20 @@ std::vector<vo::WrittenSequence> DatasetSpec::formats() const {
   return formats;
 }
 
+fs::path DatasetSpec::rig_file() const {
+  return (fs::absolute(file).parent_path() / options.rig).lexically_normal();
+}
+
 DatasetSpec load_dataset_spec(const fs::path& file) {
   DatasetSpec spec;
   spec.file = file;
   spec.values = vo::read_toml(file);
   read_options(spec);
+  read_spec_rig(spec);
   add_all_sequences(read_alternatives({file, spec.values, vo::toml_tables(file)}), spec);
   require_classes(spec);
   require_scenes(spec);
+  require_usable_rig(spec);
   return spec;
 }
 

@@ -58,6 +58,19 @@ TEST(ShareOfParts, SharesFramesEvenly) {
   }
 }
 
+/// What several cameras take is more frames in the same parts: whose they are stays as it was.
+TEST(ShareOfParts, CountsTheFramesOfAllCamerasAlike) {
+  const tools::DatasetPlan one = plan_of({40, 9, 77, 3, 18}, 4);
+  tools::DatasetPlan six = one;
+  six.cameras = 6;
+  EXPECT_EQ(one.frame_count(), 147U);
+  EXPECT_EQ(six.frame_count(), 6 * 147U);
+  EXPECT_EQ(six.sequence_count(), 5U);
+  for (std::size_t shares = 1; shares <= 20; ++shares) {
+    EXPECT_EQ(tools::shares_by_part(six, shares), tools::shares_by_part(one, shares)) << shares;
+  }
+}
+
 TEST(ShareOfParts, IsEmptyWhereNothingIsMade) {
   EXPECT_TRUE(tools::share_of_parts(plan_of({0, 0}, 5), 1, 2).empty());
 }

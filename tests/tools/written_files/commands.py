@@ -58,8 +58,11 @@ orbit.radius = 2.0
 kind = "explore"
 explore.clearance = 50.0
 """
+IMAGE = "width = 64\nheight = 48\nfx = 50.0\nfy = 50.0\ncx = 31.5\ncy = 23.5\n"
 FILES = {"classes.toml": CLASSES, **{f"scenarios/{name}": text for name, text in SCENARIOS.items()}, "dataset.toml": DATASET,
-         "archives.toml": DATASET.replace("part_frames", "tar = true\npart_frames")}
+         "archives.toml": DATASET.replace("part_frames", "tar = true\npart_frames"),
+         "pair.toml": "".join(f"[[camera]]\nname = \"{name}\"\n{IMAGE}" for name in ("left", "right")),
+         "pairs.toml": DATASET.replace("[camera]\nwidth = 64\nheight = 48\n", "").replace("seeds = 2", "rig = \"pair.toml\"")}
 
 
 @dataclasses.dataclass
@@ -158,6 +161,9 @@ RUNS = [
     Run("dataset render dataset.toml --out set --json", "dataset_render"),
     Run("dataset merge dataset.toml --out set --json", "dataset_merge"),
     Run("dataset verify set --json", "dataset_verify"),
+    Run("dataset plan pairs.toml --json", "dataset_estimate"),
+    Run("dataset render pairs.toml --out pairs --json", "dataset_render"),
+    Run("dataset merge pairs.toml --out pairs --json", "dataset_merge"),
     Run("dataset render archives.toml --out archives"),  # which are left as parts
     Run("cache prune --max-size 0 --cache cache --json", "cache"),
 ]

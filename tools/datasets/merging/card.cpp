@@ -115,11 +115,30 @@ std::string pictures_table(const DatasetIndex& index) {
   return text;
 }
 
+/// Returns what the card says of the folder of a sequence that a rig took; nothing without a rig.
+std::string rig_item(const DatasetSpec& spec) {
+  if (!spec.rig) {
+    return {};
+  }
+  std::string names;
+  for (const vo::RigCamera& camera : spec.rig->cameras) {
+    names += (names.empty() ? "" : ", ") + camera.name;
+  }
+  const std::vector<synth::TruthChannel> channels = spec.channels();
+  const bool has_imu =
+      std::find(channels.begin(), channels.end(), synth::TruthChannel::imu) != channels.end();
+  return vo::concat("- `SPLIT/SCENE/SEQUENCE/`: what a rig saw, of cameras ", names,
+                    ". `rig.toml` says where they are on the body, `groundtruth.txt` has "
+                    "T_world_body",
+                    has_imu ? ", `imu.csv` what the body's IMU measured" : "",
+                    ". Frames are counted of all cameras; minutes and m are the first one's.\n");
+}
+
 std::string files_section(const DatasetSpec& spec) {
   const bool is_archive = spec.options.tar;
   std::string text = vo::concat(
-      "## Files\n\n",
-      "- `SPLIT/SCENE/SEQUENCE/`: a sequence in the layout of the TUM RGB-D benchmark",
+      "## Files\n\n", rig_item(spec), "- `SPLIT/SCENE/SEQUENCE/", spec.rig ? "CAMERA/" : "",
+      "`: a sequence in the layout of the TUM RGB-D benchmark",
       is_archive ? ", its frames in archives `SEQUENCE-000.tar`, which WebDataset reads" : "",
       ". `groundtruth.txt` has T_world_camera (camera x right, y down, z forward), `camera.toml` "
       "the camera, `sequence.toml` all conventions and what it was made of.\n");
@@ -162,7 +181,8 @@ std::string dataset_card(const DatasetSpec& spec, const DatasetPlan& plan,
       rejected_section(plan), "## Licences\n\n", licences_table(index), "\n",
       "## Made by\n\n    edvo dataset render dataset.toml --out ", name,
       "\n    edvo dataset merge dataset.toml --out ", name, "\n\nof edvo ", vo::version(),
-      ", with the scenes where dataset.toml says. The bytes are the same on any number of "
+      ", with the scenes ", spec.rig ? "and the rig " : "",
+      "where dataset.toml says. The bytes are the same on any number of "
       "processes and machines; dataset.json has what determines them.\n");
 }
 

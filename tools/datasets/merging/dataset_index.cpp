@@ -19,6 +19,7 @@ constexpr std::size_t kBlur = 15;
 constexpr std::size_t kCoverage = 16;
 constexpr std::size_t kTextured = 17;
 constexpr std::size_t kColumns = 19;
+constexpr std::size_t kCamera = kColumns;  // one more where a rig took the frames
 
 std::vector<std::string> cells_of(const std::string& row) {
   std::vector<std::string> cells(1);
@@ -29,8 +30,8 @@ std::vector<std::string> cells_of(const std::string& row) {
       cells.back() += c;
     }
   }
-  vo::require(cells.size() == kColumns, "frames.csv: ", cells.size(), " columns, expected ",
-              kColumns);
+  vo::require(cells.size() == kColumns || cells.size() == kCamera + 1, "frames.csv: ", cells.size(),
+              " columns, expected ", kColumns, ", or one more of a rig");
   return cells;
 }
 
@@ -78,16 +79,20 @@ void DatasetIndex::add_row(const std::vector<std::string>& cells) {
   for (std::size_t i = 0; i < position.size(); ++i) {
     position[i] = vo::parse_real(cells[kPosition + i]);
   }
+  const std::string camera = cells.size() > kCamera ? cells[kCamera] : "";
   if (statistics.frames == 0) {
+    first_camera_ = camera;
     first_time_ = time;
-  } else {
+    last_position_ = position;
+  }
+  if (camera == first_camera_) {
     statistics.length_m +=
         std::hypot(position[0] - last_position_[0], position[1] - last_position_[1],
                    position[2] - last_position_[2]);
+    last_position_ = position;
+    statistics.duration_s = time - first_time_;
   }
-  last_position_ = position;
   ++statistics.frames;
-  statistics.duration_s = time - first_time_;
   if (!cells[kFlow].empty()) {
     const double flow_px = vo::parse_real(cells[kFlow]);
     statistics.flow_px = mean_with(statistics.flow_px, flow_px, statistics.frames);

@@ -30,11 +30,11 @@ class ValueCounts {
   std::size_t total_ = 0;
 };
 
-/// What the rows of one sequence's frames say, summed.
+/// What the rows of one sequence's frames say, summed, those of all cameras of a rig.
 struct SequenceStatistics {
   std::size_t frames = 0;
-  double duration_s = 0;
-  double length_m = 0;
+  double duration_s = 0;      ///< of the first camera
+  double length_m = 0;        ///< of the first camera's path
   double flow_px = 0;         ///< mean over the frames that have a next one
   double blur_px = 0;         ///< mean over the same
   double depth_coverage = 0;  ///< mean share of pixels
@@ -70,7 +70,8 @@ class DatasetIndex {
 
   std::vector<std::pair<const DatasetSequence*, SequenceStatistics>> sequences_;
   std::map<std::string, Distributions> splits_;
-  std::array<double, 3> last_position_{};  ///< m, of the frame before
+  std::string first_camera_;               ///< of the sequence's rig; empty where it has none
+  std::array<double, 3> last_position_{};  ///< m, of the frame before, by the first camera
   double first_time_ = 0;                  ///< s, of the sequence's first frame
 };
 

@@ -70,7 +70,7 @@ class Merge {
   void join(MergeOutcome& outcome) {
     vo::make_folder(layout_.merged());
     PartFolder index(layout_.staging / "index");
-    index.write({{"frames.csv", kFrameColumns}});
+    index.write({{"frames.csv", frame_columns(spec_)}});
     for (std::size_t part = 0; part < plan_.parts.size(); ++part) {
       join_part(part, index, outcome);
     }

@@ -4,10 +4,11 @@
 
 namespace tools {
 
-std::string archive_name(const std::string& sequence, const std::string& file) {
+std::string archive_name(const std::string& sequence, const std::string& camera,
+                         const std::string& file) {
   const std::filesystem::path path(file);
-  return sequence + "/" + path.stem().string() + "." + path.parent_path().filename().string() +
-         path.extension().string();
+  return sequence + "/" + path.stem().string() + "." + (camera.empty() ? "" : camera + ".") +
+         path.parent_path().filename().string() + path.extension().string();
 }
 
 }  // namespace tools

@@ -12,6 +12,7 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include "synth/rig/rig_files.h"
 #include "tools/datasets/host_name.h"
 #include "tools/datasets/part_folder.h"
 #include "tools/datasets/part_record.h"
@@ -36,6 +37,7 @@ constexpr double kSecondsPerMs = 1e-3;
 
 /// A frame on its way through the pipeline that makes a part.
 struct FrameOnItsWay {
+  std::size_t camera = 0;
   std::size_t index = 0;
   std::vector<vo::NamedBytes> files;  ///< as they are written; empty where they have been
   std::vector<MadeFile> made;
@@ -73,32 +75,41 @@ std::string thumbnail_of(const vo::NamedBytes& png) {
 /// Writes the frames of one part.
 class PartWriter {
  public:
-  PartWriter(const DatasetSpec& spec, const synth::RenderJob& job, const DatasetPart& part,
+  PartWriter(const DatasetSpec& spec, const SequenceJob& job, const DatasetPart& part,
              PartFolder& folder)
       : sequence_(spec.sequences[part.sequence]),
         job_(job),
         part_(part),
         folder_(folder),
-        archive_(spec.options.tar ? sequence_.name + "/" + part_name(spec, part) + ".tar" : ""),
-        rows_(sequence_, job, part, archive_.empty() ? "" : scene_folder(sequence_) + archive_) {}
+        archive_(spec.options.tar ? sequence_.name + "/" + part_name(spec, part) + ".tar" : "") {
+    const std::string archive = archive_.empty() ? "" : scene_folder(sequence_) + archive_;
+    for (std::size_t camera = 0; camera < job.cameras.size(); ++camera) {
+      rows_.emplace_back(sequence_, job, camera, part, archive);
+    }
+  }
 
-  /// Renders all frames: files are written in parallel, an archive in the order of the frames.
+  /// Renders all frames: files are written in parallel, an archive in the order of the frames, of
+  /// each by all cameras.
   void write_frames(const vo::Progress& progress) {
-    const std::unique_ptr<const synth::FrameGenerator> generator = synth::frame_generator(job_);
+    const synth::RigFrames frames(job_.cameras);
+    const std::size_t cameras = job_.cameras.size();
     const auto tokens = 2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-    std::size_t next = part_.first;
+    std::size_t next = cameras * part_.first;
     const auto number = [&](tbb::flow_control& control) {
-      if (next == part_.end) {
+      if (next == cameras * part_.end) {
         control.stop();
         return next;
       }
       return next++;
     };
-    const auto render = [&](std::size_t frame) { return rendered(*generator, frame); };
+    const auto render = [&](std::size_t frame) {
+      return rendered(frames, frame % cameras, frame / cameras);
+    };
     const auto collect = [&](const std::shared_ptr<FrameOnItsWay>& frame) {
       take(*frame);
       if (progress) {
-        progress(frame->index + 1 - part_.first, part_.frame_count());
+        progress(cameras * (frame->index - part_.first) + frame->camera + 1,
+                 cameras * part_.frame_count());
       }
     };
     tbb::parallel_pipeline(
@@ -115,9 +126,7 @@ class PartWriter {
     if (part_.first > 0) {
       return;
     }
-    std::vector<vo::NamedBytes> files = synth::sequence_files(job_);
-    files.push_back(synth::sequence_manifest(job_));
-    const std::vector<MadeFile> made = write(std::move(files));
+    const std::vector<MadeFile> made = write(job_.files());
     made_.insert(made_.end(), made.begin(), made.end());
   }
 
@@ -125,16 +134,20 @@ class PartWriter {
   std::string csv() const { return csv_; }
 
  private:
-  std::shared_ptr<FrameOnItsWay> rendered(const synth::FrameGenerator& generator,
+  std::shared_ptr<FrameOnItsWay> rendered(const synth::RigFrames& frames, std::size_t camera,
                                           std::size_t index) const {
     auto frame = std::make_shared<FrameOnItsWay>();
+    frame->camera = camera;
     frame->index = index;
-    frame->files = generator.make(index).files;
+    frame->files = frames.make(camera, index).files;
     frame->depth_coverage = coverage_of(frame->files.at(1));
-    if (index == job_.recipe.truth.size() / 2) {
+    if (camera == 0 && index == job_.frame_count() / 2) {
       folder_.write({{kPartPicture, thumbnail_of(frame->files.front())}});
     }
     if (archive_.empty()) {
+      if (job_.rig) {
+        synth::move_into(job_.camera_name(camera), frame->files);
+      }
       frame->made = write(std::exchange(frame->files, {}));
     }
     return frame;
@@ -142,9 +155,9 @@ class PartWriter {
 
   /// Writes files of the sequence, and returns what was made.
   std::vector<MadeFile> write(std::vector<vo::NamedBytes> files) const {
+    synth::move_into(sequence_.name, files);
     std::vector<MadeFile> made;
-    for (vo::NamedBytes& file : files) {
-      file.name = sequence_.name + "/" + file.name;
+    for (const vo::NamedBytes& file : files) {
       made.push_back(made_file(file));
     }
     folder_.write(files);
@@ -154,11 +167,13 @@ class PartWriter {
   /// Takes the frames in their order.
   void take(const FrameOnItsWay& frame) {
     for (const vo::NamedBytes& file : frame.files) {
-      folder_.append(archive_,
-                     vo::tar_entry({archive_name(sequence_.name, file.name), file.bytes}));
+      folder_.append(
+          archive_,
+          vo::tar_entry({archive_name(sequence_.name, job_.camera_name(frame.camera), file.name),
+                         file.bytes}));
     }
     made_.insert(made_.end(), frame.made.begin(), frame.made.end());
-    csv_ += rows_.row(frame.index, frame.depth_coverage);
+    csv_ += rows_[frame.camera].row(frame.index, frame.depth_coverage);
   }
 
   void close_archive() {
@@ -170,11 +185,11 @@ class PartWriter {
   }
 
   const DatasetSequence& sequence_;
-  const synth::RenderJob& job_;
+  const SequenceJob& job_;
   const DatasetPart& part_;
   PartFolder& folder_;
-  std::string archive_;  ///< name of the part's tar; empty = files
-  FrameRows rows_;
+  std::string archive_;          ///< name of the part's tar; empty = files
+  std::vector<FrameRows> rows_;  ///< by camera
   std::vector<MadeFile> made_;
   std::string csv_;
 };
@@ -210,13 +225,13 @@ void PartMaker::make(std::size_t index, const vo::Progress& progress) {
   const double start_ms = vo::processor_ms();
   const DatasetPart& part = plan_.parts.at(index);
   const DatasetSequence& sequence = spec_.sequences[part.sequence];
-  const synth::RenderJob& job = jobs_.job(part.sequence);
+  const SequenceJob& job = jobs_.job(part.sequence);
   PartFolder folder(folder_of(index));
   PartWriter writer(spec_, job, part, folder);
   writer.write_frames(progress);
   writer.write_lists();
   std::vector<MadeFile> made = writer.made();
-  const std::size_t frames = part.frame_count();
+  const std::size_t frames = plan_.cameras * part.frame_count();
   const vo::Progress converting = [&](std::size_t /*done*/, std::size_t /*total*/) {
     progress(frames, frames);  // all are rendered; this also ends a run that is interrupted
   };

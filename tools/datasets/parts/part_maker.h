@@ -24,9 +24,9 @@ class PartMaker {
   /// Returns whether a part is there.
   bool is_there(std::size_t part) const;
 
-  /// Renders a part and gives it its name. `progress`, which must not be empty, counts its frames.
-  /// Throws vo::Error where the scene is unusable or the disk full; what was made of the part is
-  /// gone then.
+  /// Renders a part and gives it its name. `progress`, which must not be empty, counts the frames
+  /// of all cameras. Throws vo::Error where the scene is unusable or the disk full; what was made
+  /// of the part is gone then.
   void make(std::size_t part, const vo::Progress& progress);
 
  private:
