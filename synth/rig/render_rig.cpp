@@ -131,7 +131,7 @@ std::vector<std::string> notes_on_rig(const RigJob& job) {
 RenderPlan plan_rig(const RigJob& job, const fs::path& folder) {
   const double loading_s = load_scene(job.body.scene);
   const RigPlan rig = plan_of(job);
-  RenderPlan plan = plan_share(share_of_rig(job, rig), folder);
+  RenderPlan plan = plan_share(share_of_rig(job, rig), folder, rig.jobs.size());
   plan.processor_s += loading_s;
   return plan;
 }

@@ -26,7 +26,7 @@ RenderOutcome render_rig(const RigJob& job, const std::filesystem::path& folder,
 /// whose light shows in none of them.
 std::vector<std::string> notes_on_rig(const RigJob& job);
 
-/// Estimates a rig's cost as `plan_sequence` does.
+/// Estimates a rig's cost as `plan_sequence` does, from frames of each of its cameras.
 RenderPlan plan_rig(const RigJob& job, const std::filesystem::path& folder);
 
 }  // namespace synth

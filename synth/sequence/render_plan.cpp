@@ -8,18 +8,32 @@
 namespace synth {
 namespace {
 
-constexpr std::size_t kMeasured = 3;  // number of frames to render, spread over the missing ones
+constexpr std::size_t kMeasured = 3;  // least number of frames to render, if so many are missing
 constexpr double kSecondsPerMs = 1e-3;
 
-/// Estimates processor time and bytes of rendering `parts` from the middle ones of equal shares.
-void measure(const ShareJob& job, const std::vector<std::size_t>& parts, RenderPlan& plan) {
+/// Returns some of the parts, spread over all, of each kind equally many.
+std::vector<std::size_t> measured_parts(const std::vector<std::size_t>& parts, std::size_t kinds) {
+  const std::size_t wanted = kinds * ((kMeasured + kinds - 1) / kinds);
+  const std::size_t count = std::min(wanted, parts.size());
+  std::vector<std::size_t> some;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t middle = (2 * i + 1) * parts.size() / (2 * count);  // of equal shares
+    const std::size_t of_kind = middle / kinds * kinds + i % kinds;
+    some.push_back(parts[std::min(of_kind, parts.size() - 1)]);
+  }
+  return some;
+}
+
+/// Estimates processor time and bytes of rendering `parts` from some of them.
+void measure(const ShareJob& job, const std::vector<std::size_t>& parts, std::size_t kinds,
+             RenderPlan& plan) {
   const double start_ms = vo::processor_ms();
   const PartMaker make = job.prepare();
   const double ready_ms = vo::processor_ms();
-  plan.measured = std::min(kMeasured, parts.size());
+  const std::vector<std::size_t> measured = measured_parts(parts, kinds);
+  plan.measured = measured.size();
   double bytes = 0;
-  for (std::size_t i = 0; i < plan.measured; ++i) {
-    const std::size_t part = parts[(2 * i + 1) * parts.size() / (2 * plan.measured)];
+  for (const std::size_t part : measured) {
     for (const vo::NamedBytes& file : make(part).files) {
       bytes += static_cast<double>(file.bytes.size());
     }
@@ -38,14 +52,14 @@ double load_scene(const SceneFile& scene) {
   return kSecondsPerMs * (vo::processor_ms() - start_ms);
 }
 
-RenderPlan plan_share(const ShareJob& job, const std::filesystem::path& folder) {
+RenderPlan plan_share(const ShareJob& job, const std::filesystem::path& folder, std::size_t kinds) {
   const std::vector<std::size_t> missing = parts_to_render(job, folder);
   RenderPlan plan{.frames = job.parts.size(), .there = job.parts.size() - missing.size()};
   for (const std::size_t part : missing) {
     plan.files += job.content.parts[part].files.size();
   }
   if (!missing.empty()) {
-    measure(job, missing, plan);
+    measure(job, missing, kinds, plan);
   }
   return plan;
 }

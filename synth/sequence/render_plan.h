@@ -23,7 +23,10 @@ struct RenderPlan {
 RenderPlan plan_sequence(const RenderJob& job, const std::filesystem::path& folder);
 
 /// Estimates the cost of a share likewise, a frame for each part, without that of loading a scene.
-RenderPlan plan_share(const ShareJob& job, const std::filesystem::path& folder);
+/// Its parts are of so many kinds, in turn, as those of a rig are by its cameras, whose frames cost
+/// unlike much: each kind is measured equally often, once at least.
+RenderPlan plan_share(const ShareJob& job, const std::filesystem::path& folder,
+                      std::size_t kinds = 1);
 
 /// Loads a scene and returns the processor time, s, of that.
 double load_scene(const SceneFile& scene);

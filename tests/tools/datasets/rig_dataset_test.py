@@ -143,6 +143,10 @@ def check_index():
         assert abs(float(sequence["flow_px"]) - flow) < 1e-9 * flow
     plan = json.loads(edvo("plan", "pairs.toml", "--json", "--quiet"))
     assert (plan["sequences"], plan["frames"], plan["parts"]) == (2, len(rows), 6), plan
+    of_frames = [path for path in (SCRATCH / "one/train").rglob("*") if path.stem.isdecimal()]
+    size = sum(path.stat().st_size for path in of_frames)
+    # The left camera's frames alone have disparity, a sixth of all bytes.
+    assert plan["files"] == len(of_frames) and abs(plan["bytes"] - size) < 0.05 * size, (plan, len(of_frames), size)
     kept = json.loads((SCRATCH / "one/dataset.json").read_text())
     assert kept["cameras"] == len(CAMERAS) and [one["frames"] for one in kept["sequences"]] == [FRAMES, FRAMES]
 
