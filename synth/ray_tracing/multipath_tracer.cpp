@@ -13,8 +13,9 @@
 namespace synth {
 namespace {
 
-/// How many times brighter than the straight light one path makes a white diffuse surface at most,
-/// so that none stands out: highlights of the lamp on metals, which few paths find, are left out.
+/// How many times brighter than the straight light one path makes a white diffuse surface at most
+/// by a highlight, so that none stands out: those of the lamp on metals, which few paths find, are
+/// left out.
 constexpr float kBrightest = 10;
 
 constexpr int kBlock = 8;  // px, edge of a square of pixels that share a Sobol sequence
@@ -41,6 +42,14 @@ float straight_radiance(const SeenPoint& seen) {
   return seen.share * cosine / (std::numbers::pi_v<float> * seen.distance * seen.distance);
 }
 
+/// Returns the radiance that a surface reflects of an irradiance of the lamp, its highlight
+/// limited: what it reflects more than a white diffuse surface does there counts for at most
+/// `most`.
+float limited_reflection(float reflected, float irradiance, float most) {
+  const float white = irradiance * std::numbers::inv_pi_v<float>;
+  return std::min(reflected, white) + std::min(most, std::max(0.0F, reflected - white));
+}
+
 }  // namespace
 
 /// A path of light from the lamp to a pixel, followed against its direction.
@@ -48,8 +57,8 @@ struct MultipathTracer::Path {
   std::size_t seen = 0;  ///< lane of the point that the pixel sees
   SurfacePoint point;    ///< as seen from the path's surface before, with a grey base colour
   float weight = 1;      ///< radiance at the pixel per radiance that leaves `point` along the path
-  float most = 0;        ///< 1/(m^2 sr), greatest radiance at the pixel, per intensity of the lamp
-  float length = 0;      ///< m, from the seen point to `point`
+  float most = 0;    ///< 1/(m^2 sr), greatest radiance of a highlight, per intensity of the lamp
+  float length = 0;  ///< m, from the seen point to `point`
   FirstSurface kind = FirstSurface::opaque;
   float share_sent_on = 0;  ///< of the light, by glass
 };
@@ -192,7 +201,8 @@ void MultipathTracer::add_lamp(const SeenPoints& seen, const Paths& paths, Phaso
     const float to_lamp =
         Eigen::Vector3f(light.to_light.x[i], light.to_light.y[i], light.to_light.z[i]).norm();
     const double detour = path.length + to_lamp - seen.lanes[path.seen].distance;
-    const float amplitude = std::min(path.most, path.weight * reflected.x[i]);
+    const float amplitude =
+        limited_reflection(path.weight * reflected.x[i], path.weight * light.share[i], path.most);
     sums[path.seen] += std::polar<double>(amplitude, wave_number_ * detour);
   }
 }

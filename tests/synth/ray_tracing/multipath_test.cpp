@@ -122,13 +122,29 @@ TEST(Multipath, OfALoneWallIsNone) {
 constexpr float kWall = 2;      // m, depth of a wall across the optical axis
 constexpr float kFloor = 0.7F;  // m, of a floor below the camera that ends at the wall
 
-/// The concave corner of a wall and a floor, which is this far below the camera, m.
-Scene corner_of(float albedo, float floor = kFloor) {
+/// A wall across the optical axis and a floor, or a table, below the camera, all m.
+struct WallAndFloor {
+  float wall = kWall;      ///< depth of the wall
+  float below = kFloor;    ///< of the floor, where the wall ends too
+  float near = kWall - 4;  ///< depth at which the floor begins
+  float far = kWall;       ///< depth at which it ends
+  float half_width = 4;    ///< of the floor
+};
+
+Scene scene_of(const WallAndFloor& place, float albedo) {
   Scene scene;
   const Material material = diffuse(Vector3f::Constant(albedo));
-  add(scene, quad({-4, -3, kWall}, {8, 0, 0}, {0, 3 + floor, 0}), material);
-  add(scene, quad({-4, floor, kWall}, {8, 0, 0}, {0, 0, -4}), material);
+  add(scene, quad({-4, -3, place.wall}, {8, 0, 0}, {0, 3 + place.below, 0}), material);
+  add(scene,
+      quad({-place.half_width, place.below, place.far}, {2 * place.half_width, 0, 0},
+           {0, 0, place.near - place.far}),
+      material);
   return scene;
+}
+
+/// The concave corner of a wall and a floor, which is this far below the camera, m.
+Scene corner_of(float albedo, float floor = kFloor) {
+  return scene_of({.below = floor}, albedo);
 }
 
 /// One pixel that looks at a place of the plane z = 1.
@@ -161,19 +177,19 @@ TEST(Multipath, OfBlackWallsIsNone) {
 /// Returns the detour, m, at a point of the wall x m aside of and y m below the optical axis, by
 /// light that the floor reflects, summed over the floor's area: small squares that are lit by the
 /// lamp and light the point.
-double detour_by_floor(double x, double y, double albedo) {
+double detour_by_floor(const WallAndFloor& place, double x, double y, double albedo) {
   constexpr double kStep = 0.01;  // m
-  const Vector3d seen(x, y, kWall);
-  const double cosine = kWall / seen.norm();
+  const Vector3d seen(x, y, place.wall);
+  const double cosine = place.wall / seen.norm();
   const double direct = albedo / std::numbers::pi * cosine / seen.squaredNorm();
   Complex sum = direct;
-  for (double z = kWall - kStep / 2; z > kWall - 4; z -= kStep) {
-    for (double aside = -4 + kStep / 2; aside < 4; aside += kStep) {
-      const Vector3d lit(aside, kFloor, z);
+  for (double z = place.far - kStep / 2; z > place.near; z -= kStep) {
+    for (double aside = -place.half_width + kStep / 2; aside < place.half_width; aside += kStep) {
+      const Vector3d lit(aside, place.below, z);
       const Vector3d chord = lit - seen;
       const double l2 = chord.squaredNorm();
-      const double irradiance = kFloor / lit.norm() / lit.squaredNorm();
-      const double form = (kWall - z) * (kFloor - y) / (l2 * l2);
+      const double irradiance = place.below / lit.norm() / lit.squaredNorm();
+      const double form = (place.wall - z) * (place.below - y) / (l2 * l2);
       const double radiance =
           albedo / std::numbers::pi * albedo / std::numbers::pi * irradiance * form * kStep * kStep;
       sum += std::polar(radiance,
@@ -187,10 +203,19 @@ TEST(Multipath, InACornerIsTheIntegralOverTheOtherWall) {
   for (const auto& [x, y] : {std::pair(0.0, 0.2), {0.0, 0.0}, {-0.6, 0.1}}) {
     const RenderedFrame frame =
         frame_of(corner_of(0.8F), followed(1 << 14, 1), camera_towards(x, y));
-    const double expected = detour_by_floor(kWall * x, kWall * y, 0.8);
+    const double expected = detour_by_floor({}, kWall * x, kWall * y, 0.8);
     EXPECT_GT(expected, 0.005);
     EXPECT_NEAR(detour_at(frame, {0, 0}), expected, 0.005 * expected + 5e-5) << x << ", " << y;
   }
+}
+
+/// The lamp lights the table up to 40 times as brightly as the wall.
+TEST(Multipath, ByATableBesideTheLampIsTheIntegralOverTheTable) {
+  const WallAndFloor table{.wall = 3, .below = 0.3F, .near = 0.2F, .far = 1, .half_width = 0.8F};
+  const RenderedFrame frame =
+      frame_of(scene_of(table, 0.8F), followed(1 << 15, 1), camera_towards(0, -0.4));
+  const double expected = detour_by_floor(table, 0, -0.4 * table.wall, 0.8);
+  EXPECT_NEAR(detour_at(frame, {0, 0}), expected, 0.02 * std::abs(expected));
 }
 
 TEST(Multipath, ComesFromTheFieldOfTheLampAlone) {
