@@ -30,9 +30,13 @@ int place_in_block(const cv::Point& pixel) {
   return place;
 }
 
-/// Takes the mean of red, green and blue for the colour in the lamp's light.
+/// Takes the mean of red, green and blue for the base colour in the lamp's light.
 void become_grey(SurfacePoint& point) {
   point.base_color.setConstant(point.base_color.mean());
+}
+
+Eigen::Vector3f lane_of(const Lanes3& values, std::size_t lane) {
+  return {values.x[lane], values.y[lane], values.z[lane]};
 }
 
 /// Returns the radiance that a white diffuse surface would send back on the straight path, per
@@ -135,7 +139,7 @@ CameraRay MultipathTracer::go_on(std::uint64_t bits, int index, Path& path) {
   }
   const float lobe = scrambled_sobol(vo::mixed(bits), index).x();
   const Scattered scattered = scatter(path.point, lobe, scrambled_sobol(bits, index));
-  path.weight *= scattered.weight.x();
+  path.weight *= scattered.weight.mean();
   return ray_from(path.point, scattered.direction);
 }
 
@@ -198,11 +202,10 @@ void MultipathTracer::add_lamp(const SeenPoints& seen, const Paths& paths, Phaso
   add_reflected(lit, light, Eigen::Vector3f::Ones(), instruction_set_, reflected);
   for (std::size_t i = 0; i < paths.size; ++i) {
     const Path& path = paths.lanes[i];
-    const float to_lamp =
-        Eigen::Vector3f(light.to_light.x[i], light.to_light.y[i], light.to_light.z[i]).norm();
+    const float to_lamp = lane_of(light.to_light, i).norm();
     const double detour = path.length + to_lamp - seen.lanes[path.seen].distance;
-    const float amplitude =
-        limited_reflection(path.weight * reflected.x[i], path.weight * light.share[i], path.most);
+    const float amplitude = limited_reflection(path.weight * lane_of(reflected, i).mean(),
+                                               path.weight * light.share[i], path.most);
     sums[path.seen] += std::polar<double>(amplitude, wave_number_ * detour);
   }
 }

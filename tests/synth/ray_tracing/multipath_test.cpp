@@ -218,6 +218,25 @@ TEST(Multipath, ByATableBesideTheLampIsTheIntegralOverTheTable) {
   EXPECT_NEAR(detour_at(frame, {0, 0}), expected, 0.02 * std::abs(expected));
 }
 
+TEST(Multipath, DoesNotTellColoursOfReflectionsApart) {
+  Material glossy = diffuse(Vector3f::Constant(0.4F));
+  glossy.specular = 1;
+  glossy.roughness = 0.4F;
+  const auto frame_in = [&](const Vector3f& specular_color) {
+    Material material = glossy;
+    material.specular_color = specular_color;
+    Scene scene = corner_of(0);
+    scene.materials = {material, material};
+    return frame_of(scene, followed(4, 2));
+  };
+  const RenderedFrame red = frame_in({1, 0.2F, 0.05F});
+  for (const Vector3f& permuted : {Vector3f(0.2F, 1, 0.05F), Vector3f(0.05F, 0.2F, 1)}) {
+    const RenderedFrame other = frame_in(permuted);
+    EXPECT_LT(cv::norm(red.sight.multipath, other.sight.multipath, cv::NORM_INF), 1e-6);
+    EXPECT_LT(cv::norm(red.sight.beyond_returned, other.sight.beyond_returned, cv::NORM_INF), 1e-6);
+  }
+}
+
 TEST(Multipath, ComesFromTheFieldOfTheLampAlone) {
   Scene scene = corner_of(0.8F);
   add(scene, quad({-4, -3, -1}, {8, 0, 0}, {0, 3.7F, 0}), diffuse({1, 1, 1}));  // behind
