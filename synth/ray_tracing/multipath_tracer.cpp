@@ -9,6 +9,7 @@
 #include "synth/shading/scatter.h"
 #include "synth/shading/scrambled_sobol.h"
 #include "synth/shading/shading.h"
+#include "vo/geometry/field_of_view.h"
 
 namespace synth {
 namespace {
@@ -216,7 +217,7 @@ bool MultipathTracer::is_in_lamp_field(const Eigen::Vector3f& position, int v) c
   }
   const Eigen::Vector3d p_camera = view_.R_world_camera(v).transpose() *
                                    (position.cast<double>() + world_.origin - view_.eye(v).eye);
-  return p_camera.z() > 0 && view_.camera().contains(view_.camera().project(p_camera));
+  return vo::is_in_view(view_.camera(), p_camera);
 }
 
 }  // namespace synth

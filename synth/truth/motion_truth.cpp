@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "vo/geometry/field_of_view.h"
+
 namespace synth {
 namespace {
 
@@ -49,7 +51,7 @@ cv::Mat_<std::uint8_t> occlusion(const PointImage& points, const NextView& next)
       continue;
     }
     const Eigen::Vector3d p_next = seen_from(next, T_next_world, points.points[i]);
-    const bool is_inside = p_next.z() > 0 && next.camera.contains(next.camera.project(p_next));
+    const bool is_inside = vo::is_in_view(next.camera, p_next);
     fates(pixel_of(points, i)) =
         static_cast<std::uint8_t>(is_inside ? PointFate::visible : PointFate::outside);
     if (is_inside) {

@@ -237,6 +237,21 @@ TEST(Multipath, DoesNotTellColoursOfReflectionsApart) {
   }
 }
 
+/// The polynomial of this lens images what is 61 degrees off its axis again near the image's
+/// middle.
+TEST(Multipath, DoesNotComeFromWhereTheLensFoldsBack) {
+  vo::PinholeCamera camera{.width = 32, .height = 24, .fx = 60, .fy = 60, .cx = 15.5, .cy = 11.5};
+  camera.distortion.k1 = -0.3;
+  Scene scene;
+  add(scene, square_at(kWall, 0.6F), diffuse({1, 1, 1}));
+  add(scene, quad({1.8F, -1, 0.8F}, {0, 0, 0.4F}, {0, 2, 0}), diffuse({1, 1, 1}));
+  const auto amount = [&](LampField lamp) {
+    return cv::norm(frame_of(scene, followed(64, 1, lamp), camera).sight.multipath, cv::NORM_INF);
+  };
+  EXPECT_GT(amount(LampField::all), 0.001);
+  EXPECT_EQ(amount(LampField::view), 0);
+}
+
 TEST(Multipath, ComesFromTheFieldOfTheLampAlone) {
   Scene scene = corner_of(0.8F);
   add(scene, quad({-4, -3, -1}, {8, 0, 0}, {0, 3.7F, 0}), diffuse({1, 1, 1}));  // behind

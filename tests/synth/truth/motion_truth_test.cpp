@@ -155,5 +155,18 @@ TEST(MovingObjects, CarryTheirPointsWithThem) {
   }
 }
 
+/// The polynomial of this lens images what is 61 degrees off its axis near the image's middle.
+TEST(Occlusion, IsOutsideWhereTheLensFoldsBack) {
+  const Scene scene = wall();
+  const PointTracer tracer(scene);
+  vo::PinholeCamera folding = wide_camera();
+  folding.fx = folding.fy = 120;
+  folding.distortion.k1 = -0.3;
+  const vo::SE3 aside(Eigen::Quaterniond(Eigen::AngleAxisd(1.0647, Eigen::Vector3d::UnitY())),
+                      {0, 0, 0});
+  const auto fates = occlusion(tracer.trace(wide_camera(), {}), NextView{tracer, folding, aside});
+  EXPECT_EQ(fates(24, 32), static_cast<std::uint8_t>(PointFate::outside));
+}
+
 }  // namespace
 }  // namespace synth
