@@ -98,8 +98,19 @@ struct DepthSightTracer::Line {
   double index = 1;           ///< of refraction of what the line is in
   /// From world axes as mirrors and refraction show them to world axes.
   Eigen::Matrix3d R_world_mirrored = Eigen::Matrix3d::Identity();
-  float near = 0;   ///< m, depth of the last clear surface, with a margin
-  float share = 1;  ///< of light, what clear surfaces send on, one way
+  float near = 0;       ///< m, depth of the last clear surface, with a margin
+  float bent_at = 0;    ///< m, depth of the last surface that refracted the line; 0 before any
+  float spread_to = 0;  ///< m, `spread` there
+  float share = 1;      ///< of light, what clear surfaces send on, one way
+
+  float length_per_depth() const { return static_cast<float>(direction.norm()); }
+
+  /// Returns the length, m, by whose square the light of a lamp at the camera has fallen at a depth
+  /// from `bent_at` on: the sum of lengths over indices of refraction, the reduced distance, which
+  /// near the normals of refracting faces is how far off the lamp's image is.
+  float spread(float depth) const {
+    return spread_to + length_per_depth() * (depth - bent_at) / static_cast<float>(index);
+  }
 };
 
 /// A surface on a line of sight.
@@ -132,12 +143,12 @@ DepthSightTracer::Met DepthSightTracer::meet(const Line& line, const HitPacket& 
   met.ratio = met.kind == FirstSurface::glass ? index_ratio(met.point, material) : 1;
   met.share =
       share_sent_on(met.kind, met.point, material, met.ratio == 1 ? material.ior : met.ratio);
-  const auto per_depth = static_cast<float>(line.direction.norm());  // m of distance per m of depth
-  const float shares = line.share / (static_cast<float>(line.index) * per_depth * traced);
+  const float shares = line.share / (static_cast<float>(line.index) * line.spread(traced));
   met.returned = shares * shares * brightness(met.point);
   met.margin =
       static_cast<float>(kDepthError * met.depth) +
-      2 * met.point.rounding / (per_depth * std::max(kGrazingCosine, incidence_cosine(met.point)));
+      2 * met.point.rounding /
+          (line.length_per_depth() * std::max(kGrazingCosine, incidence_cosine(met.point)));
   return met;
 }
 
@@ -165,6 +176,9 @@ void DepthSightTracer::reflect(const Met& met, Line& line) {
 void DepthSightTracer::refract(const Met& met, const Eigen::Vector3f& onward, Line& line) {
   const Eigen::Vector3d before = line.direction;
   const Eigen::Vector3d place = line.eye.eye + met.depth * before;
+  const auto depth = static_cast<float>(met.depth);
+  line.spread_to = line.spread(depth);
+  line.bent_at = depth;
   line.index *= met.ratio;
   line.direction = before.norm() / met.ratio * onward.cast<double>().normalized();
   line.eye.eye = place - met.depth * line.direction;
@@ -204,11 +218,16 @@ void DepthSightTracer::record(const Line& line, const Met& met, DepthSight& sigh
   sight.beyond_returned(line.pixel) = met.returned;
 }
 
-/// Adds what the pixel of a line sees at its end.
+/// Adds what the pixel of a line sees at its end. Radiance that leaves a solid falls with the
+/// square of its index of refraction.
 void DepthSightTracer::add_seen(const Line& line, const Met& met, SeenPoints& seen) {
+  const double index2 = line.index * line.index;
   seen.lanes[static_cast<std::size_t>(seen.size++)] = {
-      line.pixel, met.point, static_cast<float>(line.index * line.direction.norm() * met.depth),
-      line.share};
+      .pixel = line.pixel,
+      .point = met.point,
+      .distance = static_cast<float>(line.index * line.direction.norm() * met.depth),
+      .spread = line.spread(static_cast<float>(met.depth)),
+      .share = line.share / static_cast<float>(index2)};
 }
 
 void DepthSightTracer::add_multipath(const SeenPoints& seen, DepthSight& sight) const {

@@ -44,7 +44,7 @@ Eigen::Vector3f lane_of(const Lanes3& values, std::size_t lane) {
 /// intensity of the lamp, 1/(m^2 sr), through what is before it once.
 float straight_radiance(const SeenPoint& seen) {
   const float cosine = std::clamp(seen.point.face_normal.dot(seen.point.to_viewer), 0.0F, 1.0F);
-  return seen.share * cosine / (std::numbers::pi_v<float> * seen.distance * seen.distance);
+  return seen.share * cosine / (std::numbers::pi_v<float> * seen.spread * seen.spread);
 }
 
 /// Returns the radiance that a surface reflects of an irradiance of the lamp, its highlight

@@ -21,8 +21,9 @@ namespace synth {
 struct SeenPoint {
   cv::Point pixel;
   SurfacePoint point;
-  float distance = 0;  ///< m, along the line of sight
-  float share = 1;     ///< of the light, what clear surfaces before it send on, one way
+  float distance = 0;  ///< m, optical path along the line of sight
+  float spread = 0;    ///< m, by whose square the lamp's light has fallen there
+  float share = 1;     ///< of the radiance, what the pixel sees through clear surfaces before it
 };
 
 /// The points that neighbouring pixels see, in the first `size` lanes.

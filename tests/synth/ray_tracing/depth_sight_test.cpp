@@ -203,8 +203,20 @@ TEST(DepthSight, ThroughASlabIsTheOpticalPathOfTheClosedForm) {
     EXPECT_NEAR(straight.sight.beyond(pixel), 2.5, 2e-6);
   }
   const float passed = 1 - std::pow(0.6F / 2.6F, 2.0F);  // of one face, at the incidence 0
-  const float length = bent.sight.beyond(kOnAxis);
-  EXPECT_NEAR(bent.sight.beyond_returned(kOnAxis), std::pow(passed, 4.0F) / (length * length),
+  const double reduced = 1 + kThickness / kIor + (2.5 - 1 - kThickness);
+  EXPECT_NEAR(bent.sight.beyond_returned(kOnAxis), std::pow(passed, 4.0F) / (reduced * reduced),
+              1e-5);
+}
+
+/// Rays of light leave glass into n^2 times the solid angle that they have in it.
+TEST(DepthSight, OfAWallInsideASolidReturnsLessLightByTheSquareOfTheIndex) {
+  constexpr double kIor = 1.6;
+  Scene scene;
+  add(scene, quad({9, -9, 1}, {-18, 0, 0}, {0, 18, 0}), solid_glass(kIor));
+  add(scene, square_at(1.5F, 9), diffuse({1, 1, 1}));
+  const RenderedFrame bent = sight_of(scene, SolidGlass::refracted);
+  const double passed = 1 - std::pow(0.6 / 2.6, 2);
+  EXPECT_NEAR(bent.sight.beyond_returned(kOnAxis), std::pow(passed / (kIor * (1 + 0.5 / kIor)), 2),
               1e-5);
 }
 
