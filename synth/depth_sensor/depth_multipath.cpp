@@ -68,7 +68,8 @@ double window_weight(const cv::Point& offset, int radius) {
 }
 
 /// Returns the phasor of all light that a pixel sees, in any unit; the phase of the straight light
-/// is 0.
+/// is 0. Where no pixel of the window tells of it, as beside a triangle without area, which has no
+/// normal, or where no light returns straight, it is that of the pixel's own paths.
 std::complex<double> phasor_at(const cv::Point& pixel, const SeenSurfaces& seen, int radius) {
   const DepthSight& sight = seen.sight;
   const cv::Rect window(pixel.x - radius, pixel.y - radius, 2 * radius + 1, 2 * radius + 1);
@@ -88,7 +89,7 @@ std::complex<double> phasor_at(const cv::Point& pixel, const SeenSurfaces& seen,
     return 1.0 + fit.at_origin();
   }
   const cv::Vec2f& other = sight.multipath(pixel);
-  return {other[0], other[1]};
+  return {sight.beyond_returned(pixel) + other[0], other[1]};
 }
 
 /// Returns the depth that is measured of a surface at a depth, m; 0 if it is lost.

@@ -113,5 +113,12 @@ TEST(DepthMultipath, WithoutStraightLightIsThatOfTheOther) {
   EXPECT_EQ(with_multipath(frame, kEye, slow).depth(8, 12), 0) << "none before the camera";
 }
 
+TEST(DepthMultipath, OfATriangleWithoutAreaIsThatOfItsOwnPixel) {
+  RenderedFrame frame = lit_wall_ahead();
+  frame.normal = cv::Vec3f(0, 0, 0);
+  frame.sight.beyond_normal = cv::Vec3f(0, 0, 0);
+  EXPECT_NEAR(with_multipath(frame, kEye, kSent).depth(8, 12), lengthened_depth({12, 8}), 1e-6);
+}
+
 }  // namespace
 }  // namespace synth
