@@ -33,10 +33,7 @@ float mirror_share(const SurfacePoint& point, float cosine) {
 /// Returns what passes one surface of glass; a thin wall has two boundaries, between which light
 /// goes to and fro: (1 - F) / (1 + F).
 float glass_share(const SurfacePoint& point, const Material& material, float cosine, float ratio) {
-  if (material.ior == 0) {
-    return 0;
-  }
-  const float mirrored = point.specular * fresnel_reflectance(cosine, ratio);
+  const float mirrored = glass_reflectance(point, material, cosine, ratio);
   const float passed = material.layers.is_solid ? 1 - mirrored : (1 - mirrored) / (1 + mirrored);
   return point.transmission * passed * point.base_color.mean();
 }
@@ -140,7 +137,9 @@ DepthSightTracer::Met DepthSightTracer::meet(const Line& line, const HitPacket& 
     met.kind = clear_kind(met.point);
   }
   const Material& material = *surface.mesh->material;
-  met.ratio = met.kind == FirstSurface::glass ? index_ratio(met.point, material) : 1;
+  if (met.kind == FirstSurface::glass && bends(material)) {
+    met.ratio = index_ratio(met.point, material);
+  }
   met.share =
       share_sent_on(met.kind, met.point, material, met.ratio == 1 ? material.ior : met.ratio);
   const float shares = line.share / (static_cast<float>(line.index) * line.spread(traced));
@@ -152,13 +151,9 @@ DepthSightTracer::Met DepthSightTracer::meet(const Line& line, const HitPacket& 
   return met;
 }
 
-/// Returns the index of refraction behind the surface of a solid over that before it; 1 where it
-/// does not bend light.
-float DepthSightTracer::index_ratio(const SurfacePoint& point, const Material& material) const {
-  if (view_.solids() == SolidGlass::straight || !material.layers.is_solid || material.ior == 0) {
-    return 1;
-  }
-  return point.is_from_behind ? 1 / material.ior : material.ior;
+/// Returns whether glass of this material bends the line of sight: that of solids that pass light.
+bool DepthSightTracer::bends(const Material& material) const {
+  return view_.solids() == SolidGlass::refracted && material.layers.is_solid && material.ior != 0;
 }
 
 /// Leads a line to what a mirror shows.

@@ -38,7 +38,7 @@ class DepthSightTracer {
   struct Met;
 
   Met meet(const Line& line, const HitPacket& packet, int lane) const;
-  float index_ratio(const SurfacePoint& point, const Material& material) const;
+  bool bends(const Material& material) const;
   static void reflect(const Met& met, Line& line);
   static void refract(const Met& met, const Eigen::Vector3f& onward, Line& line);
   static void go_on(const Met& met, Line& line);

@@ -16,17 +16,6 @@ float refracted_cosine2(float cosine, float ratio) {
   return 1 - (1 - cosine * cosine) / (ratio * ratio);
 }
 
-/// Returns the share that glass reflects: Fresnel's times the factor of KHR_materials_specular, but
-/// all where none can pass.
-float glass_reflectance(const SurfacePoint& point, const Material& material, float cosine,
-                        float ratio) {
-  if (material.ior == 0) {
-    return 1;
-  }
-  const float whole = fresnel_reflectance(cosine, ratio);
-  return whole < 1 ? point.specular * whole : 1;
-}
-
 /// Returns the share of facets of a GGX surface that is not hidden in a direction at this cosine.
 float unmasked(float alpha, float cosine) {
   const float c2 = cosine * cosine;
@@ -49,8 +38,7 @@ Eigen::Vector3f through_wall(const SurfacePoint& point, const Eigen::Vector3f& f
 /// Returns how a path goes on at one facet of glass.
 GlassScattered scatter_at_facet(const SurfacePoint& point, const Material& material, float choice,
                                 const Eigen::Vector3f& facet) {
-  const bool leaves = material.layers.is_solid && point.is_from_behind;
-  const float ratio = leaves ? 1 / material.ior : material.ior;
+  const float ratio = index_ratio(point, material);
   const float cosine = std::clamp(facet.dot(point.to_viewer), 0.0F, 1.0F);
   GlassScattered result{Eigen::Vector3f::Zero(), Eigen::Vector3f::Ones()};
   result.is_reflected = choice < glass_reflectance(point, material, cosine, ratio);
@@ -97,6 +85,20 @@ float fresnel_reflectance(float cosine, float ratio) {
   const float across = (cosine - ratio * behind) / (cosine + ratio * behind);
   const float along = (ratio * cosine - behind) / (ratio * cosine + behind);
   return 0.5F * (across * across + along * along);
+}
+
+float index_ratio(const SurfacePoint& point, const Material& material) {
+  const bool leaves = material.layers.is_solid && point.is_from_behind;
+  return leaves ? 1 / material.ior : material.ior;
+}
+
+float glass_reflectance(const SurfacePoint& point, const Material& material, float cosine,
+                        float ratio) {
+  if (material.ior == 0) {
+    return 1;
+  }
+  const float whole = fresnel_reflectance(cosine, ratio);
+  return whole < 1 ? point.specular * whole : 1;
 }
 
 std::optional<Eigen::Vector3f> refracted(const Eigen::Vector3f& to_viewer,

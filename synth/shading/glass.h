@@ -15,6 +15,16 @@ namespace synth {
 /// before it.
 float fresnel_reflectance(float cosine, float ratio);
 
+/// Returns the index of refraction behind a point of glass over that before it, as its viewer sees
+/// it: solids are left from behind, thin walls met from the air on either side. Infinite behind a
+/// solid of the index 0, which reflects all light.
+float index_ratio(const SurfacePoint& point, const Material& material);
+
+/// Returns the share of light that glass reflects: fresnel_reflectance times the factor of
+/// KHR_materials_specular, but all where none can pass, as with an index of refraction of 0.
+float glass_reflectance(const SurfacePoint& point, const Material& material, float cosine,
+                        float ratio);
+
 /// Returns the unit direction in which a ray towards a boundary goes on behind it, by Snell's law;
 /// nothing in total internal reflection. `to_viewer` is unit, against the ray, and on the side of
 /// the unit `normal`; `ratio` as in fresnel_reflectance.
