@@ -34,6 +34,11 @@ int RenderOptions::samples_per_edge() const {
   return static_cast<int>(std::ceil(std::sqrt(samples)));
 }
 
+bool RenderOptions::draws_projectors() const {
+  return kind == RendererKind::ray_tracer &&
+         (mode == RenderMode::direct || mode == RenderMode::path);
+}
+
 RenderedFrame empty_frame(const vo::PinholeCamera& camera, const Channels& channels) {
   const cv::Size size(camera.width, camera.height);
   const cv::Vec3f none(0, 0, 0);

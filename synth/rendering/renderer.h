@@ -50,8 +50,9 @@ struct RenderOptions {
   /// slanted surface; 1 blurs across the slant as much as along it.
   int anisotropy = 1;
 
-  int samples_per_edge() const;  ///< side of the sample grid, ceil(sqrt(samples))
-  void validate() const;         ///< throws vo::Error if out of range
+  int samples_per_edge() const;   ///< side of the sample grid, ceil(sqrt(samples))
+  bool draws_projectors() const;  ///< whether infrared cameras see the light of projectors
+  void validate() const;          ///< throws vo::Error if out of range
 };
 
 template <typename Visitor>

@@ -70,16 +70,26 @@ void choose_channels(const vo::Rig& rig, const vo::RigCamera& camera, TruthOptio
   }
 }
 
-std::vector<cv::Mat_<float>> patterns_of(const vo::Rig& rig) {
+/// Returns the patterns of a rig's projectors; none where no camera sees their light.
+std::vector<cv::Mat_<float>> patterns_of(const vo::Rig& rig, const RenderOptions& render) {
+  constexpr std::size_t kMostPixels = std::size_t{1} << 26U;  // 256 MB
   std::vector<cv::Mat_<float>> patterns;
+  if (!render.draws_projectors() || !vo::has_infrared_camera(rig)) {
+    return patterns;
+  }
+  std::size_t pixels = 0;
   for (const vo::RigProjector& projector : rig.projectors) {
     patterns.push_back(pattern_of(projector));
+    pixels += patterns.back().total();
+    vo::require(pixels <= kMostPixels, vo::describe(projector), ": pattern: expected at most ",
+                kMostPixels, " pixels in the patterns of all projectors, got ", pixels,
+                " up to this one");
   }
   return patterns;
 }
 
-/// Returns how a camera of a rig sees infrared light, `patterns` being the projectors'; none if it
-/// sees colours.
+/// Returns how a camera of a rig sees infrared light, `patterns` being the projectors' or empty
+/// where they are not drawn; none if it sees colours.
 std::optional<InfraredBand> infrared_of(const vo::Rig& rig, const vo::RigCamera& camera,
                                         const std::vector<cv::Mat_<float>>& patterns) {
   if (camera.spectrum != vo::Spectrum::infrared) {
@@ -117,7 +127,7 @@ RenderJob camera_job(const RigJob& job, std::size_t number) {
 
 std::vector<RenderJob> camera_jobs(const RigJob& job) {
   std::vector<RenderJob> jobs;
-  const std::vector<cv::Mat_<float>> patterns = patterns_of(job.rig);
+  const std::vector<cv::Mat_<float>> patterns = patterns_of(job.rig, job.body.recipe.render);
   for (std::size_t i = 0; i < job.rig.cameras.size(); ++i) {
     jobs.push_back(camera_job(job, i));
     jobs.back().recipe.infrared = infrared_of(job.rig, job.rig.cameras[i], patterns);

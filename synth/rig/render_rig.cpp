@@ -1,6 +1,5 @@
 #include "synth/rig/render_rig.h"
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,15 +18,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A rig, its cameras' jobs, and the folder that they fill: for each pose of the body a part for
+/// The jobs of a rig's cameras, and the folder that they fill: for each pose of the body a part for
 /// each camera, in the rig's order.
 struct RigPlan {
-  std::vector<RenderJob> jobs;
+  const std::vector<RenderJob>& jobs;
   vo::StagedContent content;
 };
 
-RigPlan plan_of(const RigJob& job) {
-  RigPlan plan{camera_jobs(job), {}};
+RigPlan plan_of(const RigJob& job, const std::vector<RenderJob>& cameras) {
+  RigPlan plan{cameras, {}};
   plan.content.marker = rig_manifest(job, plan.jobs);
   plan.content.rest = rig_files(job, plan.jobs);
   for (const vo::RigCamera& camera : job.rig.cameras) {
@@ -91,10 +90,11 @@ void add_coverage(const RigJob& job, const RigPlan& plan, RenderOutcome& outcome
 
 }  // namespace
 
-RenderOutcome render_rig(const RigJob& job, const fs::path& folder, const vo::OutputPolicy& policy,
+RenderOutcome render_rig(const RigJob& job, const std::vector<RenderJob>& cameras,
+                         const fs::path& folder, const vo::OutputPolicy& policy,
                          const vo::Progress& progress, const MadeFrameObserver& observe) {
   frames_of(job.body.share, job.body.recipe.truth.size());  // throws before any work
-  const RigPlan plan = plan_of(job);
+  const RigPlan plan = plan_of(job, cameras);
   MadeFrameObserver first_camera;
   if (observe) {
     first_camera = [&](std::size_t part, const MadeFrame& frame) {
@@ -116,21 +116,19 @@ std::vector<std::string> notes_on_rig(const RigJob& job) {
   if (job.rig.projectors.empty() || render.mode == RenderMode::depth) {
     return notes;
   }
-  const bool has_infrared = std::any_of(
-      job.rig.cameras.begin(), job.rig.cameras.end(),
-      [](const vo::RigCamera& camera) { return camera.spectrum == vo::Spectrum::infrared; });
-  if (!has_infrared) {
+  if (!vo::has_infrared_camera(job.rig)) {
     notes.emplace_back("projectors are left out: no camera of the rig has spectrum = \"infrared\"");
-  } else if (render.kind == RendererKind::rasterizer || render.mode == RenderMode::unlit) {
+  } else if (!render.draws_projectors()) {
     notes.emplace_back(
         "projectors are left out; the ray tracer draws their light in the modes direct and path");
   }
   return notes;
 }
 
-RenderPlan plan_rig(const RigJob& job, const fs::path& folder) {
+RenderPlan plan_rig(const RigJob& job, const std::vector<RenderJob>& cameras,
+                    const fs::path& folder) {
   const double loading_s = load_scene(job.body.scene);
-  const RigPlan rig = plan_of(job);
+  const RigPlan rig = plan_of(job, cameras);
   RenderPlan plan = plan_share(share_of_rig(job, rig), folder, rig.jobs.size());
   plan.processor_s += loading_s;
   return plan;

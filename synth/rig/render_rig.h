@@ -13,20 +13,22 @@
 namespace synth {
 
 /// Renders a share of a rig into a folder that appears when all its frames are there, as
-/// `render_sequence` says of a sequence. Each camera's frames are in a folder of its name, which is
-/// that of its job rendered alone; beside them are rig.toml, groundtruth.txt (T_world_body), the
-/// patterns of projectors that come from files and, if the channel `imu` is asked for, the IMU's
-/// files. Frames of the outcome are those of all cameras;
-/// `observe` is called with those of the first one that this call renders.
-RenderOutcome render_rig(const RigJob& job, const std::filesystem::path& folder,
-                         const vo::OutputPolicy& policy, const vo::Progress& progress,
-                         const MadeFrameObserver& observe = {});
+/// `render_sequence` says of a sequence. `cameras` are the jobs that `camera_jobs` makes of it.
+/// Each camera's frames are in a folder of its name, which is that of its job, of `cameras`,
+/// rendered alone; beside them are rig.toml, groundtruth.txt (T_world_body), the patterns of
+/// projectors that come from files and, if the channel `imu` is asked for, the IMU's files. Frames
+/// of the outcome are those of all cameras; `observe` is called with those of the first one that
+/// this call renders.
+RenderOutcome render_rig(const RigJob& job, const std::vector<RenderJob>& cameras,
+                         const std::filesystem::path& folder, const vo::OutputPolicy& policy,
+                         const vo::Progress& progress, const MadeFrameObserver& observe = {});
 
 /// Returns notes on what the pictures of a rig leave out: those of the scene, and on projectors
 /// whose light shows in none of them.
 std::vector<std::string> notes_on_rig(const RigJob& job);
 
 /// Estimates a rig's cost as `plan_sequence` does, from frames of each of its cameras.
-RenderPlan plan_rig(const RigJob& job, const std::filesystem::path& folder);
+RenderPlan plan_rig(const RigJob& job, const std::vector<RenderJob>& cameras,
+                    const std::filesystem::path& folder);
 
 }  // namespace synth

@@ -81,6 +81,7 @@ struct RenderArguments {
   std::string out;
   std::string rig_file;
   std::optional<vo::Rig> rig;
+  std::vector<synth::RenderJob> cameras;  ///< the jobs of the rig's cameras
 
   synth::RigJob rig_job() const { return {*rig, job}; }  ///< of a rig alone
 
@@ -223,12 +224,11 @@ synth::RenderJob chosen_job(const RenderArguments& arguments) {
 /// Renders a rig's cameras, of which the page shows the first.
 synth::RenderOutcome rendered_rig(const RenderArguments& arguments, WatchedRun& watched,
                                   const vo::Progress& progress) {
-  const synth::RigJob job = arguments.rig_job();
-  const synth::RenderJob first = synth::camera_jobs(job).front();
-  watched.begin(rendering_stage(first.recipe, arguments.scene));
-  return synth::render_rig(job, arguments.out, arguments.common.output_policy(),
-                           watched.progress(progress),
-                           rendered_frames_on(watched, first.recipe.camera.depth_units_per_m));
+  const synth::SequenceRecipe& first = arguments.cameras.front().recipe;
+  watched.begin(rendering_stage(first, arguments.scene));
+  return synth::render_rig(arguments.rig_job(), arguments.cameras, arguments.out,
+                           arguments.common.output_policy(), watched.progress(progress),
+                           rendered_frames_on(watched, first.camera.depth_units_per_m));
 }
 
 synth::RenderOutcome rendered(const RenderArguments& arguments, WatchedRun& watched,
@@ -258,14 +258,17 @@ void render(RenderArguments& arguments, const Session& session) {
     arguments.rig = vo::read_rig(arguments.rig_file);
   }
   arguments.job = chosen_job(arguments);
+  if (arguments.rig) {
+    arguments.cameras = synth::camera_jobs(arguments.rig_job());
+  }
   if (arguments.strict) {
     refuse_what_is_left_out(arguments);
   }
   if (arguments.plan) {
     bar.announce("planning");
-    const synth::RenderPlan plan = arguments.rig
-                                       ? synth::plan_rig(arguments.rig_job(), arguments.out)
-                                       : synth::plan_sequence(arguments.job, arguments.out);
+    const synth::RenderPlan plan =
+        arguments.rig ? synth::plan_rig(arguments.rig_job(), arguments.cameras, arguments.out)
+                      : synth::plan_sequence(arguments.job, arguments.out);
     bar.erase();
     print(arguments, plan);
     return;

@@ -36,8 +36,8 @@ DatasetEstimate estimate_dataset(const DatasetSpec& spec, const DatasetPlan& pla
   std::size_t frames = 0;
   for (std::size_t i = 0; i < sequences.size(); ++i) {
     const SequenceJob& job = jobs.job(sequences[i]);
-    const synth::RenderPlan one =
-        job.rig ? synth::plan_rig(*job.rig, {}) : synth::plan_sequence(job.cameras.front(), {});
+    const synth::RenderPlan one = job.rig ? synth::plan_rig(*job.rig, job.cameras, {})
+                                          : synth::plan_sequence(job.cameras.front(), {});
     estimate.files += one.files;
     estimate.bytes += one.bytes;
     estimate.processor_s += one.processor_s;

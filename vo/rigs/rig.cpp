@@ -57,6 +57,11 @@ std::string describe(const RigProjector& projector) {
   return concat(projector.place, ": projector '", projector.name, "'");
 }
 
+bool has_infrared_camera(const Rig& rig) {
+  return std::any_of(rig.cameras.begin(), rig.cameras.end(),
+                     [](const RigCamera& camera) { return camera.spectrum == Spectrum::infrared; });
+}
+
 const RigCamera& stereo_partner(const Rig& rig, const RigCamera& left) {
   const std::string place = concat(describe(left), ": stereo = \"", left.stereo, "\": ");
   const auto right =

@@ -65,8 +65,8 @@ struct RigProjector {
 /// Cameras, an IMU and projectors on one rigid body.
 struct Rig {
   SE3 T_body_imu;
-  std::vector<RigCamera> cameras;  ///< in the file's order, one at least
-  std::vector<RigProjector> projectors;
+  std::vector<RigCamera> cameras;        ///< in the file's order, one at least
+  std::vector<RigProjector> projectors;  ///< likewise, or none
 };
 
 /// Returns whether a name can be that of a file or folder: letters, digits, '-' and '_', at least
@@ -78,6 +78,9 @@ std::string describe(const RigCamera& camera);
 
 /// Likewise of a projector.
 std::string describe(const RigProjector& projector);
+
+/// Returns whether a camera of the rig sees infrared light.
+bool has_infrared_camera(const Rig& rig);
 
 /// Returns the camera that `left` names as its stereo partner, to its right. Throws Error if there
 /// is none of that name, or if the two are not rectified: image and intrinsics equal, no lens

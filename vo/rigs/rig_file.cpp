@@ -109,6 +109,21 @@ std::string format_rig_camera(const RigCamera& camera) {
   return text;
 }
 
+/// Reads the projectors of a rig's file in a folder.
+std::vector<RigProjector> read_projectors(const std::vector<TomlRecord>& records,
+                                          const std::filesystem::path& folder) {
+  constexpr std::size_t kMostProjectors = 16;
+  if (records.size() > kMostProjectors) {
+    fail(records[kMostProjectors].place, ": [[projector]]: expected at most ", kMostProjectors,
+         " projectors, got ", records.size());
+  }
+  std::vector<RigProjector> projectors;
+  for (const TomlRecord& record : records) {
+    projectors.push_back(read_rig_projector(record, folder));
+  }
+  return projectors;
+}
+
 /// Throws Error unless each camera or projector has a name that no other one has.
 template <typename Part>
 void require_own_names(const std::vector<Part>& parts, const char* kind) {
@@ -134,9 +149,7 @@ Rig read_rig(const std::filesystem::path& path) {
   for (TomlRecord& record : cameras) {
     rig.cameras.push_back(read_rig_camera(std::move(record)));
   }
-  for (const TomlRecord& record : file.arrays["projector"]) {
-    rig.projectors.push_back(read_rig_projector(record, path.parent_path()));
-  }
+  rig.projectors = read_projectors(file.arrays["projector"], path.parent_path());
   require_own_names(rig.cameras, "camera");
   require_own_names(rig.projectors, "projector");
   for (const RigCamera& camera : rig.cameras) {

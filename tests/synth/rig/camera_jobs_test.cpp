@@ -88,5 +88,35 @@ TEST(CameraJobs, DisparityGoesToTheCameraThatNamesAPartner) {
   EXPECT_THAT(error_text([&] { camera_jobs(job); }), HasSubstr("names its partner"));
 }
 
+constexpr const char* kInfrared = "spectrum=\"infrared\"";
+
+std::string projector(const std::string& name, const std::string& rest) {
+  return "[[projector]]\nname=\"" + name + "\"\nfov_deg=[90.0,90.0]\n" + rest + "\n";
+}
+
+TEST(CameraJobs, PatternsAreMadeOnlyWhereACameraSeesThem) {
+  const std::string missing = projector("p", "pattern=\"missing.png\"");
+  EXPECT_EQ(camera_jobs(job_of(camera("a") + missing)).size(), 1U);
+  RigJob infrared = job_of(camera("a", kInfrared) + missing);
+  EXPECT_THAT(error_text([&] { camera_jobs(infrared); }), HasSubstr("missing.png"));
+  for (const RenderOptions& without :
+       {RenderOptions{.mode = RenderMode::unlit}, RenderOptions{.mode = RenderMode::depth},
+        RenderOptions{.kind = RendererKind::rasterizer}}) {
+    infrared.body.recipe.render = without;
+    EXPECT_TRUE(camera_jobs(infrared)[0].recipe.infrared.value().projectors.empty());
+  }
+}
+
+TEST(CameraJobs, RefusesPatternsOfMorePixelsInAllThanFitIntoMemory) {
+  std::string text = camera("a", kInfrared);
+  const std::string widest = "dots.number=1\ndots.diameter_deg=0.112\n";  // 4093 x 4093 px
+  for (const char* name : {"p", "q", "r", "s"}) {
+    text += projector(name, widest);
+  }
+  EXPECT_EQ(camera_jobs(job_of(text))[0].recipe.infrared.value().projectors.size(), 4U);
+  EXPECT_THAT(error_text([&] { camera_jobs(job_of(text + projector("t", widest))); }),
+              HasSubstr("projector 't': pattern: expected at most 67108864 pixels"));
+}
+
 }  // namespace
 }  // namespace synth

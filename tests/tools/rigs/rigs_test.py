@@ -319,10 +319,10 @@ def check_refusals(edvo, rig):
             (camera + DOTS + "brightness = 2.0\n", ["bad.toml:15", "brightness"]),
             (camera + DOTS.replace("30.0", "-1.0"), ["bad.toml:9: projector 'dots': power", "-1"]),
             (camera + DOTS.replace("[60.0", "[180.0"), ["'dots': fov_deg", "180"]),
-            (camera + DOTS.replace("0.8", "0.001"), ["'dots': dots.diameter_deg", "at least"]),
+            (camera + LIGHT + DOTS.replace("0.8", "0.001"), ["'dots': dots.diameter_deg", "at least"]),
             (camera + SLIDE.replace("slide.png", "stripes"), ["'slide': pattern", "stripes", "random_dots"]),
             (camera + SLIDE.replace("slide.png", "missing.png"), ["bad.toml:9: projector 'slide': pattern", "missing.png"]),
-            (camera + SLIDE.replace("slide.png", "broken.png"), ["'slide': pattern", "broken.png"]),
+            (camera + LIGHT + SLIDE.replace("slide.png", "broken.png"), ["'slide': pattern", "broken.png"]),
             (camera + "spectrum = \"red\"\n", ["bad.toml:9", "spectrum", "infrared"]),
             (camera + "scene_light = 0.5\n", ["'a': scene_light"]),
             ("", ["bad.toml", "[[camera]]"])):

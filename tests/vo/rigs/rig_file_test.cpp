@@ -144,6 +144,16 @@ TEST(RigFile, RefusesProjectorsThatAreNone) {
               HasSubstr("'a': scene_light: expected a share from 0 to 1, got 1.5"));
 }
 
+TEST(RigFile, HasAtMostSixteenProjectors) {
+  std::string text = camera("a");
+  for (int i = 0; i < 16; ++i) {
+    text += projector(vo::concat("p", i));
+  }
+  EXPECT_EQ(read(text).projectors.size(), 16U);
+  EXPECT_THAT(refusal(text + projector("q")),
+              HasSubstr("rig.toml:74: [[projector]]: expected at most 16 projectors, got 17"));
+}
+
 TEST(RigFile, TheBaselineIsTheDistanceOfARectifiedPairHoweverItIsTurned) {
   const std::string turned = "\norientation = [0, 0, 0.6, 0.8]";  // x is (0.28, 0.96, 0)
   const vo::Rig rig = read(camera("l", "stereo = \"r\"\nposition = [1, 2, 3]" + turned) +
