@@ -142,4 +142,14 @@ std::vector<RenderJob> camera_jobs(const RigJob& job) {
   return jobs;
 }
 
+NeededTextures needed_textures(const RigJob& job) {
+  NeededTextures needed = NeededTextures::alpha;
+  SequenceRecipe recipe = job.body.recipe;
+  for (std::size_t i = 0; i < job.rig.cameras.size(); ++i) {
+    recipe.sensor = sensor_of(job.rig.cameras[i], job.body.recipe.sensor, i);
+    needed = std::min(needed, needed_textures(recipe));  // what each needs, the earlier ones have
+  }
+  return needed;
+}
+
 }  // namespace synth

@@ -24,4 +24,8 @@ struct RigJob {
 /// is asked for and no camera has a partner.
 std::vector<RenderJob> camera_jobs(const RigJob& job);
 
+/// Returns the textures that the images and channels of any of the cameras depend on, for which the
+/// body needs neither poses nor a scene. Throws as `camera_jobs` does of a sensor.
+NeededTextures needed_textures(const RigJob& job);
+
 }  // namespace synth

@@ -1,5 +1,6 @@
 #include "synth/rig/render_rig.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -105,13 +106,20 @@ RenderOutcome render_rig(const RigJob& job, const std::vector<RenderJob>& camera
   }
   RenderOutcome outcome =
       render_share(share_of_rig(job, plan), folder, policy, {progress, first_camera});
-  outcome.notes = notes_on_rig(job);
+  outcome.notes = notes_on_rig(job, cameras);
   add_coverage(job, plan, outcome);
   return outcome;
 }
 
-std::vector<std::string> notes_on_rig(const RigJob& job) {
-  std::vector<std::string> notes = notes_on_scene(job.body);
+std::vector<std::string> notes_on_rig(const RigJob& job, const std::vector<RenderJob>& cameras) {
+  std::vector<std::string> notes;
+  for (const RenderJob& camera : cameras) {
+    for (std::string& note : notes_on_scene(camera)) {
+      if (std::find(notes.begin(), notes.end(), note) == notes.end()) {
+        notes.push_back(std::move(note));
+      }
+    }
+  }
   const RenderOptions& render = job.body.recipe.render;
   if (job.rig.projectors.empty() || render.mode == RenderMode::depth) {
     return notes;

@@ -23,9 +23,9 @@ RenderOutcome render_rig(const RigJob& job, const std::vector<RenderJob>& camera
                          const std::filesystem::path& folder, const vo::OutputPolicy& policy,
                          const vo::Progress& progress, const MadeFrameObserver& observe = {});
 
-/// Returns notes on what the pictures of a rig leave out: those of the scene, and on projectors
-/// whose light shows in none of them.
-std::vector<std::string> notes_on_rig(const RigJob& job);
+/// Returns notes on what the pictures of a rig leave out: those on any of its cameras' jobs, each
+/// once, and on projectors whose light shows in none of them.
+std::vector<std::string> notes_on_rig(const RigJob& job, const std::vector<RenderJob>& cameras);
 
 /// Estimates a rig's cost as `plan_sequence` does, from frames of each of its cameras.
 RenderPlan plan_rig(const RigJob& job, const std::vector<RenderJob>& cameras,

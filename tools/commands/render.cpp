@@ -206,7 +206,8 @@ synth::RenderJob chosen_job(const RenderArguments& arguments) {
     vo::require(!arguments.out.empty() || arguments.plan, "--out: expected a folder to make");
   });
   synth::GltfOptions file = arguments.file;
-  file.needed = synth::needed_textures(job.recipe);
+  file.needed = arguments.rig ? synth::needed_textures({*arguments.rig, job})
+                              : synth::needed_textures(job.recipe);
   job.scene = synth::SceneFile(arguments.scene, file, load_actors(arguments.actors));
   if (!arguments.frames.empty()) {
     synth::parse_frames(arguments.frames, job.share);
@@ -244,8 +245,9 @@ synth::RenderOutcome rendered(const RenderArguments& arguments, WatchedRun& watc
 
 /// Throws vo::Error if the scene has what would be left out of the pictures.
 void refuse_what_is_left_out(const RenderArguments& arguments) {
-  const std::vector<std::string> notes = arguments.rig ? synth::notes_on_rig(arguments.rig_job())
-                                                       : synth::notes_on_scene(arguments.job);
+  const std::vector<std::string> notes =
+      arguments.rig ? synth::notes_on_rig(arguments.rig_job(), arguments.cameras)
+                    : synth::notes_on_scene(arguments.job);
   vo::require(notes.empty(), arguments.scene, ": ", notes.empty() ? "" : notes.front(),
               ", expected a scene of which nothing is left out, as --strict says");
 }

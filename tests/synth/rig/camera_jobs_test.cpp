@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "synth/path/camera_path.h"
+#include "synth/sensor/preset.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 #include "vo/rigs/rig_file.h"
@@ -86,6 +87,20 @@ TEST(CameraJobs, DisparityGoesToTheCameraThatNamesAPartner) {
   EXPECT_THAT(jobs[1].recipe.channels.channels, ElementsAre(TruthChannel::depth));
   job.rig.cameras[0].stereo.clear();
   EXPECT_THAT(error_text([&] { camera_jobs(job); }), HasSubstr("names its partner"));
+}
+
+TEST(CameraJobs, TheTexturesOfARigAreThoseThatAnyOfItsSensorsNeeds) {
+  const auto needed = [](const std::string& sensor, SensorPreset of_all = SensorPreset::perfect) {
+    RigJob job{job_of(camera("a", sensor) + camera("b", "sensor.preset=\"perfect\"")).rig, {}};
+    job.body.recipe.render.mode = RenderMode::depth;
+    job.body.recipe.sensor = preset_options(of_all);
+    return needed_textures(job);
+  };
+  EXPECT_EQ(needed(""), NeededTextures::alpha);
+  EXPECT_EQ(needed("sensor.depth.multipath.frequency=200e6"), NeededTextures::surfaces);
+  EXPECT_EQ(needed("sensor.depth.materials.min_return=0.01"), NeededTextures::surfaces);
+  EXPECT_EQ(needed("", SensorPreset::kinect_v1), NeededTextures::surfaces);
+  EXPECT_EQ(needed("sensor.preset=\"perfect\"", SensorPreset::kinect_v1), NeededTextures::alpha);
 }
 
 constexpr const char* kInfrared = "spectrum=\"infrared\"";

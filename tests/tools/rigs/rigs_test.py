@@ -301,6 +301,31 @@ def check_notes_on_projectors(edvo):
     edvo.render("room", "--rig still.toml --strict --out strict")
 
 
+def check_notes_on_sensors(edvo):
+    """What the renderer leaves out of one camera's sensor is noted, and --strict refuses it."""
+    for sensor, word in (("depth.multipath.frequency = 200e6", "multipath"), ("depth.materials.min_return = 0.01", "materials")):
+        edvo.rig("sensors.toml", f"[[camera]]\nname = \"plain\"\n{IMAGE}[[camera]]\nname = \"a\"\n{IMAGE}"
+                 f"sensor.{sensor}\n[[camera]]\nname = \"b\"\n{IMAGE}sensor.{sensor}\n")
+        rendered = edvo.render("room", "--rig sensors.toml --renderer rasterizer --json --out noted --force")[0]
+        assert len([note for note in json.loads(rendered)["notes"] if f"sensor.depth.{word} is left out" in note]) == 1, rendered
+        refusal = edvo.render("room", "--rig sensors.toml --renderer rasterizer --strict --out refused", 3)[1]
+        assert f"sensor.depth.{word} is left out" in refusal
+        assert not (edvo.work / "refused").exists()
+
+
+def check_needed_textures(edvo):
+    """A texture that one camera's sensor alone needs must be there."""
+    scene = edvo.work / "untextured"
+    scene.mkdir()
+    for file in (edvo.source / "assets/room").iterdir():
+        if file.suffix in (".gltf", ".bin") or file.name == "leaf.png":  # which has holes
+            shutil.copy(file, scene)
+    edvo.rig("seeing.toml", f"[[camera]]\nname = \"a\"\n{IMAGE}sensor.depth.materials.min_return = 0.01\n")
+    for rig, code in (("one.toml", 0), ("seeing.toml", 3)):
+        errors = edvo.run(f"render {scene}/room.gltf {PATH} --rig {rig} --mode depth --out depth_only", code)[1]
+        assert code == 0 or "floor_planks.png" in errors, errors
+
+
 def check_refusals(edvo, rig):
     """What is wrong is named with file and element, exit code 3, and nothing is left behind."""
     camera = f"[[camera]]\nname = \"a\"\n{IMAGE}"
@@ -359,6 +384,8 @@ def main():
     check_euroc(edvo, rig)
     check_projectors(edvo, rig)
     check_notes_on_projectors(edvo)
+    check_notes_on_sensors(edvo)
+    check_needed_textures(edvo)
     check_refusals(edvo, rig)
     return 0
 
