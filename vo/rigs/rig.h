@@ -52,7 +52,7 @@ struct RigProjector {
   std::string name;                                   ///< unique among the projectors
   SE3 T_body_projector;                               ///< x right, y down, z forward, as a camera
   Eigen::Vector2d fov_deg = Eigen::Vector2d::Zero();  ///< of the pattern, horizontal and vertical
-  double power = 1;  ///< radiant intensity at the pattern's white, lamps' unit (cd)
+  double power = 1;  ///< radiant intensity at the pattern's white, lamps' unit (cd), 0 to 1e9
   std::string pattern = kRandomDots;  ///< or a PNG file's path, relative to the rig's file
   RandomDots dots;                    ///< of the pattern kRandomDots
   std::filesystem::path folder;       ///< of the rig's file

@@ -1,7 +1,6 @@
 #include "vo/rigs/rig_projector.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
@@ -33,16 +32,17 @@ void validate_dots(const RandomDots& dots, const std::string& place) {
 }
 
 void validate_projector(const RigProjector& projector) {
-  constexpr double kMinFov = 1;    // deg
-  constexpr double kMaxFov = 170;  // deg
+  constexpr double kMinFov = 1;      // deg
+  constexpr double kMaxFov = 170;    // deg
+  constexpr double kMaxPower = 1e9;  // cd; pictures are computed in 32-bit floats
   const std::string place = describe(projector);
   for (const double fov : projector.fov_deg) {
     require(fov >= kMinFov && fov <= kMaxFov, place,
             ": fov_deg: expected two angles, horizontal and vertical, from ", kMinFov, " to ",
             kMaxFov, " deg, got ", format_real(fov));
   }
-  require(projector.power >= 0 && std::isfinite(projector.power), place,
-          ": power: expected a radiant intensity at or above 0, got ",
+  require(projector.power >= 0 && projector.power <= kMaxPower, place,
+          ": power: expected a radiant intensity from 0 to ", format_real(kMaxPower), ", got ",
           format_real(projector.power));
   require(!projector.has_file() || projector.file().extension() == ".png", place, ": pattern: is ",
           quoted_toml(projector.pattern), ", expected ", quoted_toml(kRandomDots),

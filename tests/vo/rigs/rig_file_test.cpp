@@ -131,6 +131,8 @@ TEST(RigFile, RefusesProjectorsThatAreNone) {
   EXPECT_THAT(refused("fov_deg = [nan, 60]"), HasSubstr("fov_deg"));
   EXPECT_THAT(refused(fov + "power = -1.0"), HasSubstr("'p': power: expected"));
   EXPECT_THAT(refused(fov + "power = inf"), HasSubstr("power"));
+  EXPECT_THAT(refused(fov + "power = 1e300"),
+              HasSubstr("'p': power: expected a radiant intensity from 0 to 1e+09, got 1e+300"));
   EXPECT_THAT(refused(fov + "pattern = \"stripes\""),
               HasSubstr("'p': pattern: is \"stripes\", expected \"random_dots\" or a PNG file"));
   EXPECT_THAT(refused(fov + "pattern = \"p.png\"\ndots.seed = 1"), HasSubstr("'p': dots: "));
