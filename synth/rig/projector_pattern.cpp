@@ -29,11 +29,9 @@ auto of_projector(const vo::RigProjector& projector, Function function) {
   }
 }
 
-/// Returns the values of an image's channels as one, their mean, of which the greatest possible one
-/// is 1.
+/// Returns the mean of the channels of a PNG file's image, of which the greatest possible one is 1.
 cv::Mat_<float> linear_grey(const cv::Mat& image) {
-  const int channels = image.channels();
-  const double white = channels * (image.depth() == CV_16U ? 65535.0 : 255.0);
+  const double white = image.type() == CV_16UC1 ? 65535.0 : 255.0 * image.channels();
   cv::Mat rows;
   image.reshape(1, image.rows * image.cols).convertTo(rows, CV_32F);
   cv::Mat sums;
