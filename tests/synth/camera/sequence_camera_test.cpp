@@ -210,9 +210,8 @@ TEST(SequenceCamera, MeasuresThroughGlassWhatTheSensorSeesThere) {
   }
 }
 
-TEST(SequenceCamera, AnInfraredImageIsGreyWithOneNoiseAndNoWhiteBalance) {
+TEST(SequenceCamera, AnInfraredImageIsGreyWithOneNoise) {
   SensorOptions noisy = preset_options(SensorPreset::realsense_d435);
-  noisy.white_balance.red = 0.5;
   const vo::ColorImage image = cv::Mat(Recorder(noisy, 3, InfraredBand{0.5, {}}).take(1).image);
   for (const cv::Vec3b& pixel : image) {
     EXPECT_TRUE(pixel[0] == pixel[1] && pixel[2] == pixel[1]);
@@ -220,6 +219,20 @@ TEST(SequenceCamera, AnInfraredImageIsGreyWithOneNoiseAndNoWhiteBalance) {
   noisy.noise = {};
   const vo::ColorImage clean = cv::Mat(Recorder(noisy, 3, InfraredBand{0.5, {}}).take(1).image);
   EXPECT_GT(cv::norm(image, clean, cv::NORM_L1), 0);
+}
+
+TEST(SequenceCamera, WhiteBalanceChangesNothingInInfrared) {
+  SensorOptions plain = preset_options(SensorPreset::realsense_d435);
+  plain.white_balance = {};
+  SensorOptions balanced = plain;
+  // Automatic gains are scaled until the least is 1: one of red below 1 raises that of green.
+  balanced.white_balance = {.red = 0.5, .enabled = true};
+  const auto difference = [&](const std::optional<InfraredBand>& band) {
+    return max_difference(Recorder(balanced, 3, band).take(1).image,
+                          Recorder(plain, 3, band).take(1).image);
+  };
+  EXPECT_EQ(difference(InfraredBand{0.5, {}}), 0);
+  EXPECT_GT(difference(std::nullopt), 0);
 }
 
 TEST(SequenceCamera, AnInfraredCameraMetersTheMeanOfWhatItSees) {
