@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "synth/camera/renderers_over_time.h"
+#include "synth/camera/sequence_camera.h"
 #include "synth/path/camera_path.h"
 #include "synth/sensor/preset.h"
 #include "tests/support/error_text.h"
+#include "tests/support/quads.h"
 #include "tests/support/temp_folder.h"
 #include "vo/rigs/rig_file.h"
 
@@ -120,6 +123,35 @@ TEST(CameraJobs, PatternsAreMadeOnlyWhereACameraSeesThem) {
     infrared.body.recipe.render = without;
     EXPECT_TRUE(camera_jobs(infrared)[0].recipe.infrared.value().projectors.empty());
   }
+}
+
+/// Returns the image that a job's camera takes of a wall 2 m ahead of it, which a lamp lights.
+cv::Mat image_of_wall(const RenderJob& job) {
+  Scene scene;
+  add(scene, square_at(2, 8), diffuse({0.9F, 0.6F, 0.3F}));
+  scene.lights.push_back(point_light({0.5F, -1, 0}, {4, 4, 4}));
+  const RenderersOverTime renderers(scene, {.samples = 1});
+  const CameraTruth motion{job.recipe.truth, job.recipe.path};
+  return SequenceCamera(scene, renderers, job.recipe.camera.pinhole, motion, job.recipe.sensor,
+                        job.recipe.infrared)
+      .take(0)
+      .image;
+}
+
+TEST(CameraJobs, ProjectorsAreSeenByInfraredCamerasAlone) {
+  RigJob with = job_of(camera("color", "sensor.exposure=0.1") +
+                       camera("grey", "spectrum=\"infrared\"\nsensor.exposure=0.1") +
+                       projector("p", "power=20\ndots.number=50\ndots.diameter_deg=4.0"));
+  with.body.recipe.truth = {{0, {}}};
+  with.body.recipe.path = [](double) { return vo::SE3(); };
+  RigJob without = with;
+  without.rig.projectors.clear();
+  const auto difference = [&](std::size_t number) {
+    return cv::norm(image_of_wall(camera_jobs(with)[number]),
+                    image_of_wall(camera_jobs(without)[number]), cv::NORM_INF);
+  };
+  EXPECT_EQ(difference(0), 0);
+  EXPECT_GT(difference(1), 20);
 }
 
 TEST(CameraJobs, RefusesPatternsOfMorePixelsInAllThanFitIntoMemory) {
