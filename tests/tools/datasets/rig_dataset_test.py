@@ -53,7 +53,8 @@ preset = "kinect-v1"
 """
 RENDER = ("--path orbit --orbit.centre=-0.95,0.5,0.3 --orbit.radius 1.2 --orbit.height 0.8 --rate 10 --duration 0.8 "
           "--sensor kinect-v1 --channels depth,disparity,imu --quiet")
-EFFECTS = ["noise", "depth.normal", "depth.lateral", "depth.axial", "depth.disparity", "depth.flying", "depth.holes"]
+EFFECTS = ["noise", "depth.normal", "depth.lateral", "depth.axial", "depth.multipath",
+           "depth.disparity", "depth.flying", "depth.holes"]
 FRAMES = 9
 
 
