@@ -80,9 +80,7 @@ struct ColorTracer::Step {
   PathLegs next;
 
   /// Rays of a packet that the camera sent go side by side; after a reflection none do.
-  Coherence coherence() const {
-    return index == 0 ? Coherence::coherent : Coherence::incoherent;
-  }
+  Coherence coherence() const { return index == 0 ? Coherence::coherent : Coherence::incoherent; }
 };
 
 }  // namespace synth
