@@ -52,7 +52,7 @@ void require_rotations(const AnimationCurve& curve, const std::string& place) {
   }
 }
 
-/// What an animation's channel changes.
+/// A ChannelTarget is what an animation's channel changes.
 struct ChannelTarget {
   int node = kNone;                       ///< glTF's index; kNone where it is no node
   std::string path;                       ///< as a channel of a node names it
@@ -165,7 +165,7 @@ Animation read_animation(GltfReading& reading, int index, const AnimatedElements
   return animation;
 }
 
-/// What an animation changes: of a node or of what shines, its index and its property.
+/// Targets are what an animation changes: whether it shines, its index and its property.
 using Targets = std::set<std::tuple<bool, int, int>>;
 
 Targets targets_of(const Animation& animation) {

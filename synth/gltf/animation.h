@@ -9,7 +9,7 @@
 
 namespace synth {
 
-/// What animations change: the scene's nodes, and what shines in it.
+/// AnimatedElements are what animations change: the scene's nodes, and what shines in it.
 struct AnimatedElements {
   const NodeForest& forest;
   const Scene& scene;

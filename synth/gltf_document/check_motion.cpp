@@ -120,7 +120,7 @@ void check_sampler(const JsonObject& sampler, const AnimatedDocument& document) 
           ": a cubic spline has one key, expected two or more");
 }
 
-/// What an animation's channel changes.
+/// A ChannelTarget is what an animation's channel changes.
 struct ChannelTarget {
   std::string element;              ///< its name in messages, like "nodes[3]"
   std::optional<std::size_t> node;  ///< if it is a node
@@ -222,7 +222,7 @@ std::optional<std::size_t> index_in(std::string_view text) {
                                                                   : std::nullopt;
 }
 
-/// What a pointer that is supported has before and after the index of an element.
+/// A PointerPattern is what a supported pointer has before and after the index of an element.
 struct PointerPattern {
   std::string_view before;
   std::string_view array;
