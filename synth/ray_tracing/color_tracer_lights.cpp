@@ -188,7 +188,8 @@ void ColorTracer::add_emitters(Step& step) const {
   const auto draw_light = [&](std::size_t i) {
     const PathLeg& leg = *step.lit.legs[i];
     const SurfacePoint& point = step.lit.surfaces[i];
-    return emitters_->draw({point.position, point.share, draw(step, leg, of_emitter).x(),
+    const Eigen::Vector3f start = point.position + point.rounding * point.face_normal;
+    return emitters_->draw({start, point.share, draw(step, leg, of_emitter).x(),
                             draw(step, leg, of_place_on_emitter), step.lit.reach[i],
                             step.packet.sample_width});
   };

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <Eigen/Geometry>
 
 #include "synth/shading/layers.h"
+#include "synth/shading/spherical_triangle.h"
 
 namespace synth {
 namespace {
@@ -46,10 +48,50 @@ float shining_share(const WorldGeometry& world, const Material& material, const 
   return std::clamp(alpha, 0.0F, 1.0F);
 }
 
-/// Returns the density, 1/sr, of directions towards a triangle of which points are drawn evenly.
-float per_solid_angle(float probability, float area, float distance2, float cosine) {
+/// Returns what a triangle covers of the directions about a point that is near it, as measured by
+/// its longest edge: directions to it are drawn evenly. None for a far one, of which places are,
+/// and for one whose plane the point is in.
+std::optional<SphericalTriangle> seen_nearby(const Eigen::Vector3f& point,
+                                             const SurfaceTriangle& triangle) {
+  constexpr float kNear = 2;       // lengths of the longest edge
+  constexpr float kLeast = 1e-4F;  // sr
+  constexpr float kMost = 6.2F;    // sr
+  const Eigen::Vector3f a = triangle.corners[0] - point;
+  const Eigen::Vector3f b = triangle.corners[1] - point;
+  const Eigen::Vector3f c = triangle.corners[2] - point;
+  const float longest2 =
+      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  if ((a + b + c).squaredNorm() > 9 * kNear * kNear * longest2) {
+    return std::nullopt;
+  }
+  const SphericalTriangle seen({a, b, c});
+  const bool is_open = seen.solid_angle() > kLeast && seen.solid_angle() < kMost;
+  return is_open ? std::optional(seen) : std::nullopt;
+}
+
+/// Returns barycentric coordinates of the point where a line from a point meets a triangle.
+Eigen::Vector3f weights_along(const Eigen::Vector3f& from, const Eigen::Vector3f& direction,
+                              const std::array<Eigen::Vector3f, 3>& corners) {
+  const Eigen::Vector3f a = corners[1] - corners[0];
+  const Eigen::Vector3f b = corners[2] - corners[0];
+  const Eigen::Vector3f start = from - corners[0];
+  const Eigen::Vector3f p = direction.cross(b);
+  const Eigen::Vector3f q = start.cross(a);
+  const float determinant = a.dot(p);
+  const float u = std::clamp(start.dot(p) / determinant, 0.0F, 1.0F);
+  const float v = std::clamp(direction.dot(q) / determinant, 0.0F, 1 - u);
+  return {1 - u - v, u, v};
+}
+
+/// Returns the density, 1/sr, of directions that are drawn towards a triangle, `cosine` being that
+/// of its normal and the direction; zero for a triangle that is seen from its edge.
+float density_towards(const std::optional<SphericalTriangle>& near, float area, float distance,
+                      float cosine) {
   constexpr float kLeastCosine = 1e-6F;
-  return cosine > kLeastCosine && area > 0 ? probability / area * distance2 / cosine : 0;
+  if (!(cosine > kLeastCosine && area > 0)) {
+    return 0;
+  }
+  return near ? 1 / near->solid_angle() : distance * distance / (area * cosine);
 }
 
 }  // namespace
@@ -70,6 +112,12 @@ Emitters::Emitters(const WorldGeometry& world) : world_(world), first_(world.mes
     triangle.probability = static_cast<float>(triangle.probability / sum);
     triangle.cumulative /= sum;
   }
+  constexpr std::size_t kMostPrepared = 4096;
+  if (triangles_.size() <= kMostPrepared) {
+    for (const Triangle& triangle : triangles_) {
+      prepared_.emplace_back(world, triangle.mesh, triangle.index);
+    }
+  }
 }
 
 /// Adds a mesh's triangles, for now with the power that each shines with as its probability.
@@ -89,23 +137,35 @@ DrawnLight Emitters::draw(const EmitterDraw& draw) const {
   const auto chosen = std::upper_bound(
       triangles_.begin(), triangles_.end() - 1, static_cast<double>(draw.choice),
       [](double choice, const Triangle& triangle) { return choice < triangle.cumulative; });
-  const SurfaceTriangle triangle(world_, chosen->mesh, chosen->index, draw.share);
-  const Eigen::Vector3f weights = even_weights(draw.square);
+  const auto index = static_cast<std::size_t>(chosen - triangles_.begin());
+  const bool is_prepared =
+      !prepared_.empty() && world_.meshes[static_cast<std::size_t>(chosen->mesh)].moments.empty();
+  return is_prepared
+             ? draw_towards(prepared_[index], *chosen, draw)
+             : draw_towards(SurfaceTriangle(world_, chosen->mesh, chosen->index, draw.share),
+                            *chosen, draw);
+}
+
+DrawnLight Emitters::draw_towards(const SurfaceTriangle& triangle, const Triangle& chosen,
+                                  const EmitterDraw& draw) const {
+  const std::optional<SphericalTriangle> near = seen_nearby(draw.from, triangle);
+  const Eigen::Vector3f weights =
+      near ? weights_along(draw.from, near->direction(draw.square), triangle.corners)
+           : even_weights(draw.square);
   const Eigen::Vector3f place = triangle.corners[0] * weights[0] +
                                 triangle.corners[1] * weights[1] + triangle.corners[2] * weights[2];
   const Eigen::Vector3f line = place - draw.from;
   const float distance = line.norm();
   const float slant = triangle.normal.dot(line) / distance;
   DrawnLight light;
-  light.density = distance > 0 ? per_solid_angle(chosen->probability, area_of(triangle.corners),
-                                                 distance * distance, std::abs(slant))
-                               : 0;
+  light.density = chosen.probability *
+                  density_towards(near, area_of(triangle.corners), distance, std::abs(slant));
   if (light.density > 0) {
     const Eigen::Vector3f facing = slant > 0 ? Eigen::Vector3f(-triangle.normal) : triangle.normal;
     light.to_light = line + triangle.rounding * facing;
     const SurfaceRay ray{weights, line, draw.sample_width * (draw.travelled + distance)};
     light.radiance =
-        shining_share(world_, *triangle.mesh->material, {chosen->mesh, chosen->index, weights}) *
+        shining_share(world_, *triangle.mesh->material, {chosen.mesh, chosen.index, weights}) *
         (1 - coat_reflectance(surface_clearcoat(triangle, ray), std::abs(slant))) *
         surface_emission(triangle, ray);
   }
@@ -118,8 +178,10 @@ float Emitters::density(const SurfaceTriangle& triangle, std::size_t mesh, int i
     return 0;
   }
   const Triangle& drawn = triangles_[static_cast<std::size_t>(first_[mesh] + index)];
-  return per_solid_angle(drawn.probability, area_of(triangle.corners), distance * distance,
-                         std::abs(point.face_normal.dot(point.to_viewer)));
+  const std::optional<SphericalTriangle> near =
+      seen_nearby(point.position + distance * point.to_viewer, triangle);
+  return drawn.probability * density_towards(near, area_of(triangle.corners), distance,
+                                             std::abs(point.face_normal.dot(point.to_viewer)));
 }
 
 }  // namespace synth

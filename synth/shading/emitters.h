@@ -14,16 +14,17 @@ namespace synth {
 /// An EmitterDraw says where a point of an emitter is seen from, and by which random numbers it is
 /// drawn.
 struct EmitterDraw {
-  Eigen::Vector3f from;    ///< m, the lit point, in the world-space geometry's coordinates
-  float share = 0;         ///< WorldGeometry::share_at of the time
-  float choice = 0;        ///< random in [0, 1), chooses the triangle
+  Eigen::Vector3f from;  ///< m, start of the shadow ray, in the world-space geometry's coordinates
+  float share = 0;       ///< WorldGeometry::share_at of the time
+  float choice = 0;      ///< random in [0, 1), chooses the triangle
   Eigen::Vector2f square;  ///< random in [0, 1) x [0, 1), chooses its point
   float travelled = 0;     ///< m, path length from the camera to `from`
   float sample_width = 0;  ///< m, width of a sample's cone at 1 m
 };
 
 /// The triangles of a scene that shine by themselves, as lights to draw points from: a triangle
-/// with a probability by its area and emission, its points evenly. Both sides shine.
+/// with a probability by its area and emission, of a near one evenly all directions towards it, of
+/// a far one evenly its points. Both sides shine.
 class Emitters {
  public:
   /// The world-space geometry must outlive the emitters.
@@ -48,9 +49,12 @@ class Emitters {
   };
 
   void add_mesh(int mesh);
+  DrawnLight draw_towards(const SurfaceTriangle& triangle, const Triangle& chosen,
+                          const EmitterDraw& draw) const;
 
   const WorldGeometry& world_;
   std::vector<Triangle> triangles_;
+  std::vector<SurfaceTriangle> prepared_;  ///< of the triangles, at rest; none if they are many
   std::vector<std::ptrdiff_t> first_;  ///< per mesh, index of its first triangle; -1: none shines
 };
 

@@ -76,6 +76,36 @@ TEST(Path, ALampsLightIsTheClosedFormWhateverItsSize) {
   }
 }
 
+/// Returns the light of a lamp 0.6 m wide and high, 1 cm before a wall, on the wall at a distance,
+/// m, from the foot of the middle of its edge, in lengths of the lamp's radiance times the albedo.
+double light_beside_lamp(double distance) {
+  constexpr double kGap = 0.01;
+  const double half_height = 0.3 / kGap;
+  return 2 * (share_of_view((distance + 0.6) / kGap, half_height) -
+              share_of_view(distance / kGap, half_height));
+}
+
+TEST(Path, ALampCloseToAWallLightsItByTheClosedForm) {
+  constexpr double kPixel = 0.005;  // m on the wall
+  Scene scene;
+  add(scene, square_at(2, 1), diffuse({0.5F, 0.5F, 0.5F}));
+  Material lamp = diffuse({0, 0, 0});
+  lamp.emission.setConstant(4);
+  add(scene, quad({-0.61F, -0.3F, 1.99F}, {0.6F, 0, 0}, {0, 0.6F, 0}), lamp);
+  scene.lights.push_back(point_light({0, 0, 0}, {0, 0, 0}));
+  vo::PinholeCamera camera = vo::PinholeCamera::from_horizontal_fov(9, 9, 1);
+  camera.fx = camera.fy = 2 / kPixel;
+  const RenderedFrame frame = render(
+      scene, {.mode = RenderMode::path, .samples = 2500, .ambient = 0, .bounces = 1}, camera);
+  for (int u = 4; u < camera.width; ++u) {
+    double expected = 0;
+    for (const double offset : {-0.4, -0.2, 0.0, 0.2, 0.4}) {
+      expected += 0.5 * 4 * light_beside_lamp(0.01 + (u - camera.cx + offset) * kPixel) / 5;
+    }
+    EXPECT_NEAR(mean_green(frame.radiance.col(u)), expected, 0.015 * expected) << "column " << u;
+  }
+}
+
 TEST(Path, AMirrorShowsTheLampAsBrightAsItIs) {
   Material mirror = diffuse({1, 1, 1});
   mirror.metallic = 1;
