@@ -28,14 +28,17 @@ auto interpolate(const Values& values, const std::array<int, 3>& triangle,
 
 constexpr std::array<int, 3> kCorners{0, 1, 2};
 
+/// Returns the patch of a map that few materials have; without a texture where there is no map.
+TexturePatch extension_patch(const SurfaceTriangle& triangle, const TextureSlot& slot) {
+  return slot.texture == kNone ? TexturePatch()
+                               : texture_patch(*triangle.scene, *triangle.mesh, slot,
+                                               triangle.vertices, triangle.double_area);
+}
+
 /// Returns the value of a map of an extension at a hit, linear RGBA; ones without a texture.
 Eigen::Vector4f extension_texel(const SurfaceTriangle& triangle, const TextureSlot& slot,
                                 const SampleFootprint& footprint) {
-  if (slot.texture == kNone) {
-    return Eigen::Vector4f::Ones();
-  }
-  const TexturePatch patch =
-      texture_patch(*triangle.scene, *triangle.mesh, slot, triangle.vertices, triangle.double_area);
+  const TexturePatch patch = extension_patch(triangle, slot);
   return patch.texture == nullptr ? Eigen::Vector4f::Ones().eval() : patch.color(footprint);
 }
 
@@ -253,12 +256,10 @@ Eigen::Vector3f front_normal(const SurfaceTriangle& triangle, const Eigen::Vecto
 Eigen::Vector3f coat_normal_of(const SurfaceTriangle& triangle, const SampleFootprint& footprint,
                                const Eigen::Vector3f& smooth) {
   const MaterialLayers& layers = triangle.mesh->material->layers;
-  const TextureSlot& slot = layers.clearcoat_normal_texture;
-  if (layers.clearcoat == 0 || slot.texture == kNone) {
+  if (layers.clearcoat == 0) {
     return smooth;
   }
-  const TexturePatch patch =
-      texture_patch(*triangle.scene, *triangle.mesh, slot, triangle.vertices, triangle.double_area);
+  const TexturePatch patch = extension_patch(triangle, layers.clearcoat_normal_texture);
   return patch.texture == nullptr
              ? smooth
              : mapped_normal(triangle, {patch, layers.clearcoat_normal_scale}, footprint, smooth);
