@@ -178,6 +178,17 @@ double distance_spread(const DepthView& view) {
   return robust_sigma_of({magnitudes.data(), seen});
 }
 
+void surface_distances(const DepthView& view, std::vector<SurfaceDistance>& distances) {
+  distances.clear();
+  for_each_block(view, pass_options(1), [&](const Block& block, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (block.seen[i] > 0) {
+        distances.push_back({block.z[i], block.residual[i]});
+      }
+    }
+  });
+}
+
 double depth_agreement(const DepthView& view) {
   constexpr float kMaxStep = 0.05F;  // share of the depth
   constexpr int kEnoughPoints = 20;

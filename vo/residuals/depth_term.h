@@ -35,6 +35,15 @@ void score_depth(const DepthView& view, double scale, std::vector<DepthScore>& s
 /// points it takes some 600, evenly spread.
 double distance_spread(const DepthView& view);
 
+/// A surface point's depth and its distance from the surface that is measured where it is seen, m.
+struct SurfaceDistance {
+  float depth;
+  float distance;
+};
+
+/// Lists the distances of the points that are seen; `distances` are overwritten.
+void surface_distances(const DepthView& view, std::vector<SurfaceDistance>& distances);
+
 /// Returns the share of the points seen at a pixel of measured depth whose own depth agrees with it
 /// to 5 %, or 1 if there are fewer than 20 such points.
 double depth_agreement(const DepthView& view);

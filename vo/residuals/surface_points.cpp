@@ -7,8 +7,7 @@
 namespace vo {
 namespace {
 
-constexpr int kSpacing = 8;  // px, between the points of the grid
-constexpr int kRadius = 3;   // px, half-width of the neighbourhood that a plane is fitted to
+constexpr int kRadius = 3;  // px, half-width of the neighbourhood that a plane is fitted to
 
 Eigen::Vector3d ray_of(const PyramidLevel& level, int u, int v) {
   return {level.rays(v, u)[0], level.rays(v, u)[1], 1};
@@ -45,8 +44,8 @@ std::optional<Eigen::Vector3d> fitted_plane(const PyramidLevel& level, cv::Point
 
 SurfacePoints surface_points(const PyramidLevel& level) {
   SurfacePoints points;
-  for (int v = kRadius; v < level.depth.rows - kRadius; v += kSpacing) {
-    for (int u = kRadius; u < level.depth.cols - kRadius; u += kSpacing) {
+  for (int v = kRadius; v < level.depth.rows - kRadius; v += kSurfaceSpacing) {
+    for (int u = kRadius; u < level.depth.cols - kRadius; u += kSurfaceSpacing) {
       const Eigen::Vector3d ray = ray_of(level, u, v);
       const std::optional<Eigen::Vector3d> plane = fitted_plane(level, {u, v});
       if (plane && plane->dot(ray) > 0) {

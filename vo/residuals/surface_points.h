@@ -17,6 +17,9 @@ struct SurfacePoints {
   std::size_t memory_bytes() const { return size() * 2 * sizeof(Eigen::Vector3f); }
 };
 
+/// Distance of the surface points' pixels from each other in a row and in a column, px.
+inline constexpr int kSurfaceSpacing = 8;
+
 /// Finds the surface points of a level. A plane 1 / Z = a X / Z + b Y / Z + c, which is linear in
 /// what is measured, is fitted around every eighth pixel; pixels with holes around them, or whose
 /// surroundings are not flat, are left out.

@@ -37,15 +37,27 @@ void MotionSegmentation::update(const ViewTiles::Values& depths, const TileEvide
 }
 
 TileEvidence log_odds_after(const TileEvidence& expected, const TileEvidence& evidence) {
-  constexpr float kMostOfFrame = 2.5;
   constexpr float kMostMoving = -4;
   constexpr float kMostStatic = 1;
   TileEvidence result;
   for (std::size_t tile = 0; tile < result.size(); ++tile) {
-    const float now = std::clamp(evidence[tile], -kMostOfFrame, kMostOfFrame);
+    const float now = std::clamp(evidence[tile], -kMostEvidenceOfFrame, kMostEvidenceOfFrame);
     result[tile] = std::clamp(expected[tile] + now, kMostMoving, kMostStatic);
   }
   return result;
+}
+
+TileEvidence log_odds_after_change(const TileEvidence& expected, const TileEvidence& before,
+                                   const TileEvidence& now) {
+  TileEvidence moving = expected;
+  TileEvidence evidence = now;
+  for (std::size_t tile = 0; tile < evidence.size(); ++tile) {
+    moving[tile] = std::min(moving[tile], 0.0F);
+    if (now[tile] < 0) {
+      evidence[tile] -= std::clamp(before[tile], 0.0F, kMostEvidenceOfFrame);
+    }
+  }
+  return log_odds_after(moving, evidence);
 }
 
 }  // namespace vo

@@ -40,4 +40,11 @@ class MotionSegmentation {
 /// Returns the log-odds of tiles after a frame's evidence, of which none counts for everything.
 TileEvidence log_odds_after(const TileEvidence& expected, const TileEvidence& evidence);
 
+/// Returns the log-odds of tiles after a frame in which another motion than before was found to be
+/// the camera's; `before` and `now` are the frame's evidence with either motion. That a tile agreed
+/// with the motion before no longer says that it is static. One that disagrees with the motion now
+/// moves along with the other one, as far as it agrees with that.
+TileEvidence log_odds_after_change(const TileEvidence& expected, const TileEvidence& before,
+                                   const TileEvidence& now);
+
 }  // namespace vo

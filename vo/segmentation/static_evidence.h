@@ -14,6 +14,9 @@ namespace vo {
 /// of the static world than where it moves by itself; 0 where nothing is known.
 using TileEvidence = ViewTiles::Values;
 
+/// The most that one frame's evidence counts for a tile, or against it.
+inline constexpr float kMostEvidenceOfFrame = 2.5;
+
 /// Returns the tiles that clearly move by themselves.
 TileMask moving_tiles(const TileEvidence& log_odds);
 

@@ -67,7 +67,7 @@ TrackingReason Doubt::judge(const AlignResult& alignment, const ViewSurfaces& su
   if (surfaces.covered_fraction > kMostCovered) {
     return TrackingReason::view_covered;
   }
-  if (motions_compete) {
+  if (motions_compete || surfaces.changed_motion) {
     return TrackingReason::two_motions;
   }
   if (disagreement > kMostDisagreement || disagreement_.is_high) {

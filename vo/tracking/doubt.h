@@ -40,6 +40,7 @@ class CompetingMotions {
 struct ViewSurfaces {
   SurfaceAreas edged;           ///< of the tiles with edge points, which tell motions apart
   double covered_fraction = 0;  ///< share of the view's tiles
+  bool changed_motion = false;  ///< whether another motion was found to be the camera's
 };
 
 /// Says whether a pose that was found is to be relied on. A driver that repeats images, a depth

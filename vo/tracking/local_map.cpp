@@ -122,6 +122,7 @@ void LocalMap::leave_out(const Keyframe& keyframe, const TileMask& tiles) {
     return;
   }
   Keyframe left = keyframe;
+  left.moved |= tiles;
   left.measured_depth = measured_outside(tiles, keyframe);
   auto points = std::make_shared<EdgePoints>(*keyframe.points);
   vo::leave_out(tiles, keyframe.pyramid, *points);

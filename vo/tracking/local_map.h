@@ -29,8 +29,16 @@ struct Keyframe {
   std::shared_ptr<const SurfacePoints> surface;  ///< surface points for depth alignment, or null
   std::vector<float> measured_depth;  ///< m, of the finest points if the window adjusts depth
   Readout readout;                    ///< rolling shutter's read-out by which the pose was found
+  TileMask moved;  ///< tiles of its view with what moved by itself, when it was taken or since
   Matrix6d absolute_covariance =
       Matrix6d::Zero();  ///< of T_world_keyframe, as in TrackingResult; not adjusted by the window
+
+  /// Returns whether much of the view has moved: what it hid then is seen now. In rigid scenes up
+  /// to 12 % of a view's tiles are taken to have moved at some time.
+  bool is_disturbed() const {
+    constexpr double kMuch = 0.12;
+    return share_of_view(moved) > kMuch;
+  }
 };
 
 /// The keyframes around the camera.

@@ -10,6 +10,11 @@ bool References::velocities_known() const {
                      [](const auto& keyframe) { return keyframe->velocity.has_value(); });
 }
 
+bool References::are_disturbed() const {
+  return std::any_of(keyframes.begin(), keyframes.end(),
+                     [](const auto& keyframe) { return keyframe->is_disturbed(); });
+}
+
 void References::leave_out(const TileMask& tiles, const FramePyramid& current,
                            const SE3& T_world_camera) {
   InplaceVector<AlignReference, kMaxReferences> left;

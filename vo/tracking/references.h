@@ -18,6 +18,7 @@ struct References {
   InplaceVector<AlignReference, kMaxReferences> views;  ///< one per keyframe, with its points
 
   bool velocities_known() const;  ///< the first one is known a frame later
+  bool are_disturbed() const;     ///< whether one of them is
 
   /// Leaves out what is seen in these tiles of a frame taken at this pose.
   void leave_out(const TileMask& tiles, const FramePyramid& current, const SE3& T_world_camera);

@@ -171,7 +171,10 @@ Tracker::Attempt Tracker::aligned_with(const FramePyramid& current, const Guess&
   if (follows_motion(attempt) && tells_velocity(seconds)) {
     attempt.previous = {T_world_last_.inverse() * T_world_first, seconds, mean_velocity_};
   }
-  const AlignOptions options = align_options();
+  AlignOptions options = align_options();
+  if (is_segmenting() && options.max_depth_ratio == 0 && attempt.references.are_disturbed()) {
+    options.max_depth_ratio = kVisibleDepthRatio;
+  }
   TrackingResult& result = attempt.result;
   result.readout = options.readout;
   result.vignette = current.vignette;

@@ -10,6 +10,7 @@
 #include "vo/image/edge_points.h"
 #include "vo/image/pyramid.h"
 #include "vo/segmentation/motion_segmentation.h"
+#include "vo/segmentation/motion_support.h"
 #include "vo/segmentation/tile_surfaces.h"
 #include "vo/tracking/doubt.h"
 #include "vo/tracking/local_map.h"
@@ -92,11 +93,16 @@ class Tracker {
   /// Holds what the tiles of a frame show if the frame's pose is that of an alignment.
   struct Explanation {
     StaticEvidence evidence;
-    TileEvidence log_odds;
-    TileMask moving;
-    SurfaceAreas areas;
-    bool is_another_motion = false;  ///< than that of all points together
+    TileEvidence log_odds{};
+    TileMask moving = {};
+    SurfaceAreas areas = {};
+    TileMask tiles = TileMask().set();  ///< those whose motion is taken for the camera's
+
+    bool is_another_motion() const { return !tiles.all(); }  ///< than that of all points together
   };
+
+  /// The tiles whose motions rival that of all points.
+  using RivalTiles = InplaceVector<TileMask, 2>;
 
   void find_current_points(const FramePyramid& current);
   SE3 starting_pose(const FramePyramid& current) const;
@@ -113,8 +119,14 @@ class Tracker {
   void use_points_outside(const TileMask& tiles, const FramePyramid& current);
   Explanation explained(const FramePyramid& current, const Attempt& attempt,
                         const AlignResult& aligned);
+  void label(const TileEvidence& log_odds, Explanation& explanation) const;
   AlignResult aligned_in(const TileMask& tiles, const FramePyramid& current,
                          const Attempt& attempt);
+  MotionSupport supported(const FramePyramid& current, const Attempt& attempt,
+                          const AlignResult& aligned, const TileEvidence& evidence) const;
+  bool differs(const SE3& T_a_b, const FramePyramid& current) const;
+  bool is_contested(const Explanation& explanation) const;
+  RivalTiles rivals_of(const Explanation& explanation, const AlignResult& aligned) const;
   Explanation best_explanation(const FramePyramid& current, Attempt& attempt);
   void forget_moved(const References& references, const StaticEvidence& evidence);
   Attempt aligned_without(const TileMask& moving, const FramePyramid& current,

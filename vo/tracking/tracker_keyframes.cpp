@@ -42,14 +42,21 @@ bool Tracker::needs_keyframe(const FramePyramid& current, const TrackingResult& 
           result.alignment.correlation >= kKeyframeCorrelation && !is_blurred(current, T_cur_last));
 }
 
-/// Returns whether the frame is too blurred relative to the last keyframe.
+/// Returns whether the frame is too blurred relative to the last keyframe, where both show the
+/// same.
 bool Tracker::is_blurred(const FramePyramid& current, const SE3& T_cur_last) const {
   if (current_points_ == nullptr) {
     return false;
   }
   const Keyframe& last = *map_.last();
+  std::shared_ptr<const EdgePoints> points = current_points_;
+  if (last.is_disturbed()) {
+    EdgePoints still = *current_points_;
+    leave_out({grown(last.moved), last.pyramid, T_cur_last.inverse()}, still);
+    points = std::make_shared<const EdgePoints>(std::move(still));
+  }
   return relative_sharpness({last.points->levels.front(), last.pyramid.levels.front()},
-                            {current_points_->levels.front(), current.levels.front()},
+                            {points->levels.front(), current.levels.front()},
                             T_cur_last) < options_.keyframes.min_sharpness;
 }
 
@@ -111,7 +118,7 @@ void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyf
     measured_depth = points->levels.front().z_ref;
   }
   map_.add({keyframe, std::move(points), T_world_keyframe, velocity_, std::move(surface),
-            std::move(measured_depth), readout(), absolute_covariance_});
+            std::move(measured_depth), readout(), segmentation_.moving(), absolute_covariance_});
   frames_since_keyframe_ = 0;
   if (options_.window.adjust != WindowAdjustment::none) {
     adjust_keyframes();

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "vo/segmentation/tile_surfaces.h"
+#include "vo/tracking/image_motion.h"
 #include "vo/tracking/tracker.h"
 
 /// This file holds how the tracker tells the world from what moves in it.
@@ -26,6 +27,7 @@ void Tracker::foresee_tiles(const FramePyramid& current) {
   expected_ = segmentation_.expected(tile_depths_);
   covered_ = covered_tiles(current, tile_depths_);
   surfaces_.covered_fraction = share_of_view(covered_);
+  surfaces_.changed_motion = false;
 }
 
 /// Returns the tiles that are not aligned: what moves, and what is covered, with its border.
@@ -57,12 +59,20 @@ Tracker::Explanation Tracker::explained(const FramePyramid& current, const Attem
   const StaticEvidence evidence(attempt.references.views,
                                 {current, own_points_.get(), attempt.previous}, aligned,
                                 align_options(), compared);
-  const TileEvidence log_odds = log_odds_after(expected_, evidence.of_current());
-  return {evidence, log_odds, moving_tiles(log_odds),
-          surface_areas(log_odds, tile_depths_, ~TileMask())};
+  Explanation explanation{.evidence = evidence};
+  label(log_odds_after(expected_, evidence.of_current()), explanation);
+  return explanation;
 }
 
-/// Aligns what lies in these tiles alone, from the last pose.
+/// Labels the tiles by the log-odds that they are static.
+void Tracker::label(const TileEvidence& log_odds, Explanation& explanation) const {
+  explanation.log_odds = log_odds;
+  explanation.moving = moving_tiles(log_odds);
+  explanation.areas = surface_areas(log_odds, tile_depths_, ~TileMask());
+}
+
+/// Aligns what lies in these tiles alone, from the last pose. How the camera moved until then is
+/// not known if it did not move as all points together seem to.
 AlignResult Tracker::aligned_in(const TileMask& tiles, const FramePyramid& current,
                                 const Attempt& attempt) {
   const TileMask others = ~tiles;
@@ -73,33 +83,88 @@ AlignResult Tracker::aligned_in(const TileMask& tiles, const FramePyramid& curre
   }
   References references = attempt.references;
   references.leave_out(others, current, attempt.T_world_camera());
-  return aligned_with(current, {attempt.start, T_world_last_}, std::move(references), &points)
+  return aligned_with(current, {Start::searched, T_world_last_}, std::move(references), &points)
       .result.alignment;
 }
 
-/// Returns the motion that explains the larger area of surfaces as static: that of the attempt, of
-/// what it leaves unexplained, or of what is far. Things that move are smaller than the world, and
-/// mostly before it.
-Tracker::Explanation Tracker::best_explanation(const FramePyramid& current, Attempt& attempt) {
+/// Returns what speaks for the motion of an alignment, with which the tiles have this evidence.
+MotionSupport Tracker::supported(const FramePyramid& current, const Attempt& attempt,
+                                 const AlignResult& aligned, const TileEvidence& evidence) const {
+  MotionSupport support{intensity_support(evidence, tile_depths_)};
+  const std::shared_ptr<const SurfacePoints>& surface = attempt.references.surfaces.front();
+  if (surface != nullptr) {
+    support.by_surfaces =
+        surface_support({*surface, current.levels[surface_level(current)], aligned.T_cur_ref},
+                        known_depth_noise(options_.points.depth_noise));
+  }
+  return support;
+}
+
+/// Returns whether much moves if the explanation is right, or starts to move at once.
+bool Tracker::is_contested(const Explanation& explanation) const {
   constexpr double kSurprising = 0.05;
   constexpr double kCompeting = 0.4;
+  return explanation.areas.moving_ratio() >= kCompeting ||
+         share_of_view(explanation.moving & ~moving_tiles(expected_)) >= kSurprising;
+}
+
+/// Returns the tiles whose motions may be the camera's rather than that of all points: where that
+/// leaves some of the view unexplained, the far ones, because things that move are mostly before
+/// the world; where it is contested, also those that it leaves unexplained.
+Tracker::RivalTiles Tracker::rivals_of(const Explanation& explanation,
+                                       const AlignResult& aligned) const {
+  constexpr double kMoving = 0.05;
+  constexpr double kDisagreeing = 0.05;
+  RivalTiles rivals;
+  const bool contested = is_contested(explanation);
+  if (contested) {
+    rivals.push_back(grown(explanation.moving));
+  }
+  if (contested || share_of_view(explanation.moving) > kMoving ||
+      aligned.agreement.disagreeing_fraction > kDisagreeing) {
+    rivals.push_back(~grown(~far_tiles(tile_depths_)));
+  }
+  return rivals;
+}
+
+/// Returns whether a frame's points are displaced by more than a pixel between two poses that may
+/// be the frame's, `T_a_b` from one to the other.
+bool Tracker::differs(const SE3& T_a_b, const FramePyramid& current) const {
+  return image_motion(*own_points_, current, T_a_b).flow_px > 1;
+}
+
+/// Returns the explanation of the frame by the motion of the attempt, or by a rival that is clearly
+/// better: that explains the larger area of surfaces as static where the motion is contested, or is
+/// clearly better supported where it is not. Things that move are smaller than the world. The
+/// attempt's alignment becomes that of the motion.
+Tracker::Explanation Tracker::best_explanation(const FramePyramid& current, Attempt& attempt) {
   constexpr double kClearlyMore = 1.1;
-  Explanation best = explained(current, attempt, attempt.result.alignment);
-  if (share_of_view(best.moving & ~moving_tiles(expected_)) < kSurprising &&
-      best.areas.moving_ratio() < kCompeting) {
+  AlignResult& aligned = attempt.result.alignment;
+  Explanation best = explained(current, attempt, aligned);
+  const RivalTiles rivals = rivals_of(best, aligned);
+  if (rivals.empty()) {
     return best;
   }
-  for (const TileMask& tiles : {grown(best.moving), ~grown(~far_tiles(tile_depths_))}) {
+  const bool contested = is_contested(best);
+  const TileEvidence before = best.evidence.of_current();
+  MotionSupport support = supported(current, attempt, aligned, before);
+  for (const TileMask& tiles : rivals) {
     const AlignResult other = aligned_in(tiles, current, attempt);
-    if (!other.usable()) {
+    if (!other.usable() || !differs(aligned.T_cur_ref * other.T_cur_ref.inverse(), current)) {
       continue;
     }
-    Explanation explanation = explained(current, attempt, other);
-    if (explanation.areas.of_static > kClearlyMore * best.areas.of_static) {
-      best = std::move(explanation);
-      best.is_another_motion = true;
-      attempt.result.alignment = other;
+    Explanation rival = explained(current, attempt, other);
+    const MotionSupport of_rival = supported(current, attempt, other, rival.evidence.of_current());
+    if (contested ? rival.areas.of_static > kClearlyMore * best.areas.of_static
+                  : is_clearly_better(of_rival, support)) {
+      support = of_rival;
+      best = std::move(rival);
+      best.tiles = tiles;
+      aligned = other;
     }
+  }
+  if (best.is_another_motion()) {
+    label(log_odds_after_change(expected_, before, best.evidence.of_current()), best);
   }
   return best;
 }
@@ -138,8 +203,11 @@ Tracker::Attempt Tracker::segmented(const FramePyramid& current, Attempt attempt
     return attempt;
   }
   const Explanation best = best_explanation(current, attempt);
-  if (best.is_another_motion || share_in(best.moving, current, *current_points_) >= kFew) {
-    attempt = aligned_without(best.moving, current, attempt);
+  if (best.is_another_motion()) {
+    attempt.start = Start::searched;
+  }
+  if (best.is_another_motion() || share_in(best.moving, current, *current_points_) >= kFew) {
+    attempt = aligned_without(best.moving | ~best.tiles, current, attempt);
   }
   if (best.areas.moving_ratio() >= 1) {
     attempt.result.status = TrackingStatus::lost;
@@ -150,6 +218,7 @@ Tracker::Attempt Tracker::segmented(const FramePyramid& current, Attempt attempt
     return attempt;
   }
   segmentation_.update(tile_depths_, best.log_odds);
+  surfaces_.changed_motion = best.is_another_motion();
   surfaces_.edged =
       surface_areas(best.log_odds, tile_depths_, tiles_with_points(current, *own_points_));
   forget_moved(attempt.references, best.evidence);

@@ -70,6 +70,20 @@ TEST(SurfacePoints, LieOnTheWallsWithTheirNormals) {
       << "the others are around the corners, where a plane is nearly fitted";
 }
 
+TEST(SurfaceDistances, AreHowFarAWallIsOff) {
+  vo::PyramidLevel level = box_level({});
+  level.depth.setTo(2);
+  const vo::SurfacePoints points = vo::surface_points(level);
+  const SE3 T_cur_ref(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.02, 0, -0.03));
+  std::vector<vo::SurfaceDistance> distances(3);
+  vo::surface_distances({points, level, T_cur_ref}, distances);
+  EXPECT_GT(distances.size(), points.size() / 2);
+  for (const vo::SurfaceDistance& seen : distances) {
+    EXPECT_NEAR(seen.depth, 1.97, 1e-5);
+    EXPECT_NEAR(seen.distance, -0.03, 1e-5);
+  }
+}
+
 TEST(SurfacePoints, AreNotTakenFromHolesOrSteps) {
   vo::PyramidLevel level = box_level({});
   level.depth.colRange(0, level.depth.cols / 2).setTo(0);

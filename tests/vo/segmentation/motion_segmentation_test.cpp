@@ -75,4 +75,25 @@ TEST(MotionSegmentation, BelievesNoSingleFrameForEver) {
   EXPECT_TRUE(vo::moving_tiles(vo::log_odds_after({}, evidence)).all());
 }
 
+/// With another motion than before tile 0 still agrees, tile 1, which agreed before, disagrees a
+/// little, and tile 2 disagreed before as it does now.
+TEST(MotionSegmentation, LetsWhatAgreedWithTheOtherMotionMoveAlongWithThat) {
+  TileEvidence expected;
+  expected.fill(0.8F);
+  TileEvidence before{};
+  TileEvidence now{};
+  before[0] = 2;
+  before[1] = 2;
+  before[2] = -0.5F;
+  now[0] = 0.75F;
+  now[1] = -0.25F;
+  now[2] = -0.25F;
+  expected[3] = -3;
+  const TileEvidence after = vo::log_odds_after_change(expected, before, now);
+  EXPECT_EQ(after[0], 0.75F);
+  EXPECT_EQ(after[1], -2.25F);
+  EXPECT_EQ(after[2], -0.25F);
+  EXPECT_EQ(after[3], -3) << "what moved before moves on";
+}
+
 }  // namespace

@@ -90,6 +90,12 @@ TEST(Doubt, OfMotionsThatCompeteAtOnceOrForLong) {
   EXPECT_EQ(after(20, {.of_static = 10, .of_moving = 5}, doubt), TrackingReason::two_motions);
 }
 
+TEST(Doubt, OfTheFrameInWhichAnotherMotionIsFoundToBeTheCameras) {
+  vo::Doubt doubt;
+  EXPECT_EQ(doubt.judge({}, {.changed_motion = true}), TrackingReason::two_motions);
+  EXPECT_EQ(doubt.judge({}, {.changed_motion = false}), TrackingReason::none);
+}
+
 TEST(Doubt, OfTheFirstFramesIfMotionsCompeteInThem) {
   vo::Doubt doubt;
   EXPECT_EQ(after(1, {.of_static = 10, .of_moving = 5}, doubt), TrackingReason::two_motions);
