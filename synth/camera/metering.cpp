@@ -16,17 +16,9 @@ constexpr int kMeteringWidth = 80;  // px
 constexpr std::size_t kMeteringPoses = 8;
 
 /// Returns a camera with the view of `camera` and at most kMeteringWidth columns.
-vo::PinholeCamera metering_camera(const vo::PinholeCamera& camera) {
-  vo::PinholeCamera small = camera;
-  small.width = std::min(kMeteringWidth, camera.width);
-  small.height = std::max(1, camera.height * small.width / camera.width);
-  const double x_scale = static_cast<double>(small.width) / camera.width;
-  const double y_scale = static_cast<double>(small.height) / camera.height;
-  small.fx = camera.fx * x_scale;
-  small.fy = camera.fy * y_scale;
-  small.cx = (camera.cx + 0.5) * x_scale - 0.5;
-  small.cy = (camera.cy + 0.5) * y_scale - 0.5;
-  return small;
+vo::CameraModel metering_camera(const vo::CameraModel& camera) {
+  const int width = std::min(kMeteringWidth, camera.width());
+  return camera.resized(width, std::max(1, camera.height() * width / camera.width()));
 }
 
 /// Returns the luminance of linear RGB after ITU-R BT.709.
@@ -51,7 +43,7 @@ bool has_lit_surface(const Scene& scene) {
 }
 
 /// Returns the colour that a camera sees of a view.
-RenderedFrame seen(const Renderer& renderer, const vo::PinholeCamera& camera,
+RenderedFrame seen(const Renderer& renderer, const vo::CameraModel& camera,
                    const vo::SE3& T_world_camera, const std::optional<InfraredBand>& infrared) {
   Capture capture = still(camera, T_world_camera);
   capture.infrared = infrared;
@@ -71,7 +63,7 @@ double exposure_of(const std::vector<float>& luminances, bool is_infrared) {
 
 }  // namespace
 
-Metering meter(const Renderer& renderer, const vo::PinholeCamera& camera,
+Metering meter(const Renderer& renderer, const vo::CameraModel& camera,
                const vo::SE3& T_world_camera, const std::optional<InfraredBand>& infrared) {
   const RenderedFrame view = seen(renderer, metering_camera(camera), T_world_camera, infrared);
   std::vector<float> luminances;
@@ -85,14 +77,14 @@ Metering meter(const Renderer& renderer, const vo::PinholeCamera& camera,
 }
 
 double meter_exposure(const Scene& scene, const RenderersOverTime& renderers,
-                      const vo::PinholeCamera& camera, const vo::Trajectory& trajectory,
+                      const vo::CameraModel& camera, const vo::Trajectory& trajectory,
                       double scene_delay, const std::optional<InfraredBand>& infrared) {
   const bool has_default_sky = scene.lights.empty() && scene.environment.empty();
   const bool has_final_colors = !infrared && (has_default_sky || !has_lit_surface(scene));
   if (has_final_colors || trajectory.empty()) {
     return 1;
   }
-  const vo::PinholeCamera small = metering_camera(camera);
+  const vo::CameraModel small = metering_camera(camera);
   const std::size_t poses = std::min(kMeteringPoses, trajectory.size());
   std::vector<float> luminances;
   for (std::size_t i = 0; i < poses; ++i) {

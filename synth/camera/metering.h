@@ -8,7 +8,7 @@
 #include "synth/rendering/infrared.h"
 #include "synth/rendering/renderer.h"
 #include "synth/scene/scene.h"
-#include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 #include "vo/geometry/trajectory.h"
 
 namespace synth {
@@ -21,7 +21,7 @@ struct Metering {
 
 /// Meters what a camera sees. The exposure of an infrared one brings the mean instead of the median
 /// to 18 % grey, since most of a dark view may lie between the dots of a pattern.
-Metering meter(const Renderer& renderer, const vo::PinholeCamera& camera,
+Metering meter(const Renderer& renderer, const vo::CameraModel& camera,
                const vo::SE3& T_world_camera,
                const std::optional<InfraredBand>& infrared = std::nullopt);
 
@@ -30,7 +30,7 @@ Metering meter(const Renderer& renderer, const vo::PinholeCamera& camera,
 /// which the first is `scene_delay`, s, of its animations; 1 for an empty trajectory and, but for
 /// infrared cameras, for a scene without lights or lit surfaces, whose colours are final.
 double meter_exposure(const Scene& scene, const RenderersOverTime& renderers,
-                      const vo::PinholeCamera& camera, const vo::Trajectory& trajectory,
+                      const vo::CameraModel& camera, const vo::Trajectory& trajectory,
                       double scene_delay = 0,
                       const std::optional<InfraredBand>& infrared = std::nullopt);
 

@@ -18,9 +18,14 @@ namespace {
 
 /// Returns the time span in which the capture's rows are exposed, s of the scene's animations.
 TimeSpan span_of(const Capture& capture) {
-  const int height = capture.camera.height;
+  const int height = capture.camera.height();
   return {capture.scene_time + capture.shutter.time_in_row(0, 0, height),
           capture.scene_time + capture.shutter.time_in_row(height - 1, 1, height)};
+}
+
+/// Returns the camera to whose image depth is registered from another place.
+const vo::PinholeCamera& registered_to(const vo::CameraModel& camera) {
+  return camera.pinhole_for("sensor.depth.offset, sensor.depth.turn");
 }
 
 }  // namespace
@@ -39,7 +44,7 @@ bool sees_materials(const Scene& scene, const SensorOptions& options) {
 }
 
 SequenceCamera::SequenceCamera(const Scene& scene, const RenderersOverTime& renderers,
-                               const vo::PinholeCamera& camera, const CameraTruth& motion,
+                               const vo::CameraModel& camera, const CameraTruth& motion,
                                const SensorOptions& options, std::optional<InfraredBand> infrared)
     : renderers_(renderers),
       camera_(camera),
@@ -169,7 +174,7 @@ Capture SequenceCamera::depth_capture(std::size_t index) const {
   capture.channels = depth_channels();
   capture.channels.color = false;
   if (depth.is_elsewhere()) {
-    capture.camera = camera_.without_distortion();
+    capture.camera = registered_to(camera_).without_distortion();
   }
   const double stamp = motion_.truth[index].timestamp + depth.delay;
   capture.scene_time += depth.delay;
@@ -204,7 +209,7 @@ vo::RgbdFrame SequenceCamera::take(std::size_t index, const Renderer& now) const
       with_multipath(ideal, capture.camera, options_.depth.multipath), options_.depth.materials);
   frame.depth = measure_depth(view, capture.camera, options_, index);
   if (options_.depth.is_elsewhere()) {
-    frame.depth = registered(frame.depth, camera_, options_.depth.T_color_depth());
+    frame.depth = registered(frame.depth, registered_to(camera_), options_.depth.T_color_depth());
   }
   frame.depth = without_dark(frame.depth, frame.image, options_.depth.holes.dark_level);
   return frame;

@@ -13,7 +13,7 @@
 #include "synth/scene/scene.h"
 #include "synth/sensor/sensor.h"
 #include "vo/core/image.h"
-#include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 #include "vo/geometry/trajectory.h"
 
 namespace synth {
@@ -32,13 +32,13 @@ CameraPath path_through(const vo::Trajectory& poses);
 bool sees_materials(const Scene& scene, const SensorOptions& options);
 
 /// Takes the frames of a sequence, from any thread and in any order: each depends only on its index
-/// and the constructor's arguments. `renderers`, `camera` and `motion` must outlive the sensor.
+/// and the constructor's arguments. `renderers` and `motion` must outlive the sensor.
 class SequenceCamera {
  public:
   /// Meters the scene where `options.exposure` is 0, and every frame where exposure or white
   /// balance are automatic. `infrared` is how an infrared camera sees; none: it sees colours.
   SequenceCamera(const Scene& scene, const RenderersOverTime& renderers,
-                 const vo::PinholeCamera& camera, const CameraTruth& motion,
+                 const vo::CameraModel& camera, const CameraTruth& motion,
                  const SensorOptions& options, std::optional<InfraredBand> infrared = std::nullopt);
 
   /// Takes a frame, stamped with the colour image's time; depth is `options.depth.delay` later.
@@ -64,7 +64,7 @@ class SequenceCamera {
   Capture depth_capture(std::size_t index) const;
 
   const RenderersOverTime& renderers_;
-  const vo::PinholeCamera& camera_;
+  vo::CameraModel camera_;
   const CameraTruth& motion_;
   SensorOptions options_;
   std::optional<InfraredBand> infrared_;

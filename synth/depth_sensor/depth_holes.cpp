@@ -29,7 +29,7 @@ void mark_seen(const float* depth, int width, double focal_baseline, bool framed
 }
 
 /// Returns the chance that a pixel is lost, 0 to 1.
-double loss(const DepthView& view, const vo::PinholeCamera& camera, const DepthHoles& holes,
+double loss(const DepthView& view, const vo::CameraModel& camera, const DepthHoles& holes,
             const cv::Point& pixel) {
   constexpr double kDegrees = 180 / std::numbers::pi;
   double lost = 0;
@@ -87,12 +87,13 @@ cv::Mat_<uchar> seen_from_beside(const vo::DepthImage& depth, double focal_px, d
 }
 
 vo::DepthImage with_holes(const vo::DepthImage& measured, const DepthView& view,
-                          const vo::PinholeCamera& camera, const DepthHoles& holes,
+                          const vo::CameraModel& camera, const DepthHoles& holes,
                           std::uint64_t frame) {
   vo::DepthImage result = measured.clone();
   if (holes.second_view != 0) {
     const cv::Mat_<uchar> seen =
-        seen_from_beside(view.depth, camera.fx, holes.second_view, holes.second_view_framed);
+        seen_from_beside(view.depth, camera.pinhole_for("sensor.depth.holes.second_view").fx,
+                         holes.second_view, holes.second_view_framed);
     result.setTo(0, seen == 0);
   }
   if (holes.max_incidence_deg >= 90 && holes.max_step == 0 && holes.edge_loss == 0) {

@@ -6,7 +6,7 @@
 
 #include "synth/depth_sensor/depth_noise.h"
 #include "vo/core/image.h"
-#include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 
 namespace synth {
 
@@ -68,7 +68,7 @@ cv::Mat_<uchar> seen_from_beside(const vo::DepthImage& depth, double focal_px, d
 
 /// Returns `measured` without the pixels that the sensor loses in `view`; ignores `dark_level`.
 vo::DepthImage with_holes(const vo::DepthImage& measured, const DepthView& view,
-                          const vo::PinholeCamera& camera, const DepthHoles& holes,
+                          const vo::CameraModel& camera, const DepthHoles& holes,
                           std::uint64_t frame);
 
 vo::DepthImage with_flying_pixels(const vo::DepthImage& measured, const vo::DepthImage& exact,

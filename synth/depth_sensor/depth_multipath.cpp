@@ -15,7 +15,7 @@ constexpr double kLevelling = 0.05;   // px^2, what holds slopes at 0 that few p
 
 /// The opaque surfaces that the pixels see, as points and normals of them, m, camera's axes.
 struct SeenSurfaces {
-  SeenSurfaces(const DepthSight& depth_sight, const vo::PinholeCamera& camera);
+  SeenSurfaces(const DepthSight& depth_sight, const vo::CameraModel& camera);
 
   /// Returns whether two pixels see one plane.
   bool are_level(const cv::Point& a, const cv::Point& b) const {
@@ -28,12 +28,12 @@ struct SeenSurfaces {
   cv::Mat_<cv::Vec3f> points;
 };
 
-SeenSurfaces::SeenSurfaces(const DepthSight& depth_sight, const vo::PinholeCamera& camera)
+SeenSurfaces::SeenSurfaces(const DepthSight& depth_sight, const vo::CameraModel& camera)
     : sight(depth_sight), points(depth_sight.beyond.size(), cv::Vec3f(0, 0, 0)) {
   for (int v = 0; v < points.rows; ++v) {
     for (int u = 0; u < points.cols; ++u) {
       if (sight.beyond(v, u) > 0) {
-        const Eigen::Vector3d p = camera.unproject({u, v}, sight.beyond(v, u));
+        const Eigen::Vector3d p = static_cast<double>(sight.beyond(v, u)) * camera.ray({u, v});
         points(v, u) = cv::Vec3d(p.x(), p.y(), p.z());
       }
     }
@@ -119,7 +119,7 @@ RenderedFrame with_own_surfaces(const RenderedFrame& frame) {
 
 }  // namespace
 
-RenderedFrame with_multipath(const RenderedFrame& frame, const vo::PinholeCamera& camera,
+RenderedFrame with_multipath(const RenderedFrame& frame, const vo::CameraModel& camera,
                              const MultipathOptions& options) {
   if (frame.sight.multipath.empty()) {
     return frame;

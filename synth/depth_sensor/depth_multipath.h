@@ -2,7 +2,7 @@
 
 #include "synth/rendering/multipath.h"
 #include "synth/rendering/renderer.h"
-#include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 
 namespace synth {
 
@@ -15,7 +15,7 @@ namespace synth {
 /// diffuse surface's colour. It is fitted as a linear function of place over the pixels of a window
 /// that lie in the surface's plane, each of which counts for as much as it returns, so that few
 /// paths for each pixel do. Where the depth is lost or would be negative, there is no surface.
-RenderedFrame with_multipath(const RenderedFrame& frame, const vo::PinholeCamera& camera,
+RenderedFrame with_multipath(const RenderedFrame& frame, const vo::CameraModel& camera,
                              const MultipathOptions& options);
 
 }  // namespace synth

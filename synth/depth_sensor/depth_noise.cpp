@@ -57,9 +57,9 @@ float sampled(const vo::DepthImage& depth, double u, double v, DepthSampling sam
 
 }  // namespace
 
-double incidence(const DepthView& view, const vo::PinholeCamera& camera, const cv::Point& pixel) {
+double incidence(const DepthView& view, const vo::CameraModel& camera, const cv::Point& pixel) {
   const cv::Vec3f& normal = view.normal(pixel);
-  const Eigen::Vector3d ray = camera.unproject(Eigen::Vector2d(pixel.x, pixel.y), 1);
+  const Eigen::Vector3d ray = camera.ray(Eigen::Vector2d(pixel.x, pixel.y));
   const double cosine =
       std::abs(ray.dot(Eigen::Vector3d(normal[0], normal[1], normal[2]))) / ray.norm();
   return std::acos(std::clamp(cosine, 0.0, 1.0));
@@ -85,21 +85,22 @@ double axial_sigma(const AxialNoise& noise, double depth, double incidence_rad) 
   return sigma;
 }
 
-vo::DepthImage with_normal_noise(const DepthView& view, const vo::PinholeCamera& camera,
+vo::DepthImage with_normal_noise(const DepthView& view, const vo::CameraModel& camera,
                                  const NormalNoise& noise, std::uint64_t frame) {
   if (noise.sigma == 0 && noise.grazing == 0) {
     return view.depth;
   }
+  const double focal_px = camera.pinhole_for("sensor.depth.normal").fx;
   const vo::RandomField random(noise.seed, kNormal, frame);
   return changed(view.depth, [&](const cv::Point& pixel, double depth) {
     const double sigma_px =
         lateral_sigma(noise.sigma, noise.grazing, incidence(view, camera, pixel));
-    const double shift = random.normal(pixel.x, pixel.y) * sigma_px * depth / camera.fx;
+    const double shift = random.normal(pixel.x, pixel.y) * sigma_px * depth / focal_px;
     return depth + shift * view.normal(pixel)[2];
   });
 }
 
-vo::DepthImage with_lateral_noise(const DepthView& view, const vo::PinholeCamera& camera,
+vo::DepthImage with_lateral_noise(const DepthView& view, const vo::CameraModel& camera,
                                   const LateralNoise& noise, std::uint64_t frame) {
   if (noise.sigma == 0 && noise.grazing == 0) {
     return view.depth;
@@ -115,7 +116,7 @@ vo::DepthImage with_lateral_noise(const DepthView& view, const vo::PinholeCamera
   });
 }
 
-vo::DepthImage with_axial_noise(const DepthView& view, const vo::PinholeCamera& camera,
+vo::DepthImage with_axial_noise(const DepthView& view, const vo::CameraModel& camera,
                                 const AxialNoise& noise, std::uint64_t frame) {
   if (!noise.is_on()) {
     return view.depth;

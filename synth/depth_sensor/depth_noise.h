@@ -7,18 +7,18 @@
 #include <opencv2/core.hpp>
 
 #include "vo/core/image.h"
-#include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 
 namespace synth {
 
 /// The exact depth and normals that a depth camera observes.
 struct DepthView {
-  vo::DepthImage depth;        ///< m along the optical axis; 0 = nothing
+  vo::DepthImage depth;        ///< m, CameraModel::depth; 0 = nothing
   cv::Mat_<cv::Vec3f> normal;  ///< unit normal, camera's axes, towards the camera; 0 = nothing
 };
 
 /// Returns the angle between a pixel's surface normal and its ray, rad.
-double incidence(const DepthView& view, const vo::PinholeCamera& camera, const cv::Point& pixel);
+double incidence(const DepthView& view, const vo::CameraModel& camera, const cv::Point& pixel);
 
 enum class DepthSampling {
   nearest,  ///< depth of the nearest pixel
@@ -119,13 +119,13 @@ double lateral_sigma(double sigma, double grazing, double incidence_rad);
 double axial_sigma(const AxialNoise& noise, double depth, double incidence_rad);  ///< sigma, m
 
 /// Returns depth with noise along the normals, or the input image itself if the noise is off.
-vo::DepthImage with_normal_noise(const DepthView& view, const vo::PinholeCamera& camera,
+vo::DepthImage with_normal_noise(const DepthView& view, const vo::CameraModel& camera,
                                  const NormalNoise& noise, std::uint64_t frame);
 /// Returns depth with lateral noise, or the input image itself if the noise is off.
-vo::DepthImage with_lateral_noise(const DepthView& view, const vo::PinholeCamera& camera,
+vo::DepthImage with_lateral_noise(const DepthView& view, const vo::CameraModel& camera,
                                   const LateralNoise& noise, std::uint64_t frame);
 /// Returns depth with axial noise, or the input image itself if the noise is off.
-vo::DepthImage with_axial_noise(const DepthView& view, const vo::PinholeCamera& camera,
+vo::DepthImage with_axial_noise(const DepthView& view, const vo::CameraModel& camera,
                                 const AxialNoise& noise, std::uint64_t frame);
 /// Returns depth with disparity noise, or the input image itself if the noise is off.
 vo::DepthImage with_disparity_noise(const vo::DepthImage& depth, const DisparityNoise& noise,

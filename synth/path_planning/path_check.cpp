@@ -62,25 +62,25 @@ void measure_motion(const CameraPath& path, FrameCheck& frame) {
 }
 
 /// Returns the median optical flow by the camera's motion alone, in pixels of `camera`.
-double median_flow(const SurfaceTracer& tracer, const vo::PinholeCamera& camera,
+double median_flow(const SurfaceTracer& tracer, const vo::CameraModel& camera,
                    const vo::SE3& T_world_cur, const vo::SE3& T_world_next) {
-  const vo::PinholeCamera small = thumbnail(camera, 64);
+  const vo::CameraModel small = thumbnail(camera, 64);
   const vo::DepthImage depth = tracer.trace(small, T_world_cur).depth;
   const vo::SE3 T_next_cur = T_world_next.inverse() * T_world_cur;
   std::vector<double> flows;
   for (int v = 0; v < depth.rows; ++v) {
     for (int u = 0; u < depth.cols; ++u) {
-      const Eigen::Vector3d p_cur = small.unproject({u, v}, depth(v, u));
+      const Eigen::Vector3d p_cur = static_cast<double>(depth(v, u)) * small.ray({u, v});
       const Eigen::Vector3d p_next = T_next_cur * p_cur;
-      if (p_cur.z() > 0 && p_next.z() > 0) {
-        flows.push_back((camera.project(p_next) - camera.project(p_cur)).norm());
+      if (camera.depth(p_cur) > 0 && camera.depth(p_next) > 0) {
+        flows.push_back(camera.displacement(camera.project(p_cur), camera.project(p_next)).norm());
       }
     }
   }
   return vo::upper_median(std::move(flows));
 }
 
-void measure_view(const SurfaceTracer& tracer, const vo::PinholeCamera& camera,
+void measure_view(const SurfaceTracer& tracer, const vo::CameraModel& camera,
                   const vo::SE3& T_world_camera, FrameCheck& frame) {
   const double everywhere = 2 * tracer.bounds().diagonal().norm();
   const ViewContent content =
@@ -92,7 +92,7 @@ void measure_view(const SurfaceTracer& tracer, const vo::PinholeCamera& camera,
 /// Checks frames of a path, from any thread. What it is given must outlive it.
 class FrameChecker {
  public:
-  FrameChecker(const Scene& scene, const vo::PinholeCamera& camera, const TimedPath& timed)
+  FrameChecker(const Scene& scene, const vo::CameraModel& camera, const TimedPath& timed)
       : scene_(scene), camera_(camera), timed_(timed), moving_(moving_instances(scene)) {
     if (!moves(scene)) {
       still_ = std::make_shared<const Instant>(scene_at(scene, 0));
@@ -131,7 +131,7 @@ class FrameChecker {
 
  private:
   const Scene& scene_;
-  const vo::PinholeCamera& camera_;
+  const vo::CameraModel& camera_;
   const TimedPath& timed_;
   std::vector<bool> moving_;
   std::shared_ptr<const Instant> still_;  ///< where nothing moves
@@ -182,7 +182,7 @@ Range range_of(const std::vector<FrameCheck>& frames, double FrameCheck::*value)
   return {*least, vo::upper_median(values), *greatest};
 }
 
-std::vector<FrameCheck> check_frames(const Scene& scene, const vo::PinholeCamera& camera,
+std::vector<FrameCheck> check_frames(const Scene& scene, const vo::CameraModel& camera,
                                      const TimedPath& timed, const FrameRange& range) {
   constexpr std::size_t kChunk = 8;  // frames in a row, which share the scene's state between two
   const FrameChecker checker(scene, camera, timed);
@@ -197,7 +197,7 @@ std::vector<FrameCheck> check_frames(const Scene& scene, const vo::PinholeCamera
   return frames;
 }
 
-PathReport check_path(const Scene& scene, const vo::PinholeCamera& camera, const TimedPath& timed,
+PathReport check_path(const Scene& scene, const vo::CameraModel& camera, const TimedPath& timed,
                       const PathLimits& limits) {
   limits.validate();
   PathReport report;

@@ -6,7 +6,7 @@
 
 #include "synth/path_planning/path_options.h"
 #include "synth/scene/scene.h"
-#include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 
 namespace synth {
 
@@ -71,14 +71,14 @@ struct FrameRange {
 };
 
 /// Measures some frames of a path, each as `check_path` does.
-std::vector<FrameCheck> check_frames(const Scene& scene, const vo::PinholeCamera& camera,
+std::vector<FrameCheck> check_frames(const Scene& scene, const vo::CameraModel& camera,
                                      const TimedPath& timed, const FrameRange& range);
 
 /// Checks a path against limits. Each frame sees the scene at its time, animations starting with
 /// the first frame. Clearance is sampled in eight steps between frames; speeds and acceleration are
 /// central differences over 10 ms; flow is that of a view 64 pixels wide by the camera's motion
 /// alone, in pixels of `camera`.
-PathReport check_path(const Scene& scene, const vo::PinholeCamera& camera, const TimedPath& timed,
+PathReport check_path(const Scene& scene, const vo::CameraModel& camera, const TimedPath& timed,
                       const PathLimits& limits);
 
 }  // namespace synth

@@ -37,7 +37,7 @@ bool is_textured(const cv::Mat& grey, const cv::Mat& depth, double reach) {
 
 }  // namespace
 
-ViewContent view_content(const SurfaceTracer& tracer, const vo::PinholeCamera& camera,
+ViewContent view_content(const SurfaceTracer& tracer, const vo::CameraModel& camera,
                          const vo::SE3& T_world_camera, double reach) {
   const SurfaceView view = tracer.trace(camera, T_world_camera);
   const cv::Mat_<float> grey = grey_of(view);
@@ -61,15 +61,20 @@ ViewContent view_content(const SurfaceTracer& tracer, const vo::PinholeCamera& c
   return content;
 }
 
-vo::PinholeCamera thumbnail(const vo::PinholeCamera& camera, int width) {
-  const double scale = static_cast<double>(width) / camera.width;
-  vo::PinholeCamera small = camera;
+vo::CameraModel thumbnail(const vo::CameraModel& camera, int width) {
+  const double scale = static_cast<double>(width) / camera.width();
+  const int height = std::max(1, static_cast<int>(std::lround(camera.height() * scale)));
+  const vo::PinholeCamera* const pinhole = camera.pinhole();
+  if (pinhole == nullptr) {
+    return camera.resized(width, height);
+  }
+  vo::PinholeCamera small = *pinhole;
   small.width = width;
-  small.height = std::max(1, static_cast<int>(std::lround(camera.height * scale)));
+  small.height = height;
   small.fx *= scale;
   small.fy *= scale;
-  small.cx = (camera.cx + 0.5) * scale - 0.5;
-  small.cy = (camera.cy + 0.5) * scale - 0.5;
+  small.cx = (pinhole->cx + 0.5) * scale - 0.5;
+  small.cy = (pinhole->cy + 0.5) * scale - 0.5;
   return small;
 }
 

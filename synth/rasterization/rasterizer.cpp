@@ -74,7 +74,7 @@ std::array<const TextureSlot*, kTextureSlots> texture_slots(const Material& mate
 void require_drawable(const Capture& capture) {
   capture.camera.validate();
   capture.shutter.validate();
-  vo::require(capture.camera.distortion.is_zero(),
+  vo::require(capture.camera.pinhole_for("rasterizer").distortion.is_zero(),
               "rasterizer: cannot draw through a lens that distorts, expected a camera without "
               "distortion or render.kind = ray_tracer");
   vo::require(capture.shutter.exposure_time == 0 && capture.shutter.readout_time == 0,
@@ -149,12 +149,13 @@ Rasterizer::Rasterizer(const Scene& scene, const RenderOptions& options)
 RenderedFrame Rasterizer::render(const Capture& capture) const {
   require_drawable(capture);
   const CameraPose camera_pose = CapturePoses(capture).of_row(0);
-  const Camera camera{capture.camera, camera_pose.R_world_camera.transpose().cast<float>(),
+  const Camera camera{*capture.camera.pinhole(),
+                      camera_pose.R_world_camera.transpose().cast<float>(),
                       (camera_pose.position - world_.origin).cast<float>()};
   RenderedFrame frame = empty_frame(capture.camera, capture.channels);
   const std::lock_guard lock(mutex_);
   const GlContext::Current current(*context_);
-  target_->bind({capture.camera.width, capture.camera.height});
+  target_->bind({camera.pinhole.width, camera.pinhole.height});
   const bool has_color = capture.channels.color && mode_ != RenderMode::depth;
   if (has_color) {
     draw_color(camera, frame);

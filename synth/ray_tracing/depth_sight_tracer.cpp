@@ -91,7 +91,7 @@ bool may_show_clear_surfaces(const Scene& scene) {
 struct DepthSightTracer::Line {
   cv::Point pixel;
   PlaneView eye;
-  Eigen::Vector3d direction;  ///< world axes, m per m of depth; component 1 along the eye's axis
+  Eigen::Vector3d direction;  ///< world axes, m per m of depth; component 1 along eye.depth_axis
   double index = 1;           ///< of refraction of what the line is in
   /// From world axes as mirrors and refraction show them to world axes.
   Eigen::Matrix3d R_world_mirrored = Eigen::Matrix3d::Identity();
@@ -114,7 +114,7 @@ struct DepthSightTracer::Line {
 struct DepthSightTracer::Met {
   FirstSurface kind = FirstSurface::opaque;
   DepthPlane plane;
-  double depth = 0;  ///< m along the optical axis
+  double depth = 0;  ///< m, along PlaneView::depth_axis
   SurfacePoint point;
   float returned = 0;  ///< light that returns, as in DepthSight
   float share = 0;     ///< of the light, what a clear surface sends on
@@ -162,7 +162,7 @@ void DepthSightTracer::reflect(const Met& met, Line& line) {
   const Eigen::Matrix3d mirror =
       Eigen::Matrix3d::Identity() - 2 / n.squaredNorm() * n * n.transpose();
   line.eye.eye += 2 * met.plane.offset / n.squaredNorm() * n;
-  line.eye.optical_axis = mirror * line.eye.optical_axis;
+  line.eye.depth_axis = mirror * line.eye.depth_axis;
   line.direction = mirror * line.direction;
   line.R_world_mirrored = line.R_world_mirrored * mirror;
 }
@@ -177,7 +177,7 @@ void DepthSightTracer::refract(const Met& met, const Eigen::Vector3f& onward, Li
   line.index *= met.ratio;
   line.direction = before.norm() / met.ratio * onward.cast<double>().normalized();
   line.eye.eye = place - met.depth * line.direction;
-  line.eye.optical_axis = line.direction / line.direction.squaredNorm();
+  line.eye.depth_axis = line.direction / line.direction.squaredNorm();
   line.R_world_mirrored =
       line.R_world_mirrored * Eigen::Quaterniond::FromTwoVectors(line.direction, before);
 }
@@ -244,7 +244,7 @@ void DepthSightTracer::follow(const cv::Point* pixels, const HitPacket& first,
   SeenPoints seen;
   std::array<Line, kPacketSize> lines;
   for (int lane = 0; lane < packet.size; ++lane) {
-    lines[static_cast<std::size_t>(lane)] = {pixels[lane], view_.eye(pixels[lane].y),
+    lines[static_cast<std::size_t>(lane)] = {pixels[lane], view_.eye(pixels[lane]),
                                              view_.direction(pixels[lane])};
   }
   for (int met_before = 0; packet.size > 0; ++met_before) {

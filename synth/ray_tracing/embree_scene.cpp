@@ -15,7 +15,7 @@ namespace synth {
 namespace {
 
 constexpr std::uint64_t kInstants = 0x1257;  // purpose of the instants' random numbers
-constexpr float kNear = 0.01F;               // m along the optical axis
+constexpr float kNear = 0.01F;               // m of depth
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 void keep_first_error(void* message, RTCError /*code*/, const char* text) {
@@ -249,13 +249,13 @@ View::View(const WorldGeometry& world, const Capture& capture)
       capture_(capture),
       poses_(capture),
       instants_(capture.seed, kInstants, 0),
-      pixel_width_(
-          static_cast<float>(1 / std::sqrt(std::abs(capture.camera.fx * capture.camera.fy)))) {
-  if (!capture.camera.distortion.is_zero()) {
+      pixel_width_(static_cast<float>(capture.camera.pixel_width())) {
+  const vo::PinholeCamera* const pinhole = capture.camera.pinhole();
+  if (pinhole == nullptr || !pinhole->distortion.is_zero()) {
     return;
   }
-  const Eigen::Matrix3d K_inverse = inverse_of_intrinsics(capture.camera);
-  const int rows = is_at_rest() ? 1 : capture.camera.height;
+  const Eigen::Matrix3d K_inverse = inverse_of_intrinsics(*pinhole);
+  const int rows = is_at_rest() ? 1 : pinhole->height;
   for (int v = 0; v < rows; ++v) {
     const CameraPose& camera_pose = poses_.of_row(v);
     ray_generators_.push_back({camera_pose.R_world_camera * K_inverse,
@@ -264,9 +264,9 @@ View::View(const WorldGeometry& world, const Capture& capture)
   }
 }
 
-/// Returns a pixel's ray direction, world axes, 1 along the optical axis: multiples are depths.
+/// Returns a pixel's ray direction, world axes: multiples are depths.
 Eigen::Vector3d View::direction(const CameraPose& camera_pose, const Eigen::Vector2d& pixel) const {
-  return camera_pose.R_world_camera * capture_.camera.unproject(pixel, 1);
+  return camera_pose.R_world_camera * capture_.camera.ray(pixel);
 }
 
 CameraRay View::ray_from(const CameraPose& camera_pose, const Eigen::Vector2d& pixel,
@@ -312,7 +312,7 @@ void View::add_ray_at_cell(const cv::Point& pixel, const PixelCell& cell, HitPac
 /// Returns the instant of a pixel's cell within an exposure, s after the stamp.
 double View::time_of_cell(const cv::Point& pixel, const PixelCell& cell) const {
   const double turn = instants_.uniform(pixel.x, pixel.y) + cell.instant;
-  return capture_.shutter.time_in_row(pixel.y, turn - std::floor(turn), capture_.camera.height);
+  return capture_.shutter.time_in_row(pixel.y, turn - std::floor(turn), capture_.camera.height());
 }
 
 CameraPose View::pose_at_cell(const cv::Point& pixel, const PixelCell& cell) const {
@@ -320,13 +320,16 @@ CameraPose View::pose_at_cell(const cv::Point& pixel, const PixelCell& cell) con
                                              : poses_.at(time_of_cell(pixel, cell));
 }
 
-PlaneView View::eye(int v) const {
-  const CameraPose& camera_pose = poses_.of_row(v);
-  return {camera_pose.position, camera_pose.R_world_camera.col(2), share_of_row(v)};
+PlaneView View::eye(const cv::Point& pixel) const {
+  const CameraPose& camera_pose = poses_.of_row(pixel.y);
+  return {camera_pose.position,
+          camera().has_optical_axis() ? Eigen::Vector3d(camera_pose.R_world_camera.col(2))
+                                      : direction(pixel),
+          share_of_row(pixel.y)};
 }
 
-DepthPlane View::plane_of(int mesh, int triangle, int v) const {
-  return depth_plane(world_.meshes[mesh], triangle, eye(v));
+DepthPlane View::plane_of(int mesh, int triangle, const cv::Point& pixel) const {
+  return depth_plane(world_.meshes[mesh], triangle, eye(pixel));
 }
 
 std::optional<double> View::depth_of(const DepthPlane& plane, const cv::Point& pixel) const {
@@ -335,7 +338,7 @@ std::optional<double> View::depth_of(const DepthPlane& plane, const cv::Point& p
 
 float View::exact_depth(const cv::Point& pixel, const RTCRayHit& ray) const {
   const SurfaceHit hit = surface_hit(ray.hit);
-  const DepthPlane plane = plane_of(hit.mesh, hit.triangle, pixel.y);
+  const DepthPlane plane = plane_of(hit.mesh, hit.triangle, pixel);
   const std::optional<double> depth = depth_of(plane, pixel);
   return depth ? static_cast<float>(*depth) : ray.ray.tfar;
 }

@@ -18,7 +18,7 @@
 #include "synth/shading/shading.h"
 #include "synth/shading/shading_lanes.h"
 #include "vo/core/random_field.h"
-#include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 
 namespace synth {
 
@@ -129,7 +129,7 @@ inline CameraRay ray_from(const SurfacePoint& point, const Eigen::Vector3f& dire
 void add_ray(HitPacket& packet, const CameraRay& ray);
 
 /// Sets a camera ray from a point, m, in the world-space geometry's coordinates, along a direction
-/// with component 1 along the optical axis.
+/// whose multiples are depths.
 void aim_along(RTCRayHit& ray, const Eigen::Vector3f& from, const Eigen::Vector3f& direction);
 
 /// Returns the reach of a shadow ray in lengths of DirectLight::to_light: 1 or infinity.
@@ -161,18 +161,19 @@ class View {
  public:
   View(const WorldGeometry& world, const Capture& capture);
 
-  const vo::PinholeCamera& camera() const { return capture_.camera; }
+  const vo::CameraModel& camera() const { return capture_.camera; }
   Eigen::Matrix3d R_world_camera(int v) const { return poses_.of_row(v).R_world_camera; }
+  const Eigen::Vector3d& position(int v) const { return poses_.of_row(v).position; }  ///< m, world
   std::uint64_t seed() const { return capture_.seed; }
   SolidGlass solids() const { return capture_.solids; }
   const MultipathOptions& multipath() const { return capture_.multipath; }
-  float pixel_width() const { return pixel_width_; }  ///< m at 1 m depth
+  float pixel_width() const { return pixel_width_; }  ///< m, CameraModel::pixel_width
 
   /// Returns how an infrared camera sees; null for one that sees colours.
   const InfraredBand* infrared() const { return capture_.infrared ? &*capture_.infrared : nullptr; }
 
-  /// Returns whether all rows are exposed at once, so that they share one camera pose and time.
-  bool is_at_rest() const { return capture_.shutter.readout_time == 0; }
+  /// Returns whether all pixels see a triangle's plane from one PlaneView.
+  bool has_one_eye() const { return is_at_rest() && camera().has_optical_axis(); }
 
   /// Aims a ray through a pixel's centre in the middle of its row's exposure.
   void aim_at_centre(const cv::Point& pixel, RTCRayHit& ray) const;
@@ -189,33 +190,36 @@ class View {
   float exact_depth(const cv::Point& pixel, const RTCRayHit& ray) const;
   std::optional<double> depth_of(const DepthPlane& plane, const cv::Point& pixel) const;
 
-  /// Returns from where the camera sees in the middle of a row's exposure.
-  PlaneView eye(int v) const;
+  /// Returns from where a pixel sees in the middle of its row's exposure, and along which axis its
+  /// depth counts: the optical one or, of a camera without, its own ray.
+  PlaneView eye(const cv::Point& pixel) const;
 
-  /// Returns the direction of the ray through a pixel's centre, world axes, with component 1 along
-  /// the optical axis.
+  /// Returns the CameraModel::ray of a pixel's centre, world axes.
   Eigen::Vector3d direction(const cv::Point& pixel) const {
     return direction(poses_.of_row(pixel.y), {pixel.x, pixel.y});
   }
 
-  /// Returns the plane of a triangle as the camera sees it in the middle of a row's exposure.
-  DepthPlane plane_of(int mesh, int triangle, int v) const;
+  /// Returns the plane of a triangle as a pixel sees it in the middle of its row's exposure.
+  DepthPlane plane_of(int mesh, int triangle, const cv::Point& pixel) const;
 
   /// Returns the unit normal, in camera axes and towards the camera, of the triangle that the ray
   /// through the pixel's centre hit.
   cv::Vec3f normal(const cv::Point& pixel, const HitPacket& packet, int lane) const;
 
  private:
-  /// A generator of a camera's rays at one instant, for a lens that does not distort.
+  /// A generator of a pinhole camera's rays at one instant, for a lens that does not distort.
   struct RayGenerator {
     Eigen::Matrix3d direction_from_pixel;  ///< R_world_camera K^-1
     Eigen::Vector3f start;                 ///< m, in the world-space geometry's coordinates
     float share;                           ///< value of WorldGeometry::share_at
   };
 
+  /// Returns whether all rows are exposed at once, so that they share one camera pose and time.
+  bool is_at_rest() const { return capture_.shutter.readout_time == 0; }
+
   float share_at(double time) const { return world_.share_at(capture_.scene_time + time); }
   float share_of_row(int v) const {
-    return share_at(capture_.shutter.row_time(v, capture_.camera.height));
+    return share_at(capture_.shutter.row_time(v, capture_.camera.height()));
   }
   CameraRay ray_from(const CameraPose& camera_pose, const Eigen::Vector2d& pixel,
                      float share) const;
@@ -228,7 +232,7 @@ class View {
   CapturePoses poses_;
   vo::RandomField instants_;  ///< each pixel's first instant, fraction of the exposure
   float pixel_width_;
-  std::vector<RayGenerator> ray_generators_;  ///< per row, or one for all; none if distorted
+  std::vector<RayGenerator> ray_generators_;  ///< per row, one for all, or none for other cameras
 };
 
 }  // namespace synth

@@ -9,7 +9,6 @@
 #include "synth/shading/scatter.h"
 #include "synth/shading/scrambled_sobol.h"
 #include "synth/shading/shading.h"
-#include "vo/geometry/field_of_view.h"
 
 namespace synth {
 namespace {
@@ -171,7 +170,7 @@ LightLanes MultipathTracer::light_of_lamp(const SeenPoints& seen, const Paths& p
   for (std::size_t i = 0; i < paths.size; ++i) {
     const Path& path = paths.lanes[i];
     const int v = seen.lanes[path.seen].pixel.y;
-    const Eigen::Vector3f lamp = (view_.eye(v).eye - world_.origin).cast<float>();
+    const Eigen::Vector3f lamp = (view_.position(v) - world_.origin).cast<float>();
     places.x[i] = lamp.x();
     places.y[i] = lamp.y();
     places.z[i] = lamp.z();
@@ -216,8 +215,8 @@ bool MultipathTracer::is_in_lamp_field(const Eigen::Vector3f& position, int v) c
     return true;
   }
   const Eigen::Vector3d p_camera = view_.R_world_camera(v).transpose() *
-                                   (position.cast<double>() + world_.origin - view_.eye(v).eye);
-  return vo::is_in_view(view_.camera(), p_camera);
+                                   (position.cast<double>() + world_.origin - view_.position(v));
+  return view_.camera().sees(p_camera);
 }
 
 }  // namespace synth

@@ -19,17 +19,17 @@ Corners world_corners(const FlatMesh& mesh, int triangle) {
   return corners;
 }
 
-/// A ray in world coordinates, whose direction is 1 along the optical axis.
+/// A ray in world coordinates.
 struct Ray {
   Eigen::Vector3d camera_position;
-  Eigen::Vector3d direction;
+  Eigen::Vector3d direction;   ///< of component 1 along `depth_axis`
+  Eigen::Vector3d depth_axis;  ///< unit; the depth of a point counts along it
 };
 
 /// Sets the point to where the ray meets the triangle's plane, by Cramer's rule from
 ///     camera_position + depth direction = a + w1 (b - a) + w2 (c - a).
 /// Keeps the point if that is beyond the corners' depths, as ray and plane are nearly parallel.
-void refine(const Corners& corners, const Ray& ray, const Eigen::Vector3d& optical_axis,
-            TrianglePoint& point) {
+void refine(const Corners& corners, const Ray& ray, TrianglePoint& point) {
   constexpr double kTolerance = 1e-6;  // relative; the hit was found in single precision
   const Eigen::Vector3d ab = corners[1] - corners[0];
   const Eigen::Vector3d ac = corners[2] - corners[0];
@@ -40,7 +40,7 @@ void refine(const Corners& corners, const Ray& ray, const Eigen::Vector3d& optic
   const double depth = normal.dot(from_a) / determinant;
   Eigen::Vector3d depths;
   for (int i = 0; i < 3; ++i) {
-    depths[i] = (corners[i] - ray.camera_position).dot(optical_axis);
+    depths[i] = (corners[i] - ray.camera_position).dot(ray.depth_axis);
   }
   const double margin = kTolerance * depths.cwiseAbs().maxCoeff();
   if (depth >= depths.minCoeff() - margin && depth <= depths.maxCoeff() + margin) {
@@ -51,8 +51,7 @@ void refine(const Corners& corners, const Ray& ray, const Eigen::Vector3d& optic
   }
 }
 
-TrianglePoint point_of(const WorldGeometry& world, const RTCRayHit& hit, const Ray& ray,
-                       const Eigen::Vector3d& optical_axis) {
+TrianglePoint point_of(const WorldGeometry& world, const RTCRayHit& hit, const Ray& ray) {
   if (!has_hit(hit)) {
     return {};
   }
@@ -61,7 +60,7 @@ TrianglePoint point_of(const WorldGeometry& world, const RTCRayHit& hit, const R
                       .triangle = surface.triangle,
                       .weights = surface.weights.cast<double>(),
                       .depth = hit.ray.tfar};
-  refine(world_corners(world.meshes[surface.mesh], surface.triangle), ray, optical_axis, point);
+  refine(world_corners(world.meshes[surface.mesh], surface.triangle), ray, point);
   return point;
 }
 
@@ -72,38 +71,40 @@ PointTracer::PointTracer(const Scene& scene)
 
 PointTracer::~PointTracer() = default;
 
-std::vector<TrianglePoint> PointTracer::trace(const std::vector<Eigen::Vector3d>& directions,
+std::vector<TrianglePoint> PointTracer::trace(const vo::CameraModel& camera,
+                                              const std::vector<Eigen::Vector3d>& rays,
                                               const vo::SE3& T_world_camera) const {
   const Eigen::Matrix3d R_world_camera = T_world_camera.rotation_matrix();
   const Eigen::Vector3d& camera_position = T_world_camera.translation();
   const Eigen::Vector3f start = (camera_position - world_.origin).cast<float>();
-  std::vector<RTCRayHit> hits(directions.size());
+  std::vector<RTCRayHit> hits(rays.size());
   for (std::size_t i = 0; i < hits.size(); ++i) {
-    const Eigen::Vector3d direction = R_world_camera * directions[i];
+    const Eigen::Vector3d direction = R_world_camera * rays[i];
     aim_along(hits[i], start, direction.cast<float>());
     if (!direction.allFinite()) {  // outside the lens's view
       hits[i].ray.tfar = 0;
     }
   }
   embree_->intersect(hits);
-  std::vector<TrianglePoint> points(directions.size());
+  std::vector<TrianglePoint> points(rays.size());
   for (std::size_t i = 0; i < hits.size(); ++i) {
-    points[i] = point_of(world_, hits[i], {camera_position, R_world_camera * directions[i]},
-                         R_world_camera.col(2));
+    const Eigen::Vector3d direction = R_world_camera * rays[i];
+    const Eigen::Vector3d axis =
+        camera.has_optical_axis() ? Eigen::Vector3d(R_world_camera.col(2)) : direction;
+    points[i] = point_of(world_, hits[i], {camera_position, direction, axis});
   }
   return points;
 }
 
-PointImage PointTracer::trace(const vo::PinholeCamera& camera,
-                              const vo::SE3& T_world_camera) const {
+PointImage PointTracer::trace(const vo::CameraModel& camera, const vo::SE3& T_world_camera) const {
   camera.validate();
-  PointImage image{.size = {camera.width, camera.height}, .points = {}};
-  std::vector<Eigen::Vector3d> directions(static_cast<std::size_t>(camera.width));
-  for (int v = 0; v < camera.height; ++v) {
-    for (int u = 0; u < camera.width; ++u) {
-      directions[static_cast<std::size_t>(u)] = camera.unproject({u, v}, 1);
+  PointImage image{.size = {camera.width(), camera.height()}, .points = {}};
+  std::vector<Eigen::Vector3d> rays(static_cast<std::size_t>(camera.width()));
+  for (int v = 0; v < camera.height(); ++v) {
+    for (int u = 0; u < camera.width(); ++u) {
+      rays[static_cast<std::size_t>(u)] = camera.ray({u, v});
     }
-    const std::vector<TrianglePoint> row = trace(directions, T_world_camera);
+    const std::vector<TrianglePoint> row = trace(camera, rays, T_world_camera);
     image.points.insert(image.points.end(), row.begin(), row.end());
   }
   return image;

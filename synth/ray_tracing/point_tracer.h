@@ -8,7 +8,7 @@
 
 #include "synth/scene/scene.h"
 #include "synth/scene/world_geometry.h"
-#include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 #include "vo/geometry/se3.h"
 
 namespace synth {
@@ -20,7 +20,7 @@ struct TrianglePoint {
   int mesh = kNone;      ///< index into WorldGeometry::meshes; kNone = no hit
   int triangle = kNone;  ///< index into Mesh::triangles
   Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< barycentric, sum 1
-  double depth = 0;                                   ///< m along the optical axis
+  double depth = 0;                                   ///< m, CameraModel::depth
 
   bool exists() const { return mesh != kNone; }
 };
@@ -47,11 +47,11 @@ class PointTracer {
   PointTracer(PointTracer&&) = delete;
   PointTracer& operator=(PointTracer&&) = delete;
 
-  PointImage trace(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera) const;
+  PointImage trace(const vo::CameraModel& camera, const vo::SE3& T_world_camera) const;
 
-  /// Returns the first hits of rays from a camera. The directions are in camera axes, with
-  /// component 1 along the optical axis.
-  std::vector<TrianglePoint> trace(const std::vector<Eigen::Vector3d>& directions,
+  /// Returns the first hits of rays from a camera, which are as CameraModel::ray returns them.
+  std::vector<TrianglePoint> trace(const vo::CameraModel& camera,
+                                   const std::vector<Eigen::Vector3d>& rays,
                                    const vo::SE3& T_world_camera) const;
 
   /// Returns a point's world position, m, in this scene, even if it was traced at another time.

@@ -45,8 +45,8 @@ Tile::Tile(const cv::Point& corner, const cv::Size& image) {
 /// Returns the depth of a packet's hit at a pixel's centre; `last` keeps the last hit's plane.
 float depth_of_hit(const View& view, const cv::Point& pixel, const HitPacket& packet, int lane,
                    HitCache<DepthPlane>& last) {
-  const auto make = [&](int mesh, int triangle) { return view.plane_of(mesh, triangle, pixel.y); };
-  if (!view.is_at_rest()) {
+  const auto make = [&](int mesh, int triangle) { return view.plane_of(mesh, triangle, pixel); };
+  if (!view.has_one_eye()) {
     last = {};
   }
   const DepthPlane& plane = last.get(packet.mesh(lane), packet.triangle(lane), make);
@@ -111,7 +111,7 @@ RayTracer::RayTracer(WorldGeometry world, const RenderOptions& options)
       color_tracer_(world_, embree_, options) {}
 
 RenderedFrame RayTracer::render(const Capture& capture) const {
-  const vo::PinholeCamera& camera = capture.camera;
+  const vo::CameraModel& camera = capture.camera;
   camera.validate();
   capture.shutter.validate();
   const View view(world_, capture);
@@ -119,10 +119,11 @@ RenderedFrame RayTracer::render(const Capture& capture) const {
   const SurfaceIds ids = capture.channels.ids ? surface_ids(world_) : SurfaceIds();
   ColorMemory memory = color_tracer_.new_memory(capture);
   const bool is_denoised = denoises_ && capture.channels.color;
-  NoisyPicture noisy = is_denoised ? NoisyPicture({camera.width, camera.height}) : NoisyPicture();
-  for (int v = 0; v < camera.height; v += kTile) {
-    for (int u = 0; u < camera.width; u += kTile) {
-      const Tile tile({u, v}, {camera.width, camera.height});
+  const cv::Size size(camera.width(), camera.height());
+  NoisyPicture noisy = is_denoised ? NoisyPicture(size) : NoisyPicture();
+  for (int v = 0; v < size.height; v += kTile) {
+    for (int u = 0; u < size.width; u += kTile) {
+      const Tile tile({u, v}, size);
       const Channels& channels = capture.channels;
       if (channels.depth || channels.normal || channels.ids || channels.sight) {
         render_surface(view, tile, ids, frame);

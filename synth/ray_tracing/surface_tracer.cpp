@@ -1,6 +1,5 @@
 #include "synth/ray_tracing/surface_tracer.h"
 
-#include <cmath>
 #include <cstddef>
 
 #include "synth/ray_tracing/embree_scene.h"
@@ -42,36 +41,35 @@ SurfaceTracer::SurfaceTracer(const Scene& scene, double ambient)
 
 SurfaceTracer::~SurfaceTracer() = default;
 
-SurfaceView SurfaceTracer::trace(const vo::PinholeCamera& camera,
+SurfaceView SurfaceTracer::trace(const vo::CameraModel& camera,
                                  const vo::SE3& T_world_camera) const {
   camera.validate();
   const Capture capture = still(camera, T_world_camera);
   const View view(world_, capture);
-  SurfaceView surfaces = empty_view({camera.width, camera.height});
-  for (int v = 0; v < camera.height; ++v) {
+  SurfaceView surfaces = empty_view({camera.width(), camera.height()});
+  for (int v = 0; v < camera.height(); ++v) {
     trace_row(view, v, surfaces);
   }
   return surfaces;
 }
 
 void SurfaceTracer::trace_row(const View& view, int v, SurfaceView& surfaces) const {
-  const vo::PinholeCamera& camera = view.camera();
-  const auto pixel_width = static_cast<float>(1 / std::sqrt(std::abs(camera.fx * camera.fy)));
-  std::vector<RTCRayHit> rays(static_cast<std::size_t>(camera.width));
-  for (int u = 0; u < camera.width; ++u) {
+  const int width = view.camera().width();
+  std::vector<RTCRayHit> rays(static_cast<std::size_t>(width));
+  for (int u = 0; u < width; ++u) {
     view.aim_at_centre({u, v}, rays[static_cast<std::size_t>(u)]);
   }
   embree_->intersect(rays);
   std::vector<SurfacePoint> lit;
   std::vector<int> lit_columns;
-  for (int u = 0; u < camera.width; ++u) {
+  for (int u = 0; u < width; ++u) {
     const auto& [ray, hit] = rays[static_cast<std::size_t>(u)];
     if (!has_hit({ray, hit})) {
       continue;
     }
     const SurfaceHit seen = surface_hit(hit);
-    const SurfacePoint point =
-        surface_point(world_, seen, {ray.dir_x, ray.dir_y, ray.dir_z}, pixel_width * ray.tfar);
+    const SurfacePoint point = surface_point(world_, seen, {ray.dir_x, ray.dir_y, ray.dir_z},
+                                             view.pixel_width() * ray.tfar);
     record(view, {u, v}, {ray, hit}, point, surfaces);
     if (!world_.meshes[seen.mesh].material->unlit) {
       lit.push_back(point);

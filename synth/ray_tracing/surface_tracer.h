@@ -10,7 +10,7 @@
 #include "synth/scene/world_geometry.h"
 #include "synth/shading/shading.h"
 #include "vo/core/image.h"
-#include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 #include "vo/geometry/se3.h"
 
 namespace synth {
@@ -39,7 +39,7 @@ class SurfaceTracer {
   SurfaceTracer(SurfaceTracer&&) = delete;
   SurfaceTracer& operator=(SurfaceTracer&&) = delete;
 
-  SurfaceView trace(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera) const;
+  SurfaceView trace(const vo::CameraModel& camera, const vo::SE3& T_world_camera) const;
 
   Eigen::AlignedBox3d bounds() const { return visible_bounds(world_); }  ///< m, world
   const WorldGeometry& world() const { return world_; }

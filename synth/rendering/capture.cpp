@@ -25,13 +25,13 @@ void Shutter::validate() const {
               "shutter: expected readout_time at or above 0 s, got ", readout_time);
 }
 
-Capture still(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera) {
+Capture still(const vo::CameraModel& camera, const vo::SE3& T_world_camera) {
   return {.camera = camera, .motion = [T_world_camera](double) { return T_world_camera; }};
 }
 
 CapturePoses::CapturePoses(const Capture& capture) {
   const Shutter& shutter = capture.shutter;
-  const int height = capture.camera.height;
+  const int height = capture.camera.height();
   const int rows = shutter.readout_time > 0 ? height : 1;
   for (int v = 0; v < rows; ++v) {
     rows_.push_back(eye_at(capture.motion, rows > 1 ? shutter.row_time(v, height) : 0));

@@ -11,7 +11,7 @@
 
 #include "synth/rendering/infrared.h"
 #include "synth/rendering/multipath.h"
-#include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 #include "vo/geometry/se3.h"
 
 namespace synth {
@@ -69,7 +69,7 @@ struct Channels {
 
 /// One picture to take: camera, motion, shutter, channels and the light that the camera sees.
 struct Capture {
-  vo::PinholeCamera camera;
+  vo::CameraModel camera;
   CameraMotion motion;
   Shutter shutter;
   Channels channels;
@@ -81,7 +81,7 @@ struct Capture {
 };
 
 /// Returns a capture by a camera at rest.
-Capture still(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera);
+Capture still(const vo::CameraModel& camera, const vo::SE3& T_world_camera);
 
 /// A camera's rotation and position at one instant.
 struct CameraPose {

@@ -39,8 +39,8 @@ bool RenderOptions::draws_projectors() const {
          (mode == RenderMode::direct || mode == RenderMode::path);
 }
 
-RenderedFrame empty_frame(const vo::PinholeCamera& camera, const Channels& channels) {
-  const cv::Size size(camera.width, camera.height);
+RenderedFrame empty_frame(const vo::CameraModel& camera, const Channels& channels) {
+  const cv::Size size(camera.width(), camera.height());
   const cv::Vec3f none(0, 0, 0);
   RenderedFrame frame;
   if (channels.color) {

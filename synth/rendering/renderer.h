@@ -8,7 +8,7 @@
 
 #include "synth/rendering/capture.h"
 #include "vo/core/image.h"
-#include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 #include "vo/geometry/se3.h"
 
 namespace synth {
@@ -87,7 +87,7 @@ enum class FirstSurface : std::uint8_t {
 struct DepthSight {
   cv::Mat_<std::uint8_t> first;       ///< FirstSurface
   cv::Mat_<float> returned;           ///< light that returns from the first surface
-  vo::DepthImage beyond;              ///< m along the optical axis, of the opaque surface
+  vo::DepthImage beyond;              ///< m, CameraModel::depth of the opaque surface
   cv::Mat_<cv::Vec3f> beyond_normal;  ///< unit triangle normal, camera's axes, towards the camera
   cv::Mat_<float> beyond_returned;    ///< light that returns from the opaque surface
   /// The sum of the phasors of the light that reaches the pixel by way of other surfaces before the
@@ -100,15 +100,15 @@ struct DepthSight {
 /// exposure; radiance is a mean over all of it.
 struct RenderedFrame {
   cv::Mat_<cv::Vec3f> radiance;  ///< linear RGB, mean over the pixel's area; infrared: grey
-  vo::DepthImage depth;        ///< m along the optical axis, at the pixel's centre; 0 = nothing hit
-  cv::Mat_<cv::Vec3f> normal;  ///< unit triangle normal, camera's axes, towards the camera; or 0
-  IdImage instance;            ///< SurfaceIds::instance at the pixel's centre; 0 = nothing hit
-  IdImage material;            ///< SurfaceIds::material at the pixel's centre; 0 = nothing hit
+  vo::DepthImage depth;          ///< m, CameraModel::depth at the pixel's centre; 0 = nothing hit
+  cv::Mat_<cv::Vec3f> normal;    ///< unit triangle normal, camera's axes, towards the camera; or 0
+  IdImage instance;              ///< SurfaceIds::instance at the pixel's centre; 0 = nothing hit
+  IdImage material;              ///< SurfaceIds::material at the pixel's centre; 0 = nothing hit
   DepthSight sight;
 };
 
 /// Returns a frame whose requested channels are allocated and 0 everywhere.
-RenderedFrame empty_frame(const vo::PinholeCamera& camera, const Channels& channels);
+RenderedFrame empty_frame(const vo::CameraModel& camera, const Channels& channels);
 
 /// Renders a scene. `render` may be called from several threads; its result depends on its
 /// arguments alone.
@@ -124,7 +124,7 @@ class Renderer {
   virtual RenderedFrame render(const Capture& capture) const = 0;
 
   /// Renders colour and depth as a camera at rest sees them.
-  RenderedFrame render(const vo::PinholeCamera& camera, const vo::SE3& T_world_camera) const {
+  RenderedFrame render(const vo::CameraModel& camera, const vo::SE3& T_world_camera) const {
     return render(still(camera, T_world_camera));
   }
 };

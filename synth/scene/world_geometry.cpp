@@ -222,7 +222,7 @@ DepthPlane depth_plane(const FlatMesh& mesh, int triangle, const PlaneView& view
     if (share > 0) {
       corners[i] += share * (corner_of(*moments.after, vertex) - view.eye - corners[i]);
     }
-    depths[i] = corners[i].dot(view.optical_axis);
+    depths[i] = corners[i].dot(view.depth_axis);
   }
   const double margin = kTolerance * depths.cwiseAbs().maxCoeff();
   DepthPlane plane;

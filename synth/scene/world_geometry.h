@@ -86,15 +86,15 @@ struct DepthPlane {
 
   /// Returns the depth, m, at which a ray from the eye that hits the triangle meets its plane, or
   /// nothing if that is beyond the corners' depths, as for a degenerate triangle. `direction` is in
-  /// world axes, with component 1 along the optical axis.
+  /// world axes, with component 1 along PlaneView::depth_axis.
   std::optional<double> depth_along(const Eigen::Vector3d& direction) const;
 };
 
 /// The viewpoint from which a triangle's depth plane is computed.
 struct PlaneView {
-  Eigen::Vector3d eye = Eigen::Vector3d::Zero();            ///< m, world
-  Eigen::Vector3d optical_axis = Eigen::Vector3d::UnitZ();  ///< unit, world axes
-  float share = 0;                                          ///< value of WorldGeometry::share_at
+  Eigen::Vector3d eye = Eigen::Vector3d::Zero();          ///< m, world
+  Eigen::Vector3d depth_axis = Eigen::Vector3d::UnitZ();  ///< world axes, depths count along it
+  float share = 0;                                        ///< value of WorldGeometry::share_at
 };
 
 DepthPlane depth_plane(const FlatMesh& mesh, int triangle, const PlaneView& view);

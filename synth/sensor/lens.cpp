@@ -30,8 +30,12 @@ double light_share(const vo::PinholeCamera& camera, const Eigen::Vector2d& pixel
   return std::max(0.0, polynomial) * std::pow(cosine, vignetting.cos_power);
 }
 
-cv::Mat_<cv::Vec3f> through_lens(const cv::Mat_<cv::Vec3f>& radiance,
-                                 const vo::PinholeCamera& camera, const LensOptions& options) {
+cv::Mat_<cv::Vec3f> through_lens(const cv::Mat_<cv::Vec3f>& radiance, const vo::CameraModel& camera,
+                                 const LensOptions& options) {
+  if (options.is_perfect()) {
+    return radiance;
+  }
+  const vo::PinholeCamera& pinhole = camera.pinhole_for("sensor.lens");
   cv::Mat_<cv::Vec3f> light = options.blur > 0 ? blurred(radiance, options.blur) : radiance;
   if (options.vignetting.is_zero()) {
     return light;
@@ -40,7 +44,7 @@ cv::Mat_<cv::Vec3f> through_lens(const cv::Mat_<cv::Vec3f>& radiance,
   for (int v = 0; v < light.rows; ++v) {
     for (int u = 0; u < light.cols; ++u) {
       light(v, u) *=
-          static_cast<float>(light_share(camera, Eigen::Vector2d(u, v), options.vignetting));
+          static_cast<float>(light_share(pinhole, Eigen::Vector2d(u, v), options.vignetting));
     }
   }
   return light;

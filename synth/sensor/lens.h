@@ -2,7 +2,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 
 namespace synth {
 
@@ -23,6 +23,7 @@ struct LensOptions {
   double blur = 0;  ///< px, standard deviation of the Gaussian point-spread function
   Vignetting vignetting;
 
+  bool is_perfect() const { return blur == 0 && vignetting.is_zero(); }
   void validate() const;  ///< throws vo::Error if out of range
 };
 
@@ -44,8 +45,9 @@ void visit_fields(Visitor& visit, LensOptions& options) {
 double light_share(const vo::PinholeCamera& camera, const Eigen::Vector2d& pixel,
                    const Vignetting& vignetting);
 
-/// Returns the linear light on the sensor: the radiance after blur and vignetting.
-cv::Mat_<cv::Vec3f> through_lens(const cv::Mat_<cv::Vec3f>& radiance,
-                                 const vo::PinholeCamera& camera, const LensOptions& options);
+/// Returns the linear light on the sensor: the radiance after blur and vignetting, which are of
+/// pinhole cameras; throws vo::Error where they are on and the camera is another.
+cv::Mat_<cv::Vec3f> through_lens(const cv::Mat_<cv::Vec3f>& radiance, const vo::CameraModel& camera,
+                                 const LensOptions& options);
 
 }  // namespace synth

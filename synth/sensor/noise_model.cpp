@@ -44,12 +44,16 @@ Terms non_negative_fit(const Design& A) {
 
 }  // namespace
 
-double depth_variance(const SensorOptions& sensor, const vo::RgbdCamera& camera, double depth) {
+double depth_variance(const SensorOptions& sensor, const vo::RgbdCameraModel& camera,
+                      double depth) {
   const DepthSensorOptions& options = sensor.depth;
-  double variance = squared(axial_sigma(options.axial, depth, 0)) +
-                    squared(options.normal.sigma * depth / camera.pinhole.fx) +
-                    rounding_variance(options.step) +
-                    rounding_variance(1 / camera.depth_units_per_m);
+  double variance = squared(axial_sigma(options.axial, depth, 0));
+  if (options.normal.sigma > 0) {
+    const double focal_px = camera.model.pinhole_for("sensor.depth.normal").fx;
+    variance += squared(options.normal.sigma * depth / focal_px);
+  }
+  variance += rounding_variance(options.step);
+  variance += rounding_variance(1 / camera.depth_units_per_m);
   const DisparityNoise& disparity = options.disparity;
   if (disparity.focal_baseline > 0) {
     variance += squared(depth * depth / disparity.focal_baseline) *
@@ -59,7 +63,7 @@ double depth_variance(const SensorOptions& sensor, const vo::RgbdCamera& camera,
   return variance;
 }
 
-vo::DepthNoise depth_noise_model(const SensorOptions& sensor, const vo::RgbdCamera& camera) {
+vo::DepthNoise depth_noise_model(const SensorOptions& sensor, const vo::RgbdCameraModel& camera) {
   constexpr double kNearest = 0.5;   // m
   constexpr double kFarthest = 5.0;  // m
   constexpr int kDepths = 46;

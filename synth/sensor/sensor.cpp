@@ -125,7 +125,7 @@ SensorOptions seeded(const SensorOptions& options) {
   return result;
 }
 
-vo::ColorImage develop(const cv::Mat_<cv::Vec3f>& radiance, const vo::PinholeCamera& camera,
+vo::ColorImage develop(const cv::Mat_<cv::Vec3f>& radiance, const vo::CameraModel& camera,
                        const SensorOptions& options, const FrameSetting& setting) {
   cv::Mat_<cv::Vec3f> linear = scaled(through_lens(radiance, camera, options.lens),
                                       Eigen::Vector3d::Constant(setting.exposure));
@@ -144,7 +144,7 @@ vo::ColorImage develop(const cv::Mat_<cv::Vec3f>& radiance, const vo::PinholeCam
   return options.jpeg.quality > 0 ? through_jpeg(image, options.jpeg) : image;
 }
 
-vo::DepthImage measure_depth(const DepthView& view, const vo::PinholeCamera& camera,
+vo::DepthImage measure_depth(const DepthView& view, const vo::CameraModel& camera,
                              const SensorOptions& options, std::uint64_t frame) {
   const DepthSensorOptions& sensor = options.depth;
   const auto seen = [&](const vo::DepthImage& depth) { return DepthView{depth, view.normal}; };

@@ -19,7 +19,7 @@
 #include "synth/sensor/lens.h"
 #include "synth/sensor/response.h"
 #include "vo/core/image.h"
-#include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 #include "vo/geometry/se3.h"
 
 namespace synth {
@@ -140,11 +140,11 @@ struct FrameSetting {
 /// Returns the image of linear radiance after lens, flicker, noise, saturation, white balance,
 /// response and JPEG. An infrared camera's image is grey: what the sensor makes of green, which no
 /// white balance changes, stands in all channels.
-vo::ColorImage develop(const cv::Mat_<cv::Vec3f>& radiance, const vo::PinholeCamera& camera,
+vo::ColorImage develop(const cv::Mat_<cv::Vec3f>& radiance, const vo::CameraModel& camera,
                        const SensorOptions& options, const FrameSetting& setting);
 
 /// Returns the depth that the depth camera measures, not registered to the colour image.
-vo::DepthImage measure_depth(const DepthView& view, const vo::PinholeCamera& camera,
+vo::DepthImage measure_depth(const DepthView& view, const vo::CameraModel& camera,
                              const SensorOptions& options, std::uint64_t frame);
 
 /// Returns what a sensor measures whose only effects are an exposure and a depth range. Throws

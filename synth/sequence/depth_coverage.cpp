@@ -23,7 +23,7 @@ struct DepthCount {
   int with_depth = 0;
 };
 
-DepthCount count_depth(const std::filesystem::path& file, const vo::RgbdCamera& camera) {
+DepthCount count_depth(const std::filesystem::path& file, const vo::RgbdCameraModel& camera) {
   try {
     const vo::DepthImage depth = vo::read_depth_png(file, camera);
     return {static_cast<int>(depth.total()), cv::countNonZero(depth)};

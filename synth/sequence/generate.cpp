@@ -31,8 +31,8 @@ vo::Trajectory depth_truth(const SequenceRecipe& recipe) {
 
 }  // namespace
 
-vo::RgbdCamera written_camera(const SequenceRecipe& recipe) {
-  vo::RgbdCamera camera = recipe.camera;
+vo::RgbdCameraModel written_camera(const SequenceRecipe& recipe) {
+  vo::RgbdCameraModel camera = recipe.camera;
   camera.depth_noise = depth_noise_model(recipe.sensor, camera);
   return camera;
 }
@@ -72,11 +72,11 @@ FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe,
   if (!renderers_) {
     renderers_ = std::make_shared<const RenderersOverTime>(scene, recipe.render);
   }
-  sensor_ = std::make_unique<SequenceCamera>(scene, *renderers_, recipe.camera.pinhole, motion_,
+  sensor_ = std::make_unique<SequenceCamera>(scene, *renderers_, recipe.camera.model, motion_,
                                              recipe.sensor, recipe.infrared);
   if (!recipe.channels.channels.empty()) {
     truth_ = std::make_unique<const TruthGenerator>(
-        TruthSubject{scene, recipe.camera.pinhole, recipe.truth, recipe.render.ambient,
+        TruthSubject{scene, recipe.camera.model, recipe.truth, recipe.render.ambient,
                      recipe.scene_delay, std::move(instance_classes)},
         recipe.channels);
   }

@@ -19,7 +19,7 @@
 #include "synth/truth/truth_generator.h"
 #include "vo/dataset/sequence.h"
 #include "vo/files/output.h"
-#include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 #include "vo/geometry/trajectory.h"
 
 namespace synth {
@@ -28,7 +28,7 @@ namespace synth {
 struct SequenceRecipe {
   vo::Trajectory truth;  ///< T_world_camera of each frame, at its stamp
   CameraPath path;       ///< T_world_camera at any time; if empty: a spline, no velocity or IMU
-  vo::RgbdCamera camera;
+  vo::RgbdCameraModel camera;
   RenderOptions render;
   SensorOptions sensor;
   vo::FloatDepth float_depth = vo::FloatDepth::none;
@@ -38,7 +38,7 @@ struct SequenceRecipe {
 };
 
 /// Returns the recipe's camera with the depth noise of its sensor, as camera.toml tells it.
-vo::RgbdCamera written_camera(const SequenceRecipe& recipe);
+vo::RgbdCameraModel written_camera(const SequenceRecipe& recipe);
 
 /// Returns the recipe's camera path or, where it is empty, the spline through its poses.
 CameraPath path_of(const SequenceRecipe& recipe);

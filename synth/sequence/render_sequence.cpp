@@ -260,7 +260,7 @@ std::string format_recipe(const RenderJob& job) {
   }
   text += std::string("float_depth = ") +
           (recipe.float_depth == vo::FloatDepth::npy ? "true" : "false") + "\n";
-  vo::RgbdCamera camera = written_camera(recipe);
+  vo::RgbdCameraModel camera = written_camera(recipe);
   text += vo::format_toml(vo::fields_of(camera, "camera."));
   std::vector<vo::Field> render = vo::fields_of(recipe.render, "render.");
   keep_if_on(render, "render.denoise", recipe.render.denoise);

@@ -28,8 +28,7 @@ cv::Mat_<cv::Vec3f> encoded(const cv::Mat_<cv::Vec3f>& linear) {
 /// Labels one view by comparing pairs of neighbouring pixels.
 class Labeller {
  public:
-  Labeller(const SurfaceView& view, const vo::PinholeCamera& camera,
-           const EdgeLabelOptions& options)
+  Labeller(const SurfaceView& view, const vo::CameraModel& camera, const EdgeLabelOptions& options)
       : view_(view),
         camera_(camera),
         options_(options),
@@ -52,8 +51,14 @@ class Labeller {
     return cv::Rect(cv::Point(), labels_.size()).contains(pixel);
   }
 
+  /// Returns the pixel one step on, which may be outside but for columns of an image that wraps.
+  cv::Point stepped(const cv::Point& pixel, const cv::Point& step) const {
+    const cv::Point there = pixel + step;
+    return camera_.wraps() ? cv::Point((there.x + labels_.cols) % labels_.cols, there.y) : there;
+  }
+
   void label_pair(const cv::Point& a, const cv::Point& step) {
-    const cv::Point b = a + step;
+    const cv::Point b = stepped(a, step);
     if (!is_inside(b)) {
       return;
     }
@@ -79,10 +84,12 @@ class Labeller {
   /// one after.
   bool has_albedo_edge(const cv::Point& a, const cv::Point& b, const cv::Point& step) const {
     const double contrast = color_step(a, b);
-    if (contrast < color_step(a - step, a) || contrast <= color_step(b, b + step)) {
+    const cv::Point before = stepped(a, -step);
+    const cv::Point after = stepped(b, step);
+    if (contrast < color_step(before, a) || contrast <= color_step(b, after)) {
       return false;
     }
-    return color_step(is_inside(a - step) ? a - step : a, is_inside(b + step) ? b + step : b) >=
+    return color_step(is_inside(before) ? before : a, is_inside(after) ? after : b) >=
            options_.albedo_step;
   }
 
@@ -107,7 +114,7 @@ class Labeller {
   }
 
   Eigen::Vector3d ray(const cv::Point& pixel) const {
-    return camera_.unproject(Eigen::Vector2d(pixel.x, pixel.y), 1);
+    return camera_.ray(Eigen::Vector2d(pixel.x, pixel.y));
   }
 
   double color_step(const cv::Point& a, const cv::Point& b) const {
@@ -118,7 +125,7 @@ class Labeller {
   }
 
   const SurfaceView& view_;
-  const vo::PinholeCamera& camera_;
+  const vo::CameraModel& camera_;
   const EdgeLabelOptions& options_;
   cv::Mat_<cv::Vec3f> color_;  ///< sRGB-encoded base colour
   double least_cosine_;        ///< least cosine between normals without a crease
@@ -135,7 +142,7 @@ void EdgeLabelOptions::validate() const {
   vo::require(shadow_step > 0, "labels.shadow_step: expected above 0, got ", shadow_step);
 }
 
-EdgeLabels edge_labels(const SurfaceView& view, const vo::PinholeCamera& camera,
+EdgeLabels edge_labels(const SurfaceView& view, const vo::CameraModel& camera,
                        const EdgeLabelOptions& options) {
   return Labeller(view, camera, options).run();
 }

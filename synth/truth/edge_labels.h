@@ -52,8 +52,9 @@ void visit_fields(Visitor& visit, EdgeLabelOptions& options) {
 /// Returns exact edges, about a pixel wide: an edge between a pixel and its right or lower
 /// neighbour marks the nearer surface if depth steps, else the left or upper pixel. A gradual
 /// change of colour has its edge where it is steepest. Other causes are only tested where depth
-/// does not step. `camera` is the one that saw the view.
-EdgeLabels edge_labels(const SurfaceView& view, const vo::PinholeCamera& camera,
+/// does not step. `camera` is the one that saw the view; in an image that wraps, the last column's
+/// right neighbour is the first.
+EdgeLabels edge_labels(const SurfaceView& view, const vo::CameraModel& camera,
                        const EdgeLabelOptions& options);
 
 }  // namespace synth

@@ -3,8 +3,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "vo/geometry/field_of_view.h"
-
 namespace synth {
 namespace {
 
@@ -30,11 +28,11 @@ FlowImage optical_flow(const PointImage& points, const NextView& next) {
       continue;
     }
     const Eigen::Vector3d p_next = seen_from(next, T_next_world, point);
-    if (p_next.z() > 0) {
+    if (next.camera.depth(p_next) > 0) {
       const cv::Point pixel = pixel_of(points, i);
-      const Eigen::Vector2d target = next.camera.project(p_next);
-      flow(pixel) = {static_cast<float>(target.x() - pixel.x),
-                     static_cast<float>(target.y() - pixel.y)};
+      const Eigen::Vector2d way =
+          next.camera.displacement({pixel.x, pixel.y}, next.camera.project(p_next));
+      flow(pixel) = {static_cast<float>(way.x()), static_cast<float>(way.y())};
     }
   }
   return flow;
@@ -44,26 +42,27 @@ cv::Mat_<std::uint8_t> occlusion(const PointImage& points, const NextView& next)
   constexpr double kTolerance = 1e-5;  // share of the depth, for neighbouring triangles
   const vo::SE3 T_next_world = next.T_world_camera.inverse();
   cv::Mat_<std::uint8_t> fates(points.size, static_cast<std::uint8_t>(PointFate::nothing));
-  std::vector<Eigen::Vector3d> directions;
+  std::vector<Eigen::Vector3d> rays;
   std::vector<std::size_t> traced;
   for (std::size_t i = 0; i < points.points.size(); ++i) {
     if (!points.points[i].exists()) {
       continue;
     }
     const Eigen::Vector3d p_next = seen_from(next, T_next_world, points.points[i]);
-    const bool is_inside = vo::is_in_view(next.camera, p_next);
+    const bool is_inside = next.camera.sees(p_next);
     fates(pixel_of(points, i)) =
         static_cast<std::uint8_t>(is_inside ? PointFate::visible : PointFate::outside);
     if (is_inside) {
-      directions.emplace_back(p_next / p_next.z());
+      rays.emplace_back(p_next / next.camera.depth(p_next));
       traced.push_back(i);
     }
   }
-  const std::vector<TrianglePoint> firsts = next.tracer.trace(directions, next.T_world_camera);
+  const std::vector<TrianglePoint> firsts =
+      next.tracer.trace(next.camera, rays, next.T_world_camera);
   for (std::size_t i = 0; i < firsts.size(); ++i) {
     const TrianglePoint& point = points.points[traced[i]];
     const TrianglePoint& first = firsts[i];
-    const double depth = seen_from(next, T_next_world, point).z();
+    const double depth = next.camera.depth(seen_from(next, T_next_world, point));
     const bool is_itself = first.mesh == point.mesh && first.triangle == point.triangle;
     if (first.exists() && !is_itself && first.depth < (1 - kTolerance) * depth) {
       fates(pixel_of(points, traced[i])) = static_cast<std::uint8_t>(PointFate::occluded);

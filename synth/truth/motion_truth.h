@@ -5,12 +5,13 @@
 #include <opencv2/core.hpp>
 
 #include "synth/ray_tracing/point_tracer.h"
-#include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 #include "vo/geometry/se3.h"
 
 namespace synth {
 
-/// Forward optical flow (du, dv), px: from a pixel's centre to its point in the next frame.
+/// Forward optical flow (du, dv), px: from a pixel's centre to its point in the next frame, in an
+/// image that wraps (CameraModel::displacement) by the shorter way round.
 using FlowImage = cv::Mat_<cv::Vec2f>;
 
 inline constexpr float kUnknownFlow = 1e10F;  ///< no flow; unknown is above 1e9 as in Middlebury
@@ -18,7 +19,7 @@ inline constexpr float kUnknownFlow = 1e10F;  ///< no flow; unknown is above 1e9
 /// The view of the next frame: the scene at its time and the camera at its pose.
 struct NextView {
   const PointTracer& tracer;
-  const vo::PinholeCamera& camera;
+  vo::CameraModel camera;
   vo::SE3 T_world_camera;
 };
 

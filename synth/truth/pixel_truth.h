@@ -11,7 +11,7 @@
 
 namespace synth {
 
-/// Returns exact depth along the optical axis at pixel centres, m, of any range; 0 = nothing hit.
+/// Returns exact depth at pixel centres, m, CameraModel::depth, of any range; 0 = nothing hit.
 vo::DepthImage depth_truth(const PointImage& points);
 
 /// Returns unit triangle normals, world axes, towards the camera at `eye`; 0 = nothing hit.

@@ -37,8 +37,7 @@ class TruthGenerator::Instant {
   const SurfaceTracer& surfaces() const { return *surfaces_; }  ///< requires TruthChannel::edges
 
   /// Requires TruthChannel::depth_beyond.
-  vo::DepthImage depth_beyond(const vo::PinholeCamera& camera,
-                              const vo::SE3& T_world_camera) const {
+  vo::DepthImage depth_beyond(const vo::CameraModel& camera, const vo::SE3& T_world_camera) const {
     Capture capture = still(camera, T_world_camera);
     capture.channels = {.color = false, .depth = false, .sight = true};
     return renderer_->render(capture).sight.beyond;
@@ -117,7 +116,8 @@ std::string TruthGenerator::encode(const Frame& frame, TruthChannel channel) con
       return vo::encode_png(moved_points(frame.points, tracer, other));
     case TruthChannel::disparity:
       return vo::encode_float_image(
-          disparity_truth(frame.points, subject_.camera.fx * options_.stereo_baseline),
+          disparity_truth(frame.points, subject_.camera.pinhole_for("channels: disparity").fx *
+                                            options_.stereo_baseline),
           options_.float_format);
     case TruthChannel::stereo_occlusion:
       return vo::encode_png(

@@ -9,7 +9,7 @@
 #include "synth/scene/scene.h"
 #include "synth/truth/truth_channels.h"
 #include "vo/files/output.h"
-#include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 #include "vo/geometry/trajectory.h"
 
 namespace synth {
@@ -17,7 +17,7 @@ namespace synth {
 /// The inputs of a truth generator. Its references must outlive the generator.
 struct TruthSubject {
   const Scene& scene;
-  const vo::PinholeCamera& camera;
+  vo::CameraModel camera;
   const vo::Trajectory& trajectory;
   double ambient = 0;      ///< RenderOptions::ambient of the sequence
   double scene_delay = 0;  ///< s, the time of the scene's animations at the first stamp

@@ -302,10 +302,12 @@ TEST(Rasterizer, GivesTheSameBitsAgain) {
 TEST(Rasterizer, RefusesWhatItCannotDraw) {
   const Scene scene = lit_square();
   const RenderOptions raster{.kind = RendererKind::rasterizer};
+  vo::PinholeCamera distorted = small_camera();
+  distorted.distortion.k1 = 0.1;
+  EXPECT_THROW(make_renderer(scene, raster)->render(still(distorted, {})), vo::Error);
+  const vo::EquirectangularCamera panorama{.width = 32, .height = 16};
+  EXPECT_THROW(make_renderer(scene, raster)->render(still(panorama, {})), vo::Error);
   Capture capture = still(small_camera(), {});
-  capture.camera.distortion.k1 = 0.1;
-  EXPECT_THROW(make_renderer(scene, raster)->render(capture), vo::Error);
-  capture = still(small_camera(), {});
   capture.shutter.readout_time = 0.02;
   EXPECT_THROW(make_renderer(scene, raster)->render(capture), vo::Error);
   EXPECT_THROW(make_renderer(scene, {.kind = RendererKind::rasterizer, .mode = RenderMode::path}),

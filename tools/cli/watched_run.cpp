@@ -95,10 +95,11 @@ void WatchedTrials::finish(const std::string& how) {
 }
 
 WatchedStage rendering_stage(const synth::SequenceRecipe& recipe, const std::string& title) {
+  const vo::PinholeCamera* const pinhole = recipe.camera.model.pinhole();
   return {.name = "rendering",
           .title = title,
           .frames = recipe.truth.size(),
-          .camera = recipe.camera.pinhole,
+          .camera = pinhole == nullptr ? std::nullopt : std::optional(*pinhole),
           .truth = {},
           .path = recipe.truth};
 }

@@ -97,8 +97,8 @@ std::string objection(const DatasetFilter& filter, const synth::RenderJob& job) 
   if (filter.is_empty()) {
     return {};
   }
-  const synth::PathReport report = synth::check_path(job.scene.scene(), job.recipe.camera.pinhole,
-                                                     timed_path(job), filter.limits);
+  const synth::PathReport report =
+      synth::check_path(job.scene.scene(), job.recipe.camera.model, timed_path(job), filter.limits);
   if (!report.violations.empty()) {
     return report.violations.front();
   }

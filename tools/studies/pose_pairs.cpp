@@ -158,7 +158,7 @@ synth::RenderJob pose_pairs_job(const std::filesystem::path& scene) {
   const synth::SceneFile file(scene);
   return {.scene = file,
           .recipe = {.truth = pose_pairs(file.scene(), camera, {}),
-                     .camera = {camera},
+                     .camera = vo::RgbdCamera{camera},
                      .render = {.samples = kSamples}}};
 }
 

@@ -84,8 +84,8 @@ RgbdCamera camera_of_folder(const std::filesystem::path& folder,
   return std::filesystem::exists(file) ? read_camera(file) : otherwise;
 }
 
-std::string format_camera(const RgbdCamera& camera) {
-  RgbdCamera copy = camera;
+std::string format_camera(const RgbdCameraModel& camera) {
+  RgbdCameraModel copy = camera;
   std::vector<Field> fields = fields_of(copy);
   if (!camera.readout.is_rolling()) {
     std::erase_if(fields, [](const Field& field) { return field.key.starts_with("readout"); });

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 
 namespace vo {
 
@@ -33,6 +34,6 @@ RgbdCamera camera_of_folder(const std::filesystem::path& folder,
                             const std::optional<RgbdCamera>& given, const RgbdCamera& otherwise);
 
 /// Returns the text of a camera.toml; a read-out or depth noise that is unknown is left out.
-std::string format_camera(const RgbdCamera& camera);
+std::string format_camera(const RgbdCameraModel& camera);
 
 }  // namespace vo

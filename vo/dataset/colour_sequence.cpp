@@ -12,7 +12,7 @@ std::vector<NamedBytes> encode_colour_frame(std::size_t index, const RgbdFrame& 
   return {{frame_file("rgb", index, "png"), encode_png(frame.image)}};
 }
 
-std::vector<NamedBytes> encode_colour_lists(const RgbdCamera& camera,
+std::vector<NamedBytes> encode_colour_lists(const RgbdCameraModel& camera,
                                             const std::vector<double>& timestamps) {
   return {{"rgb.txt", format_image_list("colour images, sRGB", "rgb", "png", timestamps)},
           {"camera.toml", format_camera(camera)}};

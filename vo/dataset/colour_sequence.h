@@ -6,7 +6,7 @@
 
 #include "vo/core/image.h"
 #include "vo/files/output.h"
-#include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 
 namespace vo {
 
@@ -16,7 +16,7 @@ namespace vo {
 std::vector<NamedBytes> encode_colour_frame(std::size_t index, const RgbdFrame& frame);
 
 /// Encodes the list of the images and camera.toml for frames of these stamps, s.
-std::vector<NamedBytes> encode_colour_lists(const RgbdCamera& camera,
+std::vector<NamedBytes> encode_colour_lists(const RgbdCameraModel& camera,
                                             const std::vector<double>& timestamps);
 
 /// Returns a list of TUM's layout, with a line for each stamp, s, and `frame_file` of its index.

@@ -12,6 +12,7 @@
 #include "vo/files/output.h"
 #include "vo/frames/sequence_frames.h"
 #include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 #include "vo/geometry/trajectory.h"
 #include "vo/recordings/sequence_topics.h"
 
@@ -94,7 +95,7 @@ enum class FloatDepth { none, npy };
 
 /// Camera and depth options of a sequence that is written in the TUM layout.
 struct SequenceLayout {
-  RgbdCamera camera;
+  RgbdCameraModel camera;
   FloatDepth float_depth = FloatDepth::none;
   double depth_delay = 0;  ///< s, from the stamp of a colour image to that of its depth
 };

@@ -42,20 +42,20 @@ std::size_t count_beyond_16_bit(const DepthImage& depth, double units_per_m) {
   }));
 }
 
-DepthImage read_depth_png(const std::filesystem::path& path, const RgbdCamera& camera) {
+DepthImage read_depth_png(const std::filesystem::path& path, const RgbdCameraModel& camera) {
   const cv::Mat image = read_png(path);
-  require_size(image, camera.pinhole, path);
+  require_size(image, camera.model, path);
   require(image.type() == CV_16UC1, path.string(),
           ": expected depth of 16 bits in one channel, got ",
           image.channels() == 3 ? "colour" : "8 bits");
   return from_depth_units(image, camera.depth_units_per_m);
 }
 
-void require_size(const cv::Mat& image, const PinholeCamera& camera,
+void require_size(const cv::Mat& image, const CameraModel& camera,
                   const std::filesystem::path& path) {
-  require(image.cols == camera.width && image.rows == camera.height, path.string(), ": is ",
-          image.cols, "x", image.rows, " px, expected the camera's ", camera.width, "x",
-          camera.height);
+  require(image.cols == camera.width() && image.rows == camera.height(), path.string(), ": is ",
+          image.cols, "x", image.rows, " px, expected the camera's ", camera.width(), "x",
+          camera.height());
 }
 
 }  // namespace vo

@@ -7,7 +7,7 @@
 #include <opencv2/core.hpp>
 
 #include "vo/core/image.h"
-#include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 
 namespace vo {
 
@@ -25,10 +25,10 @@ std::size_t count_beyond_16_bit(const DepthImage& depth, double units_per_m);
 
 /// Reads depth, m, from a 16-bit PNG; 0 and 65535 become 0, which is no measurement. Throws Error
 /// naming the file unless it has 16 bits and the camera's size.
-DepthImage read_depth_png(const std::filesystem::path& path, const RgbdCamera& camera);
+DepthImage read_depth_png(const std::filesystem::path& path, const RgbdCameraModel& camera);
 
 /// Throws Error naming the file unless an image has the camera's size.
-void require_size(const cv::Mat& image, const PinholeCamera& camera,
+void require_size(const cv::Mat& image, const CameraModel& camera,
                   const std::filesystem::path& path);
 
 }  // namespace vo

@@ -100,11 +100,15 @@ PinholeCamera PinholeCamera::without_distortion() const {
   return ideal;
 }
 
-void PinholeCamera::validate() const {
+void require_image_size(int width, int height) {
   constexpr int kMaxSize = 16384;
   require(width > 0 && height > 0 && width <= kMaxSize && height <= kMaxSize,
           "camera: expected a size from 1x1 to ", kMaxSize, "x", kMaxSize, " px, got ", width, "x",
           height);
+}
+
+void PinholeCamera::validate() const {
+  require_image_size(width, height);
   require(std::isfinite(fx) && std::isfinite(fy) && fx > 0 && fy != 0,
           "camera: expected fx above 0 and fy other than 0, got ", fx, ", ", fy);
   require(std::isfinite(cx) && std::isfinite(cy), "camera: expected finite cx and cy, got ", cx,
@@ -113,18 +117,6 @@ void PinholeCamera::validate() const {
   require(distortion.is_zero() || has_invertible_border(*this),
           "camera: the lens distortion folds over inside the image, expected coefficients that can "
           "be inverted up to its corners");
-}
-
-void RgbdCamera::validate() const {
-  constexpr double kMinDepthUnits = 1e-3;
-  constexpr double kMaxDepthUnits = 1e9;
-  pinhole.validate();
-  require(depth_units_per_m >= kMinDepthUnits && depth_units_per_m <= kMaxDepthUnits,
-          "camera: expected depth_units_per_m from ", kMinDepthUnits, " to ", kMaxDepthUnits,
-          ", got ", depth_units_per_m);
-  require(std::abs(readout.seconds) <= kMaxReadout, "camera: expected readout from ", -kMaxReadout,
-          " to ", kMaxReadout, " s, got ", readout.seconds);
-  depth_noise.validate();
 }
 
 }  // namespace vo

@@ -48,6 +48,9 @@ void visit_fields(Visitor& visit, PinholeCamera& camera) {
   visit("distortion", camera.distortion, "of the lens");
 }
 
+/// Throws Error unless a camera can have an image of this size, px.
+void require_image_size(int width, int height);
+
 /// A colour camera with a depth image registered to it.
 struct RgbdCamera {
   PinholeCamera pinhole;
@@ -58,9 +61,9 @@ struct RgbdCamera {
   void validate() const;  ///< throws Error unless the values are usable
 };
 
-template <typename Visitor>
-void visit_fields(Visitor& visit, RgbdCamera& camera) {
-  visit_fields(visit, camera.pinhole);
+/// Visits what an RGB-D camera has beside its projection.
+template <typename Visitor, typename Camera>
+void visit_depth_fields(Visitor& visit, Camera& camera) {
   visit("depth_units_per_m", camera.depth_units_per_m, "value of a 16-bit depth pixel at 1 m");
   visit(
       "readout", camera.readout.seconds,
@@ -68,6 +71,12 @@ void visit_fields(Visitor& visit, RgbdCamera& camera) {
       "first; 0 is unknown");
   visit("readout_axis", camera.readout.axis, "which lines the shutter reads");
   visit("depth_noise", camera.depth_noise, "of the depth camera; 0 is unknown");
+}
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, RgbdCamera& camera) {
+  visit_fields(visit, camera.pinhole);
+  visit_depth_fields(visit, camera);
 }
 
 }  // namespace vo

@@ -28,8 +28,8 @@ Scene blank_wall() {
 cv::Mat_<std::uint8_t> picture_of(const Scene& scene, const RenderJob& job) {
   const RenderersOverTime renderers(scene, {.samples = 16});
   const CameraTruth motion{job.recipe.truth, job.recipe.path};
-  const SequenceCamera camera(scene, renderers, job.recipe.camera.pinhole, motion,
-                              job.recipe.sensor, job.recipe.infrared);
+  const SequenceCamera camera(scene, renderers, job.recipe.camera.model, motion, job.recipe.sensor,
+                              job.recipe.infrared);
   cv::Mat_<std::uint8_t> picture;
   cv::extractChannel(camera.take(0).image, picture, 1);
   return picture;
@@ -40,7 +40,7 @@ cv::Mat_<std::uint8_t> picture_of(const Scene& scene, const RenderJob& job) {
 double found_share(const RenderJob& left, const RenderJob& right, double baseline) {
   const Scene scene = blank_wall();
   const cv::Mat_<float> found = support::matched(picture_of(scene, left), picture_of(scene, right));
-  const vo::PinholeCamera& camera = left.recipe.camera.pinhole;
+  const vo::PinholeCamera& camera = *left.recipe.camera.model.pinhole();
   int right_ones = 0;
   int all = 0;
   for (int v = 0; v < camera.height; ++v) {

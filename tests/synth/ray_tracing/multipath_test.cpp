@@ -284,7 +284,7 @@ TEST(Multipath, OfARollingShutterIsThatOfEachRowsOwnPose) {
   capture.motion = motion;
   const RenderedFrame rolling = renderer->render(capture);
   for (const int v : {0, 30, 44}) {
-    const double time = capture.shutter.row_time(v, capture.camera.height);
+    const double time = capture.shutter.row_time(v, capture.camera.height());
     Capture at_rest = capture;
     at_rest.shutter = {};
     at_rest.motion = [&](double) { return motion(time); };

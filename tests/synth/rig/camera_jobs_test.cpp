@@ -132,7 +132,7 @@ cv::Mat image_of_wall(const RenderJob& job) {
   scene.lights.push_back(point_light({0.5F, -1, 0}, {4, 4, 4}));
   const RenderersOverTime renderers(scene, {.samples = 1});
   const CameraTruth motion{job.recipe.truth, job.recipe.path};
-  return SequenceCamera(scene, renderers, job.recipe.camera.pinhole, motion, job.recipe.sensor,
+  return SequenceCamera(scene, renderers, job.recipe.camera.model, motion, job.recipe.sensor,
                         job.recipe.infrared)
       .take(0)
       .image;

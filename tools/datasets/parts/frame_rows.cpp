@@ -23,7 +23,7 @@ FrameRows::FrameRows(const DatasetSequence& sequence, const SequenceJob& job, st
       camera_(job.camera_name(camera)),
       first_(part.first),
       archive_(std::move(archive)),
-      checks_(synth::check_frames(job_.scene.scene(), job_.recipe.camera.pinhole, timed_path(job_),
+      checks_(synth::check_frames(job_.scene.scene(), job_.recipe.camera.model, timed_path(job_),
                                   {part.first, part.end})) {}
 
 std::string FrameRows::row(std::size_t frame, double depth_coverage) const {
