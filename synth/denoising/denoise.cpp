@@ -17,6 +17,7 @@ constexpr float kOwnVariance = 0.3F;  // least variance, relative to what the pi
 constexpr double kMostGivenBack = 1;  // relative to the light that is left
 constexpr int kGivenBack = 33;        // px, edge of each square whose means spread dimmed light
 constexpr int kSpreads = 3;           // of them, one after the other: nearly a Gaussian
+constexpr int kBeyond = 128;          // px, more than from how far off one pixel changes another
 
 using Channels = std::array<Plane, 3>;
 
@@ -143,6 +144,14 @@ Plane relative_nearness(const Plane& nearness) {
   return greatest > 0 ? Plane(nearness / greatest) : nearness;
 }
 
+/// Returns an image with columns from the other end beyond its left and right border.
+template <typename Pixel>
+cv::Mat_<Pixel> going_round(const cv::Mat_<Pixel>& image, int columns) {
+  cv::Mat_<Pixel> result;
+  cv::copyMakeBorder(image, result, 0, 0, columns, columns, cv::BORDER_WRAP);
+  return result;
+}
+
 }  // namespace
 
 NoisyPicture::NoisyPicture(const cv::Size& size)
@@ -180,6 +189,19 @@ cv::Mat_<cv::Vec3f> denoised(const NoisyPicture& picture) {
   cv::Mat_<cv::Vec3f> image;
   cv::merge(result.data(), result.size(), image);
   return image;
+}
+
+cv::Mat_<cv::Vec3f> denoised_round(const NoisyPicture& picture) {
+  const cv::Size size = picture.nearness.size();
+  NoisyPicture wider;
+  for (std::size_t i = 0; i < 2; ++i) {
+    wider.halves[i] = going_round(picture.halves[i], kBeyond);
+  }
+  wider.shown = going_round(picture.shown, kBeyond);
+  wider.reflectance = going_round(picture.reflectance, kBeyond);
+  wider.normal = going_round(picture.normal, kBeyond);
+  wider.nearness = going_round(picture.nearness, kBeyond);
+  return denoised(wider)(cv::Rect({kBeyond, 0}, size)).clone();
 }
 
 }  // namespace synth

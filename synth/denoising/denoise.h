@@ -18,7 +18,7 @@ struct NoisyPicture {
   cv::Mat_<cv::Vec3f> shown;        ///< linear RGB, radiance without noise, which comes on top
   cv::Mat_<cv::Vec3f> reflectance;  ///< linear RGB, share of the light that is sent back
   cv::Mat_<cv::Vec3f> normal;       ///< any fixed axes, of length 1 before the mean
-  cv::Mat_<float> nearness;         ///< 1/m, inverse depth along the optical axis
+  cv::Mat_<float> nearness;         ///< 1/m, inverse depth
 };
 
 /// Returns the linear RGB radiance without most of its noise. The light that arrives, radiance over
@@ -30,5 +30,8 @@ struct NoisyPicture {
 /// the other is dimmed, and given back to the pixels within 48 px, nearly by a Gaussian of 16 px
 /// and in proportion to their light, which becomes at most twice as much.
 cv::Mat_<cv::Vec3f> denoised(const NoisyPicture& picture);
+
+/// Does the same of a picture that goes round, whose last column is beside its first.
+cv::Mat_<cv::Vec3f> denoised_round(const NoisyPicture& picture);
 
 }  // namespace synth

@@ -119,6 +119,20 @@ Eigen::Vector3f ColorTracer::light_from_afar(const PathLeg& leg,
   return leg.bounces == 0 ? Eigen::Vector3f(Eigen::Vector3f::Zero()) : ambient_.radiance(direction);
 }
 
+/// Returns the ray of a lane where it hits a surface, `reach` m of way from the camera. Its cone
+/// has sides as long as it is the camera's own.
+SurfaceRay ColorTracer::surface_ray(const PathLegs& bundle, int lane, float reach,
+                                    const Step& step) const {
+  const PathLeg& leg = bundle.legs[static_cast<std::size_t>(lane)];
+  const bool has_sides = step.packet.has_sides && leg.is_straight;
+  return {bundle.rays.weights(lane),
+          bundle.rays.direction(lane),
+          step.packet.sample_width * reach,
+          bundle.rays.share(lane),
+          anisotropy_,
+          has_sides ? &step.packet.sides[leg.sample] : nullptr};
+}
+
 void ColorTracer::meet_surface(const PathLegs& bundle, int lane, Step& step) const {
   const PathLeg& leg = bundle.legs[static_cast<std::size_t>(lane)];
   const FlatMesh& mesh = world_.meshes[static_cast<std::size_t>(bundle.rays.mesh(lane))];
@@ -138,9 +152,7 @@ void ColorTracer::meet_surface(const PathLegs& bundle, int lane, Step& step) con
     return;
   }
   const float reach = leg.travelled + bundle.rays.lanes.ray.tfar[lane];
-  const Eigen::Vector4f color = surface_color(
-      triangle, {bundle.rays.weights(lane), bundle.rays.direction(lane),
-                 step.packet.sample_width * reach, bundle.rays.share(lane), anisotropy_});
+  const Eigen::Vector4f color = surface_color(triangle, surface_ray(bundle, lane, reach, step));
   const float share = coverage(material, color.w(), leg, step);
   const Eigen::Vector3f weight = weight_at_end(bundle, lane, leg.medium);
   show(share * weight.cwiseProduct(color.head<3>()), leg, step);
@@ -152,9 +164,7 @@ void ColorTracer::meet_lit_surface(const PathLegs& bundle, int lane,
   const PathLeg& leg = bundle.legs[static_cast<std::size_t>(lane)];
   const Material& material = *triangle.mesh->material;
   const float reach = leg.travelled + bundle.rays.lanes.ray.tfar[lane];
-  const SurfacePoint point = surface_point(
-      triangle, {bundle.rays.weights(lane), bundle.rays.direction(lane),
-                 step.packet.sample_width * reach, bundle.rays.share(lane), anisotropy_});
+  const SurfacePoint point = surface_point(triangle, surface_ray(bundle, lane, reach, step));
   const float share = coverage(material, point.alpha, leg, step);
   pass(bundle, lane, share, step);
   if (share == 0) {

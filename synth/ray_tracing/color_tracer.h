@@ -50,6 +50,8 @@ struct ColorPacket {
   std::array<SampleId, kPacketSize> ids;
   std::uint64_t seed = 0;                    ///< seed of the paths' random numbers
   float sample_width = 0;                    ///< m, width of a sample's cone at 1 m
+  bool has_sides = false;                    ///< the samples' cones are not round
+  std::array<RaySides, kPacketSize> sides;   ///< of each ray's cone that is not
   const InfraredBand* infrared = nullptr;    ///< null for a camera that sees colours
   std::array<CameraPose, kPacketSize> eyes;  ///< of each ray, where there are projectors
 
@@ -74,7 +76,7 @@ struct FirstSight {
   Eigen::Vector3f shown = Eigen::Vector3f::Zero();        ///< linear RGB radiance without noise
   Eigen::Vector3f reflectance = Eigen::Vector3f::Zero();  ///< linear RGB
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();       ///< world, shading normal
-  float nearness = 0;  ///< 1/m, inverse of the depth along the optical axis; 0 if nothing is met
+  float nearness = 0;  ///< 1/m, inverse of CameraModel::depth; 0 if nothing is met
 };
 
 using PacketSights = std::array<FirstSight, kPacketSize>;
@@ -103,6 +105,7 @@ class ColorTracer {
   void end_leg(const PathLegs& bundle, int lane, Step& step) const;
   Eigen::Vector3f light_from_afar(const PathLeg& leg, const Eigen::Vector3f& direction) const;
   void meet_surface(const PathLegs& bundle, int lane, Step& step) const;
+  SurfaceRay surface_ray(const PathLegs& bundle, int lane, float reach, const Step& step) const;
   void meet_lit_surface(const PathLegs& bundle, int lane, const SurfaceTriangle& triangle,
                         Step& step) const;
   float coverage(const Material& material, float alpha, const PathLeg& leg, const Step& step) const;

@@ -320,6 +320,12 @@ CameraPose View::pose_at_cell(const cv::Point& pixel, const PixelCell& cell) con
                                              : poses_.at(time_of_cell(pixel, cell));
 }
 
+RaySides View::pixel_sides(const cv::Point& pixel) const {
+  const auto sides = camera().pixel_sides({pixel.x, pixel.y}).value();
+  const Eigen::Matrix3d in_widths = poses_.of_row(pixel.y).R_world_camera / camera().pixel_width();
+  return {(in_widths * sides[0]).cast<float>(), (in_widths * sides[1]).cast<float>()};
+}
+
 PlaneView View::eye(const cv::Point& pixel) const {
   const CameraPose& camera_pose = poses_.of_row(pixel.y);
   return {camera_pose.position,

@@ -185,6 +185,12 @@ class View {
   /// Returns the camera's pose at that instant.
   CameraPose pose_at_cell(const cv::Point& pixel, const PixelCell& cell) const;
 
+  /// Returns whether pixels see through cones that are not round, which have `pixel_sides`.
+  bool has_pixel_sides() const { return camera().pixel_sides({0, 0}).has_value(); }
+
+  /// Returns the sides of the cone through which a pixel sees.
+  RaySides pixel_sides(const cv::Point& pixel) const;
+
   /// Returns the depth, m, at which the ray through the pixel's centre meets the plane of the
   /// triangle that `ray` hit; the single-precision depth of `ray` if depth_of() gives none.
   float exact_depth(const cv::Point& pixel, const RTCRayHit& ray) const;

@@ -82,6 +82,8 @@ class RayTracer final : public Renderer {
  private:
   void render_surface(const View& view, const Tile& tile, const SurfaceIds& ids,
                       RenderedFrame& frame) const;
+  void add_sample(const View& view, const cv::Point& pixel, std::size_t cell,
+                  ColorPacket& packet) const;
   template <typename Add>
   void trace_cells(const View& view, const Tile& tile, ColorMemory& memory, PacketSights* sights,
                    Add add) const;
@@ -136,7 +138,7 @@ RenderedFrame RayTracer::render(const Capture& capture) const {
     }
   }
   if (is_denoised) {
-    frame.radiance = denoised(noisy);
+    frame.radiance = camera.wraps() ? denoised_round(noisy) : denoised(noisy);
   }
   if (capture.infrared) {
     frame.radiance = grey_of(frame.radiance);
@@ -179,6 +181,21 @@ void RayTracer::render_surface(const View& view, const Tile& tile, const Surface
   }
 }
 
+/// Adds the sample of a cell of a pixel to a packet.
+void RayTracer::add_sample(const View& view, const cv::Point& pixel, std::size_t cell,
+                           ColorPacket& packet) const {
+  const auto lane = static_cast<std::size_t>(packet.start.rays.size);
+  packet.ids[lane] = samples_[cell];
+  packet.ids[lane].pixel = pixel;
+  view.add_ray_at_cell(pixel, cells_[cell], packet.start.rays);
+  if (packet.infrared != nullptr && !packet.infrared->projectors.empty()) {
+    packet.eyes[lane] = view.pose_at_cell(pixel, cells_[cell]);
+  }
+  if (packet.has_sides) {
+    packet.sides[lane] = view.pixel_sides(pixel);
+  }
+}
+
 /// Traces the cells of a tile in order, pixel by pixel, and calls `add` for each with the index of
 /// its pixel in the tile, the index of the cell, its lane and its colour.
 template <typename Add>
@@ -187,8 +204,8 @@ void RayTracer::trace_cells(const View& view, const Tile& tile, ColorMemory& mem
   ColorPacket packet;
   packet.seed = view.seed();
   packet.sample_width = view.pixel_width() * width_of_cell_;
+  packet.has_sides = view.has_pixel_sides();
   packet.infrared = view.infrared();
-  const bool has_projectors = packet.infrared != nullptr && !packet.infrared->projectors.empty();
   std::array<std::pair<std::size_t, std::size_t>, kPacketSize> places;  // pixel and cell of a ray
   const auto trace = [&] {
     const PacketColors colors = color_tracer_.trace(packet, memory, sights);
@@ -199,15 +216,9 @@ void RayTracer::trace_cells(const View& view, const Tile& tile, ColorMemory& mem
   };
   for (std::size_t place = 0; place < tile.count; ++place) {
     for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
-      const auto lane = static_cast<std::size_t>(packet.start.rays.size);
-      places[lane] = {place, cell};
-      packet.ids[lane] = samples_[cell];
-      packet.ids[lane].pixel = tile.pixels[place];
-      view.add_ray_at_cell(tile.pixels[place], cells_[cell], packet.start.rays);
-      if (has_projectors) {
-        packet.eyes[lane] = view.pose_at_cell(tile.pixels[place], cells_[cell]);
-      }
-      if (lane + 1 == kPacketSize) {
+      places[static_cast<std::size_t>(packet.start.rays.size)] = {place, cell};
+      add_sample(view, tile.pixels[place], cell, packet);
+      if (packet.start.rays.size == kPacketSize) {
         trace();
       }
     }

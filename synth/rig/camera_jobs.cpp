@@ -7,6 +7,7 @@
 #include "synth/path/camera_path.h"
 #include "synth/rendering/infrared.h"
 #include "synth/rig/projector_pattern.h"
+#include "synth/sensor/pinhole_effects.h"
 #include "synth/sensor/preset.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
@@ -55,6 +56,7 @@ SensorOptions sensor_of(const vo::RigCamera& camera, const SensorOptions& base,
   vo::assign_fields(camera.sensor, fields);
   try {
     sensor.validate();
+    require_pinhole_effects(sensor, camera.camera.model);
   } catch (const vo::Error& error) {
     vo::fail(vo::describe(camera), ": sensor: ", error.what());
   }
@@ -113,6 +115,9 @@ RenderJob camera_job(const RigJob& job, std::size_t number) {
   RenderJob own = job.body;
   SequenceRecipe& recipe = own.recipe;
   recipe.camera = camera.camera;
+  if (recipe.render.kind == RendererKind::rasterizer) {
+    recipe.camera.model.pinhole_for(vo::describe(camera) + ": the rasterizer");
+  }
   recipe.sensor = sensor_of(camera, recipe.sensor, number);
   recipe.path = path_on(path_of(job.body.recipe), camera.T_body_camera);
   recipe.truth = is_identity(camera.T_body_camera) && camera.time_offset == 0

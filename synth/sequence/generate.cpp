@@ -5,6 +5,7 @@
 #include "synth/camera/make_renderer.h"
 #include "synth/scene/scene_motion.h"
 #include "synth/sensor/noise_model.h"
+#include "synth/sensor/pinhole_effects.h"
 #include "vo/core/error.h"
 #include "vo/frames/depth_units.h"
 #include "vo/motion_files/trajectory_file.h"
@@ -69,6 +70,7 @@ FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe,
   require_within_reach(recipe.truth);
   recipe.camera.validate();
   recipe.sensor.validate();
+  require_pinhole_effects(recipe.sensor, recipe.camera.model);
   if (!renderers_) {
     renderers_ = std::make_shared<const RenderersOverTime>(scene, recipe.render);
   }

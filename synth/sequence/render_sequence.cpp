@@ -72,8 +72,10 @@ std::string describe_channels(const SequenceRecipe& recipe) {
   TruthOptions options = recipe.channels;
   std::string text;
   for (const TruthChannel channel : options.channels) {
-    text += vo::concat("truth.", vo::to_string(channel), " = ",
-                       vo::quoted_toml(truth_convention(channel, options.float_format)), "\n");
+    text += vo::concat(
+        "truth.", vo::to_string(channel), " = ",
+        vo::quoted_toml(truth_convention(channel, options.float_format, recipe.camera.model)),
+        "\n");
   }
   if (options.has(TruthChannel::edges)) {
     text += vo::format_toml(vo::fields_of(options.edges, "edges."));
@@ -157,8 +159,10 @@ void keep_if_on(std::vector<vo::Field>& fields, const std::string& prefix, bool 
 std::string format_manifest(const RenderJob& job, const Scene& scene) {
   std::string text =
       "# Frames: T_world_camera in groundtruth.txt, camera x right, y down, z forward;"
-      " world is the scene's.\n"
-      "# Depth: along the optical axis at the pixel's centre, 0 = none.";
+      " world is the scene's.\n";
+  text += vo::concat("# Depth: along the ",
+                     job.recipe.camera.model.has_optical_axis() ? "optical axis" : "ray",
+                     " at the pixel's centre, 0 = none.");
   text +=
       vo::concat(" 16 bit hold up to ", vo::farthest_in_16_bit(job.recipe.camera.depth_units_per_m),
                  " m; beyond, 0.\n");
@@ -261,7 +265,8 @@ std::string format_recipe(const RenderJob& job) {
   text += std::string("float_depth = ") +
           (recipe.float_depth == vo::FloatDepth::npy ? "true" : "false") + "\n";
   vo::RgbdCameraModel camera = written_camera(recipe);
-  text += vo::format_toml(vo::fields_of(camera, "camera."));
+  text += vo::format_projection(camera.model, "camera.") +
+          vo::format_toml(vo::fields_of(camera, "camera."));
   std::vector<vo::Field> render = vo::fields_of(recipe.render, "render.");
   keep_if_on(render, "render.denoise", recipe.render.denoise);
   keep_if_on(render, "render.anisotropy", recipe.render.anisotropy > 1);

@@ -161,6 +161,15 @@ Eigen::Vector3f weights_along(const SurfaceTriangle& triangle, const Eigen::Vect
   return {-along_a - along_b, along_a, along_b};
 }
 
+/// Returns where a vector across a unit direction ends on the triangle's plane, along that
+/// direction and from where it begins.
+Eigen::Vector3f cast_along(const Eigen::Vector3f& direction, const Eigen::Vector3f& normal,
+                           const Eigen::Vector3f& vector) {
+  const float slant = normal.dot(direction);
+  const float limited = std::copysign(std::max(kMinCosine, std::abs(slant)), slant);
+  return vector - direction * (normal.dot(vector) / limited);
+}
+
 /// Returns the section of a ray's cone with the triangle: as long across the slant as the cone is
 /// wide, and along it over the cosine more.
 SampleFootprint footprint_of(const SurfaceTriangle& triangle, const SurfaceRay& ray, float cosine) {
@@ -171,6 +180,13 @@ SampleFootprint footprint_of(const SurfaceTriangle& triangle, const SurfaceRay& 
   }
   footprint.anisotropy = ray.anisotropy;
   const Eigen::Vector3f direction = ray.direction.normalized();
+  if (ray.sides != nullptr) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      footprint.diameters[i] = weights_along(
+          triangle, cast_along(direction, triangle.normal, ray.footprint * (*ray.sides)[i]));
+    }
+    return footprint;
+  }
   const Eigen::Vector3f slant = direction - triangle.normal * triangle.normal.dot(direction);
   const float sine = slant.norm();
   const Eigen::Vector3f edge = (triangle.corners[1] - triangle.corners[0]).normalized();

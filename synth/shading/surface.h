@@ -76,13 +76,18 @@ struct SurfaceTriangle {
   TexturePatch emissive;
 };
 
+/// Two sides of the section of a ray's cone across the ray, world axes, in widths of the cone,
+/// where it is not round.
+using RaySides = std::array<Eigen::Vector3f, 2>;
+
 /// A ray that hits a triangle.
 struct SurfaceRay {
-  Eigen::Vector3f weights;    ///< barycentric coordinates of the hit
-  Eigen::Vector3f direction;  ///< direction of the ray, any length
-  float footprint = 0;        ///< m, width of one colour sample's cone at the hit
-  float share = 0;            ///< WorldGeometry::share_at of the ray's time
-  int anisotropy = 1;         ///< RenderOptions::anisotropy
+  Eigen::Vector3f weights;          ///< barycentric coordinates of the hit
+  Eigen::Vector3f direction;        ///< direction of the ray, any length
+  float footprint = 0;              ///< m, width of one colour sample's cone at the hit
+  float share = 0;                  ///< WorldGeometry::share_at of the ray's time
+  int anisotropy = 1;               ///< RenderOptions::anisotropy
+  const RaySides* sides = nullptr;  ///< of the cone; null: it is round
 };
 
 /// Returns the base colour at a hit, linear RGBA.

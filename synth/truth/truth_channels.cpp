@@ -97,12 +97,15 @@ std::vector<TruthChannel> parse_channels(std::string_view text) {
   return options.channels;
 }
 
-std::string truth_convention(TruthChannel channel, vo::FloatFormat format) {
+std::string truth_convention(TruthChannel channel, vo::FloatFormat format,
+                             const vo::CameraModel& camera) {
   const std::string folder =
       vo::concat("truth/", vo::to_string(channel), "/NNNNNN.", extension(channel, format), ": ");
   switch (channel) {
     case TruthChannel::depth:
-      return folder + "float32, m along the optical axis at the pixel's centre, 0 = nothing there";
+      return vo::concat(folder, "float32, m along ",
+                        camera.has_optical_axis() ? "the optical axis" : "the ray",
+                        " at the pixel's centre, 0 = nothing there");
     case TruthChannel::normal:
       return folder +
              "float32, (x, y, z) of the triangle's unit normal, world axes, towards the camera, "
@@ -116,9 +119,12 @@ std::string truth_convention(TruthChannel channel, vo::FloatFormat format) {
     case TruthChannel::surface_class:
       return folder + "16 bit, id of a class in truth/labels.json, 0 = none, or nothing there";
     case TruthChannel::flow:
-      return folder +
-             "Middlebury, float32 (du, dv) px from this frame's pixel centre to its point in the "
-             "next frame, u right, v down, above 1e9 = unknown; the last frame has none";
+      return vo::concat(
+          folder,
+          "Middlebury, float32 (du, dv) px from this frame's pixel centre to its point in the "
+          "next frame, u right, v down, ",
+          camera.wraps() ? "du by the shorter way round, " : "",
+          "above 1e9 = unknown; the last frame has none");
     case TruthChannel::occlusion:
       return folder +
              "8 bit, the pixel's point is 0 = visible in the next frame, 255 = hidden there, 128 = "

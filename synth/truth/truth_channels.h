@@ -12,6 +12,7 @@
 #include "synth/truth/imu.h"
 #include "synth/truth/surface_classes.h"
 #include "vo/files/output.h"
+#include "vo/geometry/camera_model.h"
 #include "vo/geometry/trajectory.h"
 #include "vo/image_files/float_image.h"
 
@@ -73,8 +74,10 @@ bool is_of_pair(TruthChannel channel);
 /// `class` and `depth_beyond`. Throws vo::Error for unknown or repeated names.
 std::vector<TruthChannel> parse_channels(std::string_view text);
 
-/// Returns a channel's folder, file type, unit, frame and sign convention, in one sentence.
-std::string truth_convention(TruthChannel channel, vo::FloatFormat format);
+/// Returns a channel's folder, file type, unit, frame and sign convention, in one sentence, of a
+/// camera's images.
+std::string truth_convention(TruthChannel channel, vo::FloatFormat format,
+                             const vo::CameraModel& camera);
 
 struct TruthFile {
   TruthChannel channel = TruthChannel::depth;

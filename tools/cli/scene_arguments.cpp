@@ -51,17 +51,17 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments) {
       ->group("Camera");
 }
 
-vo::RgbdCamera chosen_camera(const CameraArguments& arguments) {
+vo::RgbdCameraModel chosen_camera(const CameraArguments& arguments) {
   if (!arguments.camera.empty()) {
-    return vo::load_camera(arguments.camera);
+    return vo::load_camera_model(arguments.camera);
   }
   const auto [width, height] = parse_size(arguments.size);
   if (arguments.intrinsics.empty()) {
-    return {vo::PinholeCamera::from_horizontal_fov(width, height, arguments.fov_deg)};
+    return vo::RgbdCamera{vo::PinholeCamera::from_horizontal_fov(width, height, arguments.fov_deg)};
   }
   try {
     const std::vector<double> k = vo::parse_reals(arguments.intrinsics, 4);
-    return {{width, height, k[0], k[1], k[2], k[3]}};
+    return vo::RgbdCamera{{width, height, k[0], k[1], k[2], k[3]}};
   } catch (const vo::Error& error) {
     vo::fail_as(vo::ErrorKind::usage, "--intrinsics: ", error.what());
   }

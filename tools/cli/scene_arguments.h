@@ -7,7 +7,7 @@
 
 #include "synth/gltf/gltf.h"
 #include "synth/path_planning/path_options.h"
-#include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 
 namespace tools {
 
@@ -28,7 +28,7 @@ struct CameraArguments {
 void add_camera_options(CLI::App& command, CameraArguments& arguments);
 
 /// Returns the camera. Throws vo::Error, of kind usage unless the error is in a camera file.
-vo::RgbdCamera chosen_camera(const CameraArguments& arguments);
+vo::RgbdCameraModel chosen_camera(const CameraArguments& arguments);
 
 /// Adds the option `--camera` of the commands that read a sequence.
 void add_camera_option(CLI::App& command, std::string& preset_or_file);

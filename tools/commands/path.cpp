@@ -99,7 +99,7 @@ void print(const synth::PathReport& report, const Colours& colours) {
 }
 
 void check(const CheckArguments& arguments, Session& session) {
-  vo::RgbdCamera camera;
+  vo::RgbdCameraModel camera;
   check_usage([&] {
     camera = chosen_camera(arguments.camera);
     camera.validate();
@@ -110,7 +110,7 @@ void check(const CheckArguments& arguments, Session& session) {
   const synth::SceneFile file(arguments.scene, arguments.file, load_actors(arguments.actors));
   const synth::TimedPath timed = synth::make_path(chosen_path(arguments.path), file);
   const synth::PathReport report =
-      synth::check_path(file.scene(), camera.pinhole, timed, arguments.limits);
+      synth::check_path(file.scene(), camera.model, timed, arguments.limits);
   bar.erase();
   if (arguments.common.json) {
     std::cout << json_text(json_document({"path_check"}, to_json(report)));

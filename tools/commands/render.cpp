@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "synth/rig/render_rig.h"
+#include "synth/sensor/pinhole_effects.h"
 #include "synth/sensor/preset.h"
 #include "synth/sequence/labels_file.h"
 #include "synth/sequence/render_plan.h"
@@ -194,6 +195,7 @@ synth::RenderJob chosen_job(const RenderArguments& arguments) {
     job.recipe.camera.validate();
     job.recipe.render.validate();
     job.recipe.sensor.validate();
+    synth::require_pinhole_effects(job.recipe.sensor, job.recipe.camera.model);
     if (!arguments.channels.empty()) {
       job.recipe.channels.channels = synth::parse_channels(arguments.channels);
     }

@@ -18,7 +18,7 @@ std::vector<NamedBytes> encode_colour_lists(const RgbdCameraModel& camera,
           {"camera.toml", format_camera(camera)}};
 }
 
-std::string format_image_list(const char* title, const char* folder, const char* extension,
+std::string format_image_list(const std::string& title, const char* folder, const char* extension,
                               const std::vector<double>& timestamps) {
   const std::vector<std::string> stamps = format_timestamps(timestamps);
   std::string text = concat("# ", title, "\n# timestamp filename\n");

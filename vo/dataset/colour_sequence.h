@@ -20,7 +20,7 @@ std::vector<NamedBytes> encode_colour_lists(const RgbdCameraModel& camera,
                                             const std::vector<double>& timestamps);
 
 /// Returns a list of TUM's layout, with a line for each stamp, s, and `frame_file` of its index.
-std::string format_image_list(const char* title, const char* folder, const char* extension,
+std::string format_image_list(const std::string& title, const char* folder, const char* extension,
                               const std::vector<double>& timestamps);
 
 }  // namespace vo

@@ -57,14 +57,16 @@ std::vector<NamedBytes> encode_frame(const SequenceLayout& layout, std::size_t i
 std::vector<NamedBytes> encode_image_lists(const SequenceLayout& layout,
                                            const std::vector<double>& timestamps,
                                            const std::vector<double>& depth_stamps) {
+  const std::string depth = layout.camera.model.has_optical_axis()
+                                ? "planar depth at pixel centres"
+                                : "distance along the rays of pixel centres";
   std::vector<NamedBytes> files = encode_colour_lists(layout.camera, timestamps);
   files.insert(files.begin() + 1,
-               {"depth.txt", format_image_list("planar depth at pixel centres, 16 bit", "depth",
-                                               "png", depth_stamps)});
+               {"depth.txt", format_image_list(depth + ", 16 bit", "depth", "png", depth_stamps)});
   if (layout.float_depth == FloatDepth::npy) {
-    files.insert(files.begin() + 2,
-                 {"depth_float.txt", format_image_list("planar depth at pixel centres, m",
-                                                       "depth_float", "npy", depth_stamps)});
+    files.insert(
+        files.begin() + 2,
+        {"depth_float.txt", format_image_list(depth + ", m", "depth_float", "npy", depth_stamps)});
   }
   return files;
 }

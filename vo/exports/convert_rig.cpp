@@ -24,10 +24,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool is_pinhole(const RigCamera& camera) {
+  return camera.camera.model.pinhole() != nullptr;
+}
+
 void require_convertible(const ConvertJob& job, const Rig& rig) {
+  const auto first = std::find_if(rig.cameras.begin(), rig.cameras.end(), is_pinhole);
+  require(first != rig.cameras.end(), job.in.string(),
+          ": expected a camera of the rig that is a pinhole, ", to_string(job.to),
+          " holds no others");
   require(job.to == WrittenSequence::euroc, job.in.string(), ": is a rig of ", rig.cameras.size(),
           " cameras, which euroc alone holds; expected the folder of one of them, ",
-          (job.in / rig.cameras.front().name).string(), ", for ", to_string(job.to));
+          (job.in / first->name).string(), ", for ", to_string(job.to));
   if (job.camera) {
     fail_as(ErrorKind::usage, "--camera: expected none for the cameras of a rig, ",
             job.in.string());
@@ -57,6 +65,13 @@ SequenceSource open_body(const ConvertJob& job) {
     body.imu.states = read_states(job.in / "truth/imu_states.csv");
   }
   return in_world(std::move(body), job.up == WorldUp::unknown ? traits_of(job.to).up : job.up);
+}
+
+/// Returns the note on a camera that is left out, as no pinhole.
+std::string note_on_projection(const RigCamera& camera) {
+  return concat("camera '", camera.name,
+                "' is left out: EuRoC holds pinhole cameras, not projection = ",
+                quoted_toml(to_string(camera.camera.model.projection())));
 }
 
 /// Adds those words of a list that another does not have yet.
@@ -113,8 +128,12 @@ ConvertOutcome convert_rig(const ConvertJob& job, const OutputPolicy& policy,
   std::vector<CameraToWrite> cameras;
   ConvertOutcome outcome{
       .poses = body.truth.size(), .up = body.up, .imu_samples = body.imu.samples.size()};
-  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
-    cameras.push_back({i, rig.cameras[i], open_camera(job, rig.cameras[i])});
+  for (const RigCamera& camera : rig.cameras) {
+    if (!is_pinhole(camera)) {
+      outcome.notes.push_back(note_on_projection(camera));
+      continue;
+    }
+    cameras.push_back({cameras.size(), camera, open_camera(job, camera)});
     outcome.frames += cameras.back().source.timestamps.size();
   }
   std::size_t done = 0;

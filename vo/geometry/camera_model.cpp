@@ -46,10 +46,6 @@ int CameraModel::height() const {
   return std::visit([](const auto& camera) { return camera.height; }, camera_);
 }
 
-Eigen::Vector3d CameraModel::ray(const Eigen::Vector2d& pixel) const {
-  return std::visit([&](const auto& camera) { return camera.unproject(pixel, 1); }, camera_);
-}
-
 double CameraModel::depth(const Eigen::Vector3d& p_camera) const {
   return has_optical_axis() ? p_camera.z() : p_camera.norm();
 }
@@ -74,6 +70,12 @@ Eigen::Vector2d CameraModel::displacement(const Eigen::Vector2d& from,
 
 double CameraModel::pixel_width() const {
   return std::visit([](const auto& camera) { return width_of_pixel(camera); }, camera_);
+}
+
+std::optional<std::array<Eigen::Vector3d, 2>> CameraModel::pixel_sides(
+    const Eigen::Vector2d& pixel) const {
+  const auto* const panorama = std::get_if<EquirectangularCamera>(&camera_);
+  return panorama == nullptr ? std::nullopt : std::optional(panorama->ray_derivatives(pixel));
 }
 
 CameraModel CameraModel::resized(int width, int height) const {

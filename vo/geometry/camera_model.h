@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -50,7 +51,11 @@ class CameraModel {
   /// Returns the ray of a pixel, camera axes, its multiples by a depth being the points there:
   /// component 1 along the optical axis, or of length 1 without one. Not a number where the lens
   /// images nothing.
-  Eigen::Vector3d ray(const Eigen::Vector2d& pixel) const;
+  Eigen::Vector3d ray(const Eigen::Vector2d& pixel) const {
+    const PinholeCamera* const camera = pinhole();  // what most pixels are of
+    return camera != nullptr ? camera->unproject(pixel, 1)
+                             : std::get<EquirectangularCamera>(camera_).unproject(pixel, 1);
+  }
 
   double depth(const Eigen::Vector3d& p_camera) const;  ///< m, above 0 where `project` has a pixel
   Eigen::Vector2d project(const Eigen::Vector3d& p_camera) const;  ///< px, needs a depth above 0
@@ -64,6 +69,11 @@ class CameraModel {
   /// Returns the width, m at a depth of 1 m, of what one pixel sees: of a pinhole's, on its axis;
   /// of an equirectangular one's, its height, which all rows have and no pixel is wider than.
   double pixel_width() const;
+
+  /// Returns the sides of what a pixel sees, m at a depth of 1 m, camera axes: of an
+  /// equirectangular camera, whose pixels are narrower above and below; none for a pinhole's, which
+  /// count as round.
+  std::optional<std::array<Eigen::Vector3d, 2>> pixel_sides(const Eigen::Vector2d& pixel) const;
 
   /// Returns a camera with this view and an image of another size; of an equirectangular camera the
   /// height is half the width.

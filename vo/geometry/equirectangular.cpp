@@ -21,6 +21,17 @@ Eigen::Vector3d EquirectangularCamera::unproject(const Eigen::Vector2d& pixel,
           across * std::cos(longitude)};
 }
 
+std::array<Eigen::Vector3d, 2> EquirectangularCamera::ray_derivatives(
+    const Eigen::Vector2d& pixel) const {
+  const double longitude = 2 * std::numbers::pi * ((pixel.x() + 0.5) / width - 0.5);
+  const double from_up = std::numbers::pi * (pixel.y() + 0.5) / height;
+  const Eigen::Vector3d east(std::cos(longitude), 0, -std::sin(longitude));
+  const Eigen::Vector3d south(std::cos(from_up) * std::sin(longitude), std::sin(from_up),
+                              std::cos(from_up) * std::cos(longitude));
+  return {2 * std::numbers::pi / width * std::sin(from_up) * east,
+          std::numbers::pi / height * south};
+}
+
 void EquirectangularCamera::validate() const {
   require_image_size(width, height);
   require(width == 2 * height,

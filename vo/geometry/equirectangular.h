@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -32,6 +33,10 @@ struct EquirectangularCamera {
   /// Returns the point at a pixel, m in the camera frame, given its distance, m. Columns beyond the
   /// border go on behind the other one.
   Eigen::Vector3d unproject(const Eigen::Vector2d& pixel, double distance) const;
+
+  /// Returns the derivatives of the ray of length 1 by column and row, 1/px, which are across it
+  /// and each other.
+  std::array<Eigen::Vector3d, 2> ray_derivatives(const Eigen::Vector2d& pixel) const;
 
   void validate() const;  ///< throws Error unless the image shows the whole sphere
 };

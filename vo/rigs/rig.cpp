@@ -63,13 +63,15 @@ bool has_infrared_camera(const Rig& rig) {
 }
 
 const RigCamera& stereo_partner(const Rig& rig, const RigCamera& left) {
-  const std::string place = concat(describe(left), ": stereo = \"", left.stereo, "\": ");
+  const std::string pair = concat(describe(left), ": stereo = \"", left.stereo, "\"");
+  const std::string place = pair + ": ";
   const auto right =
       std::find_if(rig.cameras.begin(), rig.cameras.end(),
                    [&](const RigCamera& camera) { return camera.name == left.stereo; });
   require(right != rig.cameras.end(), place, "expected the name of another camera of the rig");
   require(right->name != left.name, place, "expected another camera, at a baseline above 0 m");
-  require_equal_images(place, left.camera.pinhole, right->camera.pinhole);
+  require_equal_images(place, left.camera.model.pinhole_for(pair),
+                       right->camera.model.pinhole_for(pair));
   require(left.time_offset == right->time_offset, place,
           "expected frames at the same time, got time_offset = ", format_real(left.time_offset),
           " and ", format_real(right->time_offset), " s");

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "vo/geometry/camera.h"
+#include "vo/geometry/camera_model.h"
 #include "vo/geometry/se3.h"
 #include "vo/text_files/toml_file.h"
 
@@ -28,7 +28,7 @@ constexpr auto enum_names(Spectrum) {
 struct RigCamera {
   std::string name;        ///< unique in the rig; the name of the folder of its frames
   SE3 T_body_camera;       ///< the camera is x right, y down, z forward
-  RgbdCamera camera;       ///< its image, lens, and the depth that is registered to it
+  RgbdCameraModel camera;  ///< its image, lens, and the depth that is registered to it
   double time_offset = 0;  ///< s, from the body's stamp to that of this camera's frame
   std::string stereo;      ///< name of the camera to its right in a rectified pair, or empty
   Spectrum spectrum = Spectrum::visible;  ///< infrared cameras alone see what projectors light
@@ -83,9 +83,9 @@ std::string describe(const RigProjector& projector);
 bool has_infrared_camera(const Rig& rig);
 
 /// Returns the camera that `left` names as its stereo partner, to its right. Throws Error if there
-/// is none of that name, or if the two are not rectified: image and intrinsics equal, no lens
-/// distortion, the same axes, frames at the same time, the partner on the positive x axis. Axes may
-/// differ by 1e-7 rad, the partner may be off the axis by 1e-6 of the baseline.
+/// is none of that name, or if the two are not rectified: pinholes, image and intrinsics equal, no
+/// lens distortion, the same axes, frames at the same time, the partner on the positive x axis.
+/// Axes may differ by 1e-7 rad, the partner may be off the axis by 1e-6 of the baseline.
 const RigCamera& stereo_partner(const Rig& rig, const RigCamera& left);
 
 /// Returns the distance, m, of the optical centres of a camera and its `stereo_partner`.

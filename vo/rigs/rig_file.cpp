@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
@@ -59,8 +58,7 @@ RigCamera read_rig_camera(TomlRecord record) {
   RigCamera result;
   result.place = record.place;
   result.sensor = take_sensor(record.values);
-  result.camera.pinhole.cx = std::numeric_limits<double>::quiet_NaN();  // a file must give it
-  result.camera.pinhole.cy = result.camera.pinhole.cx;
+  result.camera = take_projection(record.values);
   PoseValues pose;
   std::vector<Field> fields;
   FieldCollector collect(fields, "");

@@ -57,9 +57,9 @@ double found_share(const RenderJob& left, const RenderJob& right, double baselin
 TEST(ActiveStereo, OpencvsMatcherMeasuresABlankWallByTheProjectorsDotsAlone) {
   RigJob rig{vo::read_rig(EDVO_SOURCE_DIR "/assets/rigs/active_stereo.toml"), {}};
   for (vo::RigCamera& camera : rig.rig.cameras) {  // the middle of their views
-    vo::PinholeCamera& pinhole = camera.camera.pinhole;
-    pinhole = {
-        .width = 300, .height = 120, .fx = pinhole.fx, .fy = pinhole.fy, .cx = 149.5, .cy = 59.5};
+    const vo::PinholeCamera& whole = *camera.camera.model.pinhole();
+    camera.camera.model = vo::PinholeCamera{
+        .width = 300, .height = 120, .fx = whole.fx, .fy = whole.fy, .cx = 149.5, .cy = 59.5};
   }
   rig.body.recipe.truth = {{0, {}}};
   rig.body.recipe.path = [](double) { return vo::SE3(); };

@@ -57,6 +57,30 @@ double rms(const cv::Mat_<cv::Vec3f>& a, const cv::Mat_<cv::Vec3f>& b) {
   return cv::norm(a, b, cv::NORM_L2) / std::sqrt(3.0 * static_cast<double>(a.total()));
 }
 
+/// Returns an image turned by columns, what leaves it on the right coming in on the left.
+template <typename Image>
+Image turned(const Image& image, int columns) {
+  Image result;
+  cv::hconcat(image.colRange(image.cols - columns, image.cols),
+              image.colRange(0, image.cols - columns), result);
+  return result;
+}
+
+TEST(Denoise, OfAPictureThatGoesRoundTurnsWithThePicture) {
+  NoisyPicture picture = wall();
+  shade(picture, [](std::size_t, int u, int v) { return u < 9 || v > 30 ? 3 : 1; });
+  add_noise(picture, 0.3);
+  picture.halves[0](7, 2) *= 1000;  // is dimmed and given back
+  NoisyPicture other = picture;
+  constexpr int kTurn = 20;
+  for (std::size_t half = 0; half < 2; ++half) {
+    other.halves[half] = turned(picture.halves[half], kTurn);
+  }
+  const cv::Mat_<cv::Vec3f> expected = turned(denoised_round(picture), kTurn);
+  EXPECT_LT(rms(denoised_round(other), expected), 1e-6);
+  EXPECT_GT(rms(denoised(other), turned(denoised(picture), kTurn)), 1e-3);
+}
+
 TEST(Denoise, AnEvenImageStaysAsItIs) {
   const NoisyPicture picture = wall();
   EXPECT_LT(cv::norm(denoised(picture), noisy_radiance(picture), cv::NORM_INF), 1e-6);

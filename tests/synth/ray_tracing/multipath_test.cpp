@@ -27,7 +27,7 @@ MultipathOptions followed(int samples, int bounces, LampField lamp = LampField::
   return {.frequency = kFrequency, .samples = samples, .bounces = bounces, .lamp = lamp};
 }
 
-Capture multipath_capture(const vo::PinholeCamera& camera, const MultipathOptions& options) {
+Capture multipath_capture(const vo::CameraModel& camera, const MultipathOptions& options) {
   Capture capture = still(camera, {});
   capture.channels = {.color = false, .normal = true, .sight = true, .multipath = true};
   capture.multipath = options;
@@ -36,7 +36,7 @@ Capture multipath_capture(const vo::PinholeCamera& camera, const MultipathOption
 
 /// Returns what a camera that stands still sees of a scene.
 RenderedFrame frame_of(const Scene& scene, const MultipathOptions& options,
-                       const vo::PinholeCamera& camera = wide_camera()) {
+                       const vo::CameraModel& camera = wide_camera()) {
   return make_ray_tracer(scene, {.mode = RenderMode::depth})
       ->render(multipath_capture(camera, options));
 }
@@ -89,12 +89,12 @@ Complex mean_phasor_of_chords(double radius) {
   return (integral(2 * radius) - integral(0)) / (2 * radius * radius);
 }
 
-TEST(Multipath, InASphereIsASeriesOfChords) {
+/// Expects what a camera in the middle of a sphere measures.
+void expect_series_of_chords(const vo::CameraModel& camera) {
   constexpr double kRadius = 1.5;
   constexpr float kAlbedo = 0.6F;
   Scene scene;
   add(scene, sphere(kRadius, 24), diffuse(Vector3f::Constant(kAlbedo)));
-  const vo::PinholeCamera camera = vo::PinholeCamera::from_horizontal_fov(8, 6, 70);
   Complex sum = 1;
   Complex order = 1;
   for (int bounces = 1; bounces <= 3; ++bounces) {
@@ -102,13 +102,18 @@ TEST(Multipath, InASphereIsASeriesOfChords) {
     sum += order;
     const RenderedFrame frame = frame_of(scene, followed(256, bounces), camera);
     double mean = 0;
-    for (int v = 0; v < camera.height; ++v) {
-      for (int u = 0; u < camera.width; ++u) {
-        mean += detour_at(frame, {u, v}) / (camera.width * camera.height);
+    for (int v = 0; v < camera.height(); ++v) {
+      for (int u = 0; u < camera.width(); ++u) {
+        mean += detour_at(frame, {u, v}) / (camera.width() * camera.height());
       }
     }
     EXPECT_NEAR(mean, std::arg(sum) / (2 * wave_number(kFrequency)), 5e-4) << bounces << " bounces";
   }
+}
+
+TEST(Multipath, InASphereIsASeriesOfChords) {
+  expect_series_of_chords(vo::PinholeCamera::from_horizontal_fov(8, 6, 70));
+  expect_series_of_chords(vo::EquirectangularCamera{.width = 10, .height = 5});
 }
 
 TEST(Multipath, OfALoneWallIsNone) {

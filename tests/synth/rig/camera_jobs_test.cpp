@@ -106,6 +106,41 @@ TEST(CameraJobs, TheTexturesOfARigAreThoseThatAnyOfItsSensorsNeeds) {
   EXPECT_EQ(needed("sensor.preset=\"perfect\"", SensorPreset::kinect_v1), NeededTextures::alpha);
 }
 
+TEST(CameraJobs, NamesTheEffectsThatAnEquirectangularCameraCannotHave) {
+  const auto refusal = [](const std::string& sensor, const RenderOptions& render = {}) {
+    RigJob job = job_of(
+        "[[camera]]\nname=\"p\"\nprojection=\"equirectangular\"\nwidth=64\nheight=32\n" + sensor);
+    job.body.recipe.render = render;
+    return error_text([&] { camera_jobs(job); });
+  };
+  for (const char* option :
+       {"lens.blur=1.0", "lens.vignetting.k2=-0.1", "depth.offset=[0.1,0.0,0.0]",
+        "depth.turn=[1.0,0.0,0.0]", "depth.normal.sigma=0.1", "depth.lateral.grazing=0.1",
+        "depth.disparity.focal_baseline=9.0", "depth.flying.share=0.1",
+        "depth.holes.second_view=0.1", "depth.holes.max_step=0.1", "depth.holes.edge_loss=0.1"}) {
+    const std::string name = std::string(option).substr(0, std::string(option).find('='));
+    const std::string effect = name.substr(0, name.rfind('.'));  // some messages name all of it
+    EXPECT_THAT(refusal("sensor." + std::string(option)),
+                testing::AllOf(HasSubstr("camera 'p': sensor: sensor." + effect),
+                               HasSubstr("for projection = \"equirectangular\"")))
+        << option;
+  }
+  EXPECT_THAT(refusal("sensor.depth.axial.constant=0.1\nsensor.depth.axial.correlation=2.0"),
+              HasSubstr("sensor.depth.axial.correlation: is for pinhole cameras"));
+  EXPECT_THAT(refusal("sensor.depth.holes.max_incidence_deg=80.0\n"
+                      "sensor.depth.holes.correlation=1.0"),
+              HasSubstr("sensor.depth.holes.correlation: is for pinhole cameras"));
+  EXPECT_THAT(refusal("sensor.depth.multipath.frequency=2e8"),
+              HasSubstr("sensor.depth.multipath.radius: is for pinhole cameras"));
+  EXPECT_THAT(refusal("", {.kind = RendererKind::rasterizer}),
+              HasSubstr("camera 'p': the rasterizer: expected a pinhole camera"));
+  EXPECT_EQ(refusal("sensor.depth.axial.constant=0.01\nsensor.depth.axial.grazing=0.01\n"
+                    "sensor.depth.holes.max_incidence_deg=80.0\nsensor.depth.multipath.radius=0\n"
+                    "sensor.depth.multipath.frequency=2e8\nsensor.depth.delay=0.01\n"
+                    "sensor.shutter.readout_time=0.01\nsensor.jpeg.quality=80"),
+            "no error");
+}
+
 constexpr const char* kInfrared = "spectrum=\"infrared\"";
 
 std::string projector(const std::string& name, const std::string& rest) {

@@ -66,7 +66,7 @@ TEST(CubeRig, EachFaceIsAQuarterTurnWide) {
   const vo::Rig rig = cube();
   ASSERT_EQ(rig.cameras.size(), 6U);
   for (const vo::RigCamera& face : rig.cameras) {
-    const vo::PinholeCamera& camera = face.camera.pinhole;
+    const vo::PinholeCamera& camera = *face.camera.model.pinhole();
     EXPECT_EQ(camera.unproject({-0.5, -0.5}, 1), Eigen::Vector3d(-1, -1, 1)) << face.name;
     EXPECT_EQ(camera.unproject({camera.width - 0.5, camera.height - 0.5}, 1),
               Eigen::Vector3d(1, 1, 1));
@@ -126,7 +126,7 @@ TEST(CubeRig, ItsFacesTogetherShowAnEquirectangularImageByItsClosedForm) {
   }
   const auto renderer = make_renderer(scene, {.samples = 1});
   for (const vo::RigCamera& face : cube().cameras) {
-    const vo::PinholeCamera& camera = face.camera.pinhole;
+    const vo::PinholeCamera& camera = *face.camera.model.pinhole();
     const RenderedFrame frame = renderer->render(still(camera, face.T_body_camera));
     for (const cv::Point& pixel : {cv::Point(0, 0), cv::Point(100, 37), cv::Point(255, 130)}) {
       const Eigen::Vector3d ray =
@@ -140,6 +140,19 @@ TEST(CubeRig, ItsFacesTogetherShowAnEquirectangularImageByItsClosedForm) {
       }
     }
   }
+}
+
+TEST(PanoramaRig, ItsMiddleIsWhereTheFrontLooks) {
+  const vo::Rig rig = vo::read_rig(EDVO_SOURCE_DIR "/assets/rigs/panorama.toml");
+  ASSERT_EQ(rig.cameras.size(), 2U);
+  const vo::CameraModel& panorama = rig.cameras[0].camera.model;
+  const vo::CameraModel& front = rig.cameras[1].camera.model;
+  ASSERT_EQ(panorama.projection(), vo::CameraProjection::equirectangular);
+  EXPECT_LT((rig.cameras[0].T_body_camera.inverse() * rig.cameras[1].T_body_camera).log().norm(),
+            1e-12);
+  const Eigen::Vector2d forward = front.project({0, 0, 1});
+  const Eigen::Vector2d middle((panorama.width() - 1) / 2.0, (panorama.height() - 1) / 2.0);
+  EXPECT_LT((panorama.project(front.ray(forward)) - middle).norm(), 1e-9);
 }
 
 }  // namespace

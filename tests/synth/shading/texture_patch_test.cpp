@@ -62,6 +62,22 @@ TEST(Anisotropy, BlursStripesThatRunAcrossASlant) {
   EXPECT_NEAR(red_at(scene, kPlace, kAlongColumns, kTexel, 16), 0.5, 0.1);
 }
 
+/// A cone that is wide along the stripes and narrow across them sees them, and the other way not.
+TEST(Anisotropy, FollowsTheSidesOfACone) {
+  const Scene scene = square_of_texels(kTexels, kTexels, [](int u, int) { return stripe(u); });
+  const WorldGeometry world = flatten(scene);
+  const SurfaceTriangle triangle(world, 0, 0);
+  const Vector3f weights(1 - kPlace.x(), kPlace.x() - kPlace.y(), kPlace.y());
+  const RaySides narrow{Vector3f(0.125F, 0, 0), Vector3f(0, 1, 0)};
+  const RaySides wide{Vector3f(1, 0, 0), Vector3f(0, 0.125F, 0)};
+  for (const Vector3f& direction : {Vector3f(0, 0, 1), Vector3f(0, 0.6F, 0.8F)}) {
+    SurfaceRay ray{weights, direction, 8 * kTexel, 0, 16, &narrow};
+    EXPECT_NEAR(surface_color(triangle, ray).x(), 1, 0.02);
+    ray.sides = &wide;
+    EXPECT_NEAR(surface_color(triangle, ray).x(), 0.5, 0.1);
+  }
+}
+
 TEST(Anisotropy, IsNoneStraightOn) {
   const Scene scene =
       square_of_texels(kTexels, kTexels, [](int u, int v) { return stripe(u / 3 + v / 5); });

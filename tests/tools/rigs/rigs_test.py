@@ -8,8 +8,9 @@ Exits with 77 (skipped) where python3-numpy is not installed.
 import json
 import pathlib
 import shutil
-import subprocess
 import sys
+
+from rig_program import PATH, Program, require_same
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "exports"))
 try:
@@ -22,8 +23,6 @@ except ImportError:
     print("skipped: python3-numpy is not installed")
     sys.exit(77)
 
-PATH = ("--path orbit --orbit.centre=-0.95,0.5,0.3 --orbit.radius 1.2 --orbit.height 0.8 --rate 10 --duration 0.3 "
-        "--samples 1 --quiet")
 IMAGE = "width = 96\nheight = 72\nfx = 70.0\nfy = 71.0\ncx = 47.0\ncy = 36.0\n"
 TURNED = "orientation = [0.0, 0.2, 0.1, 0.9746794344808963]\n"  # x, y, z, w
 STEREO = ("[imu]\nposition = [0.05, 0.01, -0.02]\norientation = [0.5, -0.5, 0.5, 0.5]\n"
@@ -41,37 +40,6 @@ INFRARED = (f"[[camera]]\nname = \"dark\"\n{TURNED}{IMAGE}{LIGHT}scene_light = 0
 MOUNT = "position = [0.1, 0.02, -0.03]\norientation = [0.1, 0.0, 0.0, 0.99498743710662]\n"
 SLIDE = f"[[projector]]\nname = \"slide\"\n{MOUNT}fov_deg = [50.0, 40.0]\npower = 20\npattern = \"slide.png\"\n"
 DOTS = "[[projector]]\nname = \"dots\"\nfov_deg = [60.0, 45.0]\npower = 30.0\ndots.number = 500\ndots.diameter_deg = 0.8\n"
-
-
-class Program:
-    """The program, and the folder in which it works."""
-
-    def __init__(self, program, source, work):
-        self.program, self.source, self.work = program, source, work
-
-    def run(self, words, code=0):
-        """Runs a command; returns its stdout and stderr."""
-        done = subprocess.run([self.program, *words.split()], cwd=self.work, capture_output=True, text=True)
-        assert done.returncode == code, f"edvo {words}: exit code {done.returncode}, expected {code}: {done.stderr}"
-        return done.stdout, done.stderr
-
-    def render(self, scene, options, code=0):
-        return self.run(f"render {self.source}/assets/{scene}/{scene}.gltf {PATH} {options}", code)
-
-    def rig(self, name, text):
-        (self.work / name).write_text(text, encoding="utf-8")
-        return name
-
-
-def contents(folder):
-    return {path.relative_to(folder): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
-
-
-def require_same(a, b):
-    one, other = contents(a), contents(b)
-    assert one.keys() == other.keys(), f"{a} and {b}: {one.keys() ^ other.keys()}"
-    different = [str(name) for name in one if one[name] != other[name]]
-    assert not different, f"{a} and {b} differ in {different[:5]}"
 
 
 def pose(text):

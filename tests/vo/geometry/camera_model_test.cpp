@@ -62,6 +62,20 @@ TEST(EquirectangularCamera, APixelIsAsWideAsItsSolidAngleSays) {
   EXPECT_NEAR(sphere, 4 * std::numbers::pi, 1e-12);
 }
 
+TEST(EquirectangularCamera, TheDerivativesOfARayAreItsChangeFromPixelToPixel) {
+  constexpr double kStep = 1e-5;  // px
+  for (const Vector2d& pixel : {Vector2d(3, 0), Vector2d(70.25, 20.5), Vector2d(127, 63)}) {
+    const auto [by_column, by_row] = kPanorama.ray_derivatives(pixel);
+    const auto change = [&](const Vector2d& step) {
+      return Vector3d(
+          (kPanorama.unproject(pixel + step, 1) - kPanorama.unproject(pixel - step, 1)) /
+          (2 * kStep));
+    };
+    EXPECT_LT((by_column - change({kStep, 0})).norm(), 1e-10);
+    EXPECT_LT((by_row - change({0, kStep})).norm(), 1e-10);
+  }
+}
+
 TEST(EquirectangularCamera, ExpectsTheWholeSphere) {
   EXPECT_THAT(error_text([] { (EquirectangularCamera{.width = 128, .height = 63}).validate(); }),
               HasSubstr("twice as wide as high, got 128x63 px"));
@@ -96,6 +110,8 @@ TEST(CameraModel, WithoutAnOpticalAxisCountsDepthAlongTheRay) {
     EXPECT_LT((camera.depth(point) * camera.ray(camera.project(point)) - point).norm(), 1e-9);
   }
   EXPECT_FALSE(camera.sees(Vector3d::Zero()));
+  EXPECT_FALSE(CameraModel(PinholeCamera()).pixel_sides({0, 0}).has_value());
+  EXPECT_NEAR(camera.pixel_sides({5, 7}).value()[1].norm(), camera.pixel_width(), 1e-12);
 }
 
 TEST(CameraModel, TheWayAcrossTheSeamIsTheShorterOne) {

@@ -182,6 +182,31 @@ TEST(RigFile, RefusesKeysAndValuesThatItDoesNotKnow) {
   EXPECT_THAT(refusal("[[camera]]\nname = \"a\"\nwidth = 64\n"), HasSubstr("camera 'a': "));
 }
 
+constexpr const char* kPanorama =
+    "[[camera]]\nname = \"p\"\nprojection = \"equirectangular\"\nwidth = 64\nheight = 32\n";
+
+TEST(RigFile, ReadsEquirectangularCameras) {
+  const vo::Rig rig = read(camera("a") + kPanorama + "position = [0, 1, 0]\ntime_offset = 0.01\n" +
+                           "[camera.sensor]\nexposure = 2.0\n");
+  const vo::CameraModel& panorama = rig.cameras[1].camera.model;
+  EXPECT_EQ(rig.cameras[0].camera.model.projection(), vo::CameraProjection::pinhole);
+  EXPECT_EQ(panorama.projection(), vo::CameraProjection::equirectangular);
+  EXPECT_EQ(panorama.height(), 32);
+  EXPECT_EQ(rig.cameras[1].time_offset, 0.01);
+  const std::string text = vo::format_rig(rig);
+  EXPECT_EQ(vo::format_rig(read(text)), text);
+}
+
+TEST(RigFile, RefusesWhatAnEquirectangularCameraDoesNotHave) {
+  const std::string panorama = kPanorama;
+  EXPECT_THAT(refusal(panorama + "cx = 3.0\n"), HasSubstr("rig.toml:6: cx: expected none beside"));
+  EXPECT_THAT(refusal("[[camera]]\nname = \"p\"\nprojection = \"equirectangular\"\nwidth = 9\n"),
+              HasSubstr("rig.toml:1: camera 'p': camera: expected a size"));
+  EXPECT_THAT(refusal(panorama + "stereo = \"a\"\n" + camera("a", "position = [0.1, 0, 0]")),
+              HasSubstr("rig.toml:1: camera 'p': stereo = \"a\": expected a pinhole camera, got "
+                        "projection = \"equirectangular\""));
+}
+
 TEST(RigFile, RefusesPosesThatAreNone) {
   EXPECT_THAT(refusal(camera("a", "T_body_camera = [1,0,0,0, 0,1,0,0, 0,0,2,0, 0,0,0,1]")),
               HasSubstr("camera 'a': T_body_camera: expected a rotation"));
