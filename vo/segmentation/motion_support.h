@@ -29,9 +29,9 @@ double intensity_support(const TileEvidence& evidence, const ViewTiles::Values& 
 double surface_support(const DepthView& view, const DepthNoise& noise);
 
 /// Returns whether a motion is clearly better supported than another: by 3 % by intensities, or by
-/// 10 % by both together. Depth errs alike over whole surfaces and must speak the more clearly. In
-/// rigid scenes the motion of the far surfaces alone is supported by 2 % more at most, and by 6 %
-/// more in one frame of twenty, than that of all points.
+/// 10 % by both together. Depth errs alike over whole surfaces and must speak the more clearly. On
+/// fr1/xyz, where nothing moves, the motion of the far surfaces is supported by 2 % more than that
+/// of all points at most by intensities, and by 6 % more by both in one frame of twenty.
 bool is_clearly_better(const MotionSupport& support, const MotionSupport& other);
 
 }  // namespace vo

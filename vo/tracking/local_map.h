@@ -33,8 +33,8 @@ struct Keyframe {
   Matrix6d absolute_covariance =
       Matrix6d::Zero();  ///< of T_world_keyframe, as in TrackingResult; not adjusted by the window
 
-  /// Returns whether much of the view has moved: what it hid then is seen now. In rigid scenes up
-  /// to 12 % of a view's tiles are taken to have moved at some time.
+  /// Returns whether much of the view has moved: what it hid then is seen now. Of the keyframes of
+  /// fr1/xyz, where nothing moves, less than that is taken to have moved.
   bool is_disturbed() const {
     constexpr double kMuch = 0.12;
     return share_of_view(moved) > kMuch;

@@ -96,9 +96,8 @@ class Tracker {
     TileEvidence log_odds{};
     TileMask moving = {};
     SurfaceAreas areas = {};
+    bool is_another_motion = false;     ///< than that of all points together
     TileMask tiles = TileMask().set();  ///< those whose motion is taken for the camera's
-
-    bool is_another_motion() const { return !tiles.all(); }  ///< than that of all points together
   };
 
   /// The tiles whose motions rival that of all points.
@@ -117,8 +116,8 @@ class Tracker {
   void foresee_tiles(const FramePyramid& current);
   TileMask unusable(const TileMask& moving) const;
   void use_points_outside(const TileMask& tiles, const FramePyramid& current);
-  Explanation explained(const FramePyramid& current, const Attempt& attempt,
-                        const AlignResult& aligned);
+  Explanation explained(const FramePyramid& current, const References& references,
+                        const std::optional<PreviousFrame>& previous, const AlignResult& aligned);
   void label(const TileEvidence& log_odds, Explanation& explanation) const;
   AlignResult aligned_in(const TileMask& tiles, const FramePyramid& current,
                          const Attempt& attempt);
@@ -128,7 +127,7 @@ class Tracker {
   bool is_contested(const Explanation& explanation) const;
   RivalTiles rivals_of(const Explanation& explanation, const AlignResult& aligned) const;
   Explanation best_explanation(const FramePyramid& current, Attempt& attempt);
-  void forget_moved(const References& references, const StaticEvidence& evidence);
+  void forget_moved(const LocalMap::References& keyframes, const StaticEvidence& evidence);
   Attempt aligned_without(const TileMask& moving, const FramePyramid& current,
                           const Attempt& attempt);
   Attempt segmented(const FramePyramid& current, Attempt attempt);

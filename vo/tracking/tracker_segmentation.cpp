@@ -51,13 +51,15 @@ void Tracker::use_points_outside(const TileMask& tiles, const FramePyramid& curr
   current_points_ = fewer_points_;
 }
 
-Tracker::Explanation Tracker::explained(const FramePyramid& current, const Attempt& attempt,
+/// Returns what the tiles show if the frame's pose is that of an alignment, in which the motion
+/// since the previous frame was known or not.
+Tracker::Explanation Tracker::explained(const FramePyramid& current, const References& references,
+                                        const std::optional<PreviousFrame>& previous,
                                         const AlignResult& aligned) {
   const ComparedReferences compared = segmentation_.moving_fraction() < kStirring
                                           ? ComparedReferences::outer
                                           : ComparedReferences::all;
-  const StaticEvidence evidence(attempt.references.views,
-                                {current, own_points_.get(), attempt.previous}, aligned,
+  const StaticEvidence evidence(references.views, {current, own_points_.get(), previous}, aligned,
                                 align_options(), compared);
   Explanation explanation{.evidence = evidence};
   label(log_odds_after(expected_, evidence.of_current()), explanation);
@@ -140,7 +142,7 @@ bool Tracker::differs(const SE3& T_a_b, const FramePyramid& current) const {
 Tracker::Explanation Tracker::best_explanation(const FramePyramid& current, Attempt& attempt) {
   constexpr double kClearlyMore = 1.1;
   AlignResult& aligned = attempt.result.alignment;
-  Explanation best = explained(current, attempt, aligned);
+  Explanation best = explained(current, attempt.references, attempt.previous, aligned);
   const RivalTiles rivals = rivals_of(best, aligned);
   if (rivals.empty()) {
     return best;
@@ -153,29 +155,31 @@ Tracker::Explanation Tracker::best_explanation(const FramePyramid& current, Atte
     if (!other.usable() || !differs(aligned.T_cur_ref * other.T_cur_ref.inverse(), current)) {
       continue;
     }
-    Explanation rival = explained(current, attempt, other);
+    Explanation rival = explained(current, attempt.references, std::nullopt, other);
     const MotionSupport of_rival = supported(current, attempt, other, rival.evidence.of_current());
     if (contested ? rival.areas.of_static > kClearlyMore * best.areas.of_static
                   : is_clearly_better(of_rival, support)) {
       support = of_rival;
       best = std::move(rival);
+      best.is_another_motion = true;
       best.tiles = tiles;
       aligned = other;
     }
   }
-  if (best.is_another_motion()) {
+  if (best.is_another_motion) {
     label(log_odds_after_change(expected_, before, best.evidence.of_current()), best);
   }
   return best;
 }
 
-/// Leaves out of the references what has moved since they were taken. Where most of a view seems to
-/// have moved, it is the depth or the pose that is wrong.
-void Tracker::forget_moved(const References& references, const StaticEvidence& evidence) {
+/// Leaves out of keyframes what has moved since they were taken; the evidence is of a frame that
+/// was compared with them, in this order. Where most of a view seems to have moved, it is the depth
+/// or the pose that is wrong.
+void Tracker::forget_moved(const LocalMap::References& keyframes, const StaticEvidence& evidence) {
   constexpr double kNone = 0.01;
   constexpr double kMost = 0.5;
-  for (std::size_t r = 0; r < references.keyframes.size(); ++r) {
-    const Keyframe& keyframe = *references.keyframes[r];
+  for (std::size_t r = 0; r < keyframes.size(); ++r) {
+    const Keyframe& keyframe = *keyframes[r];
     const TileMask moved = moving_tiles(evidence.of_reference(r));
     if (share_of_view(moved) < kMost &&
         share_in(moved, keyframe.pyramid, *keyframe.points) > kNone) {
@@ -202,11 +206,13 @@ Tracker::Attempt Tracker::segmented(const FramePyramid& current, Attempt attempt
   if (!is_segmenting() || !attempt.result.alignment.usable()) {
     return attempt;
   }
+  const LocalMap::References compared = attempt.references.keyframes;
   const Explanation best = best_explanation(current, attempt);
-  if (best.is_another_motion()) {
+  surfaces_.changed_motion = best.is_another_motion;
+  if (best.is_another_motion) {
     attempt.start = Start::searched;
   }
-  if (best.is_another_motion() || share_in(best.moving, current, *current_points_) >= kFew) {
+  if (best.is_another_motion || share_in(best.moving, current, *current_points_) >= kFew) {
     attempt = aligned_without(best.moving | ~best.tiles, current, attempt);
   }
   if (best.areas.moving_ratio() >= 1) {
@@ -218,10 +224,9 @@ Tracker::Attempt Tracker::segmented(const FramePyramid& current, Attempt attempt
     return attempt;
   }
   segmentation_.update(tile_depths_, best.log_odds);
-  surfaces_.changed_motion = best.is_another_motion();
   surfaces_.edged =
       surface_areas(best.log_odds, tile_depths_, tiles_with_points(current, *own_points_));
-  forget_moved(attempt.references, best.evidence);
+  forget_moved(compared, best.evidence);
   return attempt;
 }
 
