@@ -134,10 +134,19 @@ const RgbdCamera& checked_camera(const RgbdCamera& camera, const std::filesystem
   return camera;
 }
 
+const RgbdCamera& camera_for_folder(const std::filesystem::path& folder, const RgbdCamera& given) {
+  const std::filesystem::path file = folder / "camera.toml";
+  if (std::filesystem::exists(file)) {
+    std::vector<TomlValue> values = read_toml(file);
+    take_projection(values).model.pinhole_for(file.string());
+  }
+  return given;
+}
+
 RgbdCamera camera_of_folder(const std::filesystem::path& folder,
                             const std::optional<RgbdCamera>& given, const RgbdCamera& otherwise) {
   if (given) {
-    return *given;
+    return camera_for_folder(folder, *given);
   }
   const std::filesystem::path file = folder / "camera.toml";
   return std::filesystem::exists(file) ? read_camera(file) : otherwise;

@@ -42,6 +42,10 @@ RgbdCameraModel take_projection(std::vector<TomlValue>& values);
 /// Returns a camera that a file gave; throws Error naming the file unless it is a usable one.
 const RgbdCamera& checked_camera(const RgbdCamera& camera, const std::filesystem::path& path);
 
+/// Returns a camera that was given for the images of a folder, whatever intrinsics its camera.toml
+/// has. Throws Error naming that file and its projection if they are no pinhole's.
+const RgbdCamera& camera_for_folder(const std::filesystem::path& folder, const RgbdCamera& given);
+
 /// Returns the camera of a sequence's folder: `given`, else that of its camera.toml, else
 /// `otherwise`.
 RgbdCamera camera_of_folder(const std::filesystem::path& folder,

@@ -45,7 +45,7 @@ ImageList read_image_list(const fs::path& folder, const char* name) {
 
 RgbdCamera camera_of(const fs::path& folder, const std::optional<RgbdCamera>& given) {
   if (given) {
-    return *given;
+    return camera_for_folder(folder, *given);
   }
   const fs::path path = folder / "camera.toml";
   require(fs::exists(path), folder.string(),

@@ -133,6 +133,9 @@ def check_readers(edvo, rig):
     words = (f"{camera}/camera.toml: expected a pinhole camera", "projection = \"equirectangular\"")
     formats = ("euroc", "tum", "icl-nuim", "icl-tum", "tartanair", "kitti", "colmap", "transforms-json", "mcap", "video")
     for command in ([f"track {camera} --out e.txt", f"track {camera} --mode mono --out e.txt"]
+                    + [f"{command} --camera tum-fr1"
+                       for command in (f"track {camera} --out e.txt", f"convert {camera} out --format tartanair",
+                                       f"depth {camera} --out out")]
                     + [f"convert {camera} out{'.avi' if name == 'video' else ''} --format {name}" for name in formats]):
         errors = edvo.run(command, 3)[1]
         assert all(word in errors for word in words), (command, errors)
@@ -161,9 +164,10 @@ def check_refusals(edvo):
         errors = edvo.render("room", f"--rig bad.toml {options} --out bad", 3)[1]
         assert all(word in errors for word in words), errors
         assert not (edvo.work / "bad").exists() and not (edvo.work / "bad.part").exists()
-    assert "pinhole" in edvo.render("room", "--camera camera.toml --sensor kinect-v1 --out bad", 2)[1]
-    assert "pinhole" in edvo.render("room", "--camera camera.toml --renderer rasterizer --out bad", 3)[1]
-    assert "stereo partner" in edvo.render("room", "--camera camera.toml --channels disparity --out bad", 2)[1]
+    for options, word in (("--sensor kinect-v1", "pinhole"), ("--renderer rasterizer", "pinhole"),
+                          ("--channels disparity", "stereo partner")):
+        assert word in edvo.render("room", f"--camera camera.toml {options} --out bad", 2)[1]
+        assert not (edvo.work / "bad").exists() and not (edvo.work / "bad.part").exists()
 
 
 def main():
