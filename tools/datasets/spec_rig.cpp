@@ -69,6 +69,11 @@ void require_own_noise(const DatasetSpec& spec) {
 }
 
 void require_formats_of_rigs(const DatasetSpec& spec) {
+  const bool has_pinhole =
+      std::any_of(spec.rig->cameras.begin(), spec.rig->cameras.end(),
+                  [](const vo::RigCamera& camera) { return camera.camera.model.pinhole(); });
+  vo::require(has_pinhole || spec.formats().empty(), spec.file.string(),
+              ": formats: expected a camera of the rig that is a pinhole, which euroc holds alone");
   for (const vo::WrittenSequence format : spec.formats()) {
     vo::require(format == vo::WrittenSequence::euroc, spec.file.string(),
                 ": formats: ", vo::to_string(format),
@@ -81,6 +86,7 @@ synth::RigJob resting(const DatasetSpec& spec, const Scenario& scenario) {
   synth::RigJob job{*spec.rig, {}};
   job.body.recipe.path = [](double /*time*/) { return vo::SE3(); };
   job.body.recipe.sensor = scenario.sensor;
+  job.body.recipe.render = scenario.render;
   job.body.recipe.channels = scenario.truth();
   job.body.recipe.channels.channels = spec.channels();
   return job;
