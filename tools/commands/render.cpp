@@ -33,8 +33,9 @@ namespace {
 constexpr const char* kRenderHelp =
     "Renders a glTF 2.0 scene as an RGB-D sequence in the layout of the TUM RGB-D benchmark:\n"
     "rgb/ and depth/ with their lists, groundtruth.txt (T_world_camera; camera x right, y down,\n"
-    "z forward), camera.toml and sequence.toml. Depth is planar, at pixel centres, 0 = none;\n"
-    "with --float-depth also as float32 metres in depth_float/NNNNNN.npy.\n\n"
+    "z forward), camera.toml and sequence.toml. Depth is planar, at pixel centres, 0 = none; of\n"
+    "an equirectangular camera it is along the ray; with --float-depth also as float32 metres in\n"
+    "depth_float/NNNNNN.npy.\n\n"
     "DIR appears when all frames are there. Until then they are in DIR.part, which any number of\n"
     "processes with the same inputs may fill at once (--shard, --frames) or one after the other: "
     "a\n"
@@ -196,6 +197,9 @@ synth::RenderJob chosen_job(const RenderArguments& arguments) {
     job.recipe.render.validate();
     job.recipe.sensor.validate();
     synth::require_pinhole_effects(job.recipe.sensor, job.recipe.camera.model);
+    if (!arguments.rig && job.recipe.render.kind == synth::RendererKind::rasterizer) {
+      job.recipe.camera.model.pinhole_for("--renderer rasterizer");
+    }
     if (!arguments.channels.empty()) {
       job.recipe.channels.channels = synth::parse_channels(arguments.channels);
     }
