@@ -99,6 +99,7 @@ class RayTracer final : public Renderer {
   std::vector<PixelCell> cells_;   ///< cells of a pixel, one colour sample each
   std::vector<SampleId> samples_;  ///< of the cells
   float width_of_cell_;            ///< px
+  int anisotropy_;                 ///< RenderOptions::anisotropy
   ColorTracer color_tracer_;
 };
 
@@ -110,6 +111,7 @@ RayTracer::RayTracer(WorldGeometry world, const RenderOptions& options)
       cells_(grid_of_cells(options.samples_per_edge())),
       samples_(samples_of_cells(options.samples_per_edge(), denoises_ ? 2 : 1)),
       width_of_cell_(1 / static_cast<float>(options.samples_per_edge())),
+      anisotropy_(options.anisotropy),
       color_tracer_(world_, embree_, options) {}
 
 RenderedFrame RayTracer::render(const Capture& capture) const {
@@ -204,7 +206,7 @@ void RayTracer::trace_cells(const View& view, const Tile& tile, ColorMemory& mem
   ColorPacket packet;
   packet.seed = view.seed();
   packet.sample_width = view.pixel_width() * width_of_cell_;
-  packet.has_sides = view.has_pixel_sides();
+  packet.has_sides = anisotropy_ > 1 && view.has_pixel_sides();
   packet.infrared = view.infrared();
   std::array<std::pair<std::size_t, std::size_t>, kPacketSize> places;  // pixel and cell of a ray
   const auto trace = [&] {

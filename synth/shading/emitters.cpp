@@ -49,8 +49,8 @@ float shining_share(const WorldGeometry& world, const Material& material, const 
 }
 
 /// Returns what a triangle covers of the directions about a point that is near it, as measured by
-/// its longest edge: directions to it are drawn evenly. None for a far one, of which places are,
-/// and for one whose plane the point is in.
+/// its longest edge: directions to it are drawn evenly. Returns none for a far one, on which
+/// places are drawn evenly, and for one whose plane the point is in.
 std::optional<SphericalTriangle> seen_nearby(const Eigen::Vector3f& point,
                                              const SurfaceTriangle& triangle) {
   constexpr float kNear = 2;       // lengths of the longest edge

@@ -23,8 +23,8 @@ struct EmitterDraw {
 };
 
 /// The triangles of a scene that shine by themselves, as lights to draw points from: a triangle
-/// with a probability by its area and emission, of a near one evenly all directions towards it, of
-/// a far one evenly its points. Both sides shine.
+/// with a probability by its area and emission; then, if it is near, a direction evenly over the
+/// solid angle that it covers, and otherwise a point evenly over its area. Both sides shine.
 class Emitters {
  public:
   /// The world-space geometry must outlive the emitters.

@@ -13,10 +13,10 @@ inline constexpr const char* kRigFile = "rig.toml";
 /// Returns whether a folder is that of a rig.
 bool is_rig(const std::filesystem::path& folder);
 
-/// Reads a rig: a table [[camera]] for each camera, with `name`, the values of a camera.toml (also
-/// its `projection`),
-/// `time_offset`, `stereo`, `spectrum`, `scene_light` and [camera.sensor], a table [[projector]]
-/// for each projector, 16 at most, and a table [imu]. A pose is `T_body_camera`
+/// Reads a rig: a table [[camera]] for each camera, with `name`, the values of a camera.toml, its
+/// `projection` among them, `time_offset`, `stereo`, `spectrum`, `scene_light` and [camera.sensor],
+/// a table [[projector]] for each projector, 16 at most, and a table [imu]. A pose is
+/// `T_body_camera`
 /// (`T_body_projector`, `T_body_imu`), four rows of a matrix, or `position`, m, and `orientation`,
 /// a quaternion x, y, z, w; without any of these it is the identity. Throws Error, which names file
 /// and camera or projector, for what is missing, unknown, out of range or there twice, and for

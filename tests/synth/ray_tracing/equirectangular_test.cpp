@@ -140,7 +140,8 @@ TEST(Equirectangular, RowsOfARollingShutterSeeFromTheirOwnPoses) {
   }
 }
 
-/// An exposure in which the camera turns by one column blurs longitudes over two of them, evenly.
+/// An exposure in which the camera turns about the vertical blurs longitudes over the angle of the
+/// turn, evenly.
 TEST(Equirectangular, AnExposureBlursAlongTheWayOfTheTurn) {
   Scene scene;
   scene.environment.radiance.create(32, 64);
