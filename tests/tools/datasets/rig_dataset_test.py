@@ -230,6 +230,7 @@ def check_bad_input():
     write("rigs/preset.toml", RIG.replace("cy = 23.5\n", "cy = 23.5\nsensor.preset = \"azure-kinect\"\n", 2))
     write("rigs/seed.toml", RIG + "sensor.seed = 5\n")
     write("rigs/lost.toml", SLIDE)
+    write("rigs/around.toml", "[[camera]]\nname = \"round\"\nprojection = \"equirectangular\"\nwidth = 48\nheight = 24\n")
     (SCRATCH / "rigs/slide.png").unlink()
     for change, message in (
             (("pair.toml", "none.toml"), "rigs/none.toml does not exist, expected the file of a rig"),
@@ -242,6 +243,8 @@ def check_bad_input():
             (("\"rigs/pair.toml\"", "3"), "rig"),
             (("[path]", "[camera]\nfov_deg = 57.0\n[path]"), "bad.toml:7: camera.fov_deg: expected none beside rig"),
             (("preset =", "camera.width = 320\npreset ="), "sensors.kinect.camera.width: expected none beside rig"),
+            (("seeds = 2", "seeds = 2\nrender.kind = \"rasterizer\""), "camera 'round': the rasterizer: expected a pinhole camera"),
+            (("pair.toml\"", "around.toml\"\nformats = \"euroc\""), "formats: expected a camera of the rig that is a pinhole"),
             (("seeds = 2", "formats = \"euroc, mcap\""), "formats: mcap: holds one camera, expected euroc alone")):
         out = edvo("plan", write_spec("bad.toml", change), code=3)
         assert "bad.toml" in out and message in out, (change, out)
