@@ -149,17 +149,18 @@ Tracker::Explanation Tracker::best_explanation(const FramePyramid& current, Atte
   }
   const bool contested = is_contested(best);
   const TileEvidence before = best.evidence.of_current();
-  MotionSupport support = supported(current, attempt, aligned, before);
   for (const TileMask& tiles : rivals) {
     const AlignResult other = aligned_in(tiles, current, attempt);
     if (!other.usable() || !differs(aligned.T_cur_ref * other.T_cur_ref.inverse(), current)) {
       continue;
     }
     Explanation rival = explained(current, attempt.references, std::nullopt, other);
-    const MotionSupport of_rival = supported(current, attempt, other, rival.evidence.of_current());
-    if (contested ? rival.areas.of_static > kClearlyMore * best.areas.of_static
-                  : is_clearly_better(of_rival, support)) {
-      support = of_rival;
+    const bool is_better =
+        contested
+            ? rival.areas.of_static > kClearlyMore * best.areas.of_static
+            : is_clearly_better(supported(current, attempt, other, rival.evidence.of_current()),
+                                supported(current, attempt, aligned, before));
+    if (is_better) {
       best = std::move(rival);
       best.is_another_motion = true;
       best.tiles = tiles;
