@@ -204,7 +204,7 @@ double difference(const RenderedFrame& a, const RenderedFrame& b, const cv::Rang
 /// pixel.
 TEST(Equirectangular, TexturesAreFilteredOverThePixelFromPoleToPole) {
   Scene scene = noisy_box();
-  const vo::SE3 T_world_camera({}, {0.1, 0.05, -0.1});
+  const vo::SE3 T_world_camera(Eigen::Quaterniond::Identity(), {0.1, 0.05, -0.1});
   const auto seen = [&](int samples, int anisotropy = 1) {
     return make_ray_tracer(
                scene, {.mode = RenderMode::unlit, .samples = samples, .anisotropy = anisotropy})
@@ -227,7 +227,7 @@ TEST(Equirectangular, WhatAMirrorShowsIsAsFarAwayAsTheBoxBehindIt) {
   mirror.metallic = 1;
   mirror.roughness = 0;
   add(scene, quad({-2, -1.5F, 1}, {4, 0, 0}, {0, 3, 0}), mirror);
-  Capture capture = still(kPanorama, {{}, {0.4, -0.3, 0.2}});
+  Capture capture = still(kPanorama, {Eigen::Quaterniond::Identity(), {0.4, -0.3, 0.2}});
   capture.channels = {.color = false, .depth = true, .normal = true, .sight = true};
   const RenderedFrame frame = make_ray_tracer(scene, {.mode = RenderMode::depth})->render(capture);
   int mirrored = 0;
