@@ -10,36 +10,11 @@
 namespace synth {
 namespace {
 
-constexpr float kLeastReflectance = 1e-3F;
 constexpr float kBrightest = 1.5F;    // of a half beside the brightest neighbour in the other
-constexpr int kAround = 1;            // px, reach of the means of variances and of neighbours
-constexpr float kOwnVariance = 0.3F;  // least variance, relative to what the pixel itself tells
 constexpr double kMostGivenBack = 1;  // relative to the light that is left
 constexpr int kGivenBack = 33;        // px, edge of each square whose means spread dimmed light
 constexpr int kSpreads = 3;           // of them, one after the other: nearly a Gaussian
 constexpr int kBeyond = 128;          // px, more than from how far off one pixel changes another
-
-using Channels = std::array<Plane, 3>;
-
-Channels channels_of(const cv::Mat_<cv::Vec3f>& image) {
-  Channels channels;
-  for (int i = 0; i < 3; ++i) {
-    cv::extractChannel(image, channels[static_cast<std::size_t>(i)], i);
-  }
-  return channels;
-}
-
-/// Calls `visit` with each pixel around another, itself included, that is in the picture.
-template <typename Visit>
-void visit_around(const cv::Point& pixel, const cv::Size& size, Visit visit) {
-  for (int v = std::max(0, pixel.y - kAround); v <= std::min(size.height - 1, pixel.y + kAround);
-       ++v) {
-    for (int u = std::max(0, pixel.x - kAround); u <= std::min(size.width - 1, pixel.x + kAround);
-         ++u) {
-      visit(cv::Point(u, v));
-    }
-  }
-}
 
 Plane sum_of(const Channels& channels) {
   Plane sum(channels[0].size());
@@ -70,26 +45,6 @@ void dim(Channels& half, const Plane& bright, const Plane& other) {
       }
     }
   }
-}
-
-/// Returns the variance of a half, as the difference of the halves tells it: the mean around each
-/// pixel, or most of the pixel's own where that is greater.
-Plane variance_of(const Plane& a, const Plane& b) {
-  Plane variance(a.size());
-  for (int v = 0; v < a.rows; ++v) {
-    for (int u = 0; u < a.cols; ++u) {
-      float sum = 0;
-      float count = 0;
-      visit_around({u, v}, a.size(), [&](const cv::Point& pixel) {
-        const float difference = a(pixel) - b(pixel);
-        sum += difference * difference;
-        ++count;
-      });
-      const float own = a(v, u) - b(v, u);
-      variance(v, u) = std::max(sum / count, kOwnVariance * own * own) / 2;
-    }
-  }
-  return variance;
 }
 
 /// Returns the light that arrives at the surfaces, of each half and channel.
@@ -166,10 +121,7 @@ cv::Mat_<cv::Vec3f> denoised(const NoisyPicture& picture) {
   planes.normal = channels_of(picture.normal);
   planes.reflectance = channels_of(picture.reflectance);
   planes.nearness = relative_nearness(picture.nearness);
-  Channels divisor;
-  for (std::size_t i = 0; i < 3; ++i) {
-    divisor[i] = cv::max(planes.reflectance[i], kLeastReflectance);
-  }
+  const Channels divisor = divisor_of(planes.reflectance);
   planes.light = arriving_light(picture, divisor);
   for (std::size_t i = 0; i < 3; ++i) {
     planes.variance[i] = variance_of(planes.light[0][i], planes.light[1][i]);

@@ -7,13 +7,13 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include "synth/denoising/likeness.h"
 #include "vo/core/instruction_set.h"
 
 namespace synth {
 namespace {
 
 constexpr int kReach = 6;                 // px, of the window that a pixel's light is fitted in
-constexpr int kPatch = 2;                 // px, reach of the patches by which pixels are compared
 constexpr int kEdge = 16;                 // px, of a tile
 constexpr int kBorder = kReach + kPatch;  // px, around the planes
 constexpr int kPatchedEdge = kEdge + 2 * kPatch;  // px, of a tile with its patches
@@ -30,9 +30,7 @@ constexpr float kNormalScale = 0.2F;
 constexpr float kNearnessScale = 0.1F;
 constexpr float kReflectanceScale = 0.2F;
 constexpr float kLeastWeight =
-    0.01F;                           // by surfaces; counts where none around is alike, as on edges
-constexpr float kLightScale = 0.5F;  // standard deviations of a difference of light
-constexpr float kRounding = 1e-8F;   // square of the relative difference that counts as none
+    0.01F;  // by surfaces; counts where none around is alike, as on edges
 
 using Row = std::array<float, kEdge>;
 using Square = std::array<Row, kEdge>;
@@ -51,13 +49,6 @@ struct Tile {
   cv::Point corner;     ///< in the planes
   std::array<NormalEquations, 2> halves;
 };
-
-/// Approximates exp(-x), x >= 0, and is 0 from 8 on.
-EDVO_INLINE float falling(float x) {
-  const float base = std::max(0.0F, 1 - x / 8);
-  const float square = base * base;
-  return square * square * (square * square);
-}
 
 /// Computes the weights of the pixels at an offset by normal, nearness and reflectance.
 EDVO_INLINE void compare_surfaces(const Tile& tile, const cv::Point& offset, Square& weights) {
@@ -89,9 +80,8 @@ EDVO_INLINE void compare_surfaces(const Tile& tile, const cv::Point& offset, Squ
   }
 }
 
-/// Returns how much more the light of a half differs at an offset than by its noise: the difference
-/// of squares over the variance (Rousselle et al., Adaptive rendering with non-local means
-/// filtering, 2012), of the pixels of a tile and around.
+/// Returns how much more the light of a half differs at an offset than by its noise, of the pixels
+/// of a tile and around.
 EDVO_INLINE void compare_light(const Tile& tile, std::size_t half, const cv::Point& offset,
                                Difference& difference) {
   const LightPlanes& planes = *tile.planes;
@@ -106,11 +96,7 @@ EDVO_INLINE void compare_light(const Tile& tile, std::size_t half, const cv::Poi
       const float* variance = planes.variance[channel][v] + u;
       const float* other = planes.variance[channel][v + offset.y] + u + offset.x;
       for (std::size_t x = 0; x < kPatchedEdge; ++x) {
-        const float apart = there[x] - here[x];
-        const float expected = variance[x] + std::min(variance[x], other[x]);
-        const float rounding = kRounding * here[x] * here[x] + 1e-20F;
-        row[x] += (apart * apart - expected) /
-                  (rounding + kLightScale * kLightScale * (variance[x] + other[x]));
+        row[x] += difference_beyond_noise({here[x], variance[x]}, {there[x], other[x]});
       }
     }
   }
