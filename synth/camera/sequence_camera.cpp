@@ -159,6 +159,7 @@ Capture SequenceCamera::color_capture(std::size_t index) const {
   if (capture.shutter.exposure_time > 0 || capture.shutter.readout_time > 0) {
     capture.motion = [this, t = stamp](double time) { return motion_.path(t + time); };
   }
+  capture.channels = options_.depth.is_apart() ? Channels{.depth = false} : depth_channels();
   return capture;
 }
 
@@ -194,16 +195,12 @@ TimeSpan SequenceCamera::span(std::size_t index) const {
   return {std::min(color.begin, depth.begin), std::max(color.end, depth.end)};
 }
 
-vo::RgbdFrame SequenceCamera::take(std::size_t index, const Renderer& now) const {
-  const bool apart = options_.depth.is_apart();
-  Capture capture = color_capture(index);
-  capture.channels = apart ? Channels{.depth = false} : depth_channels();
-  const RenderedFrame color = now.render(capture);
+vo::RgbdFrame SequenceCamera::take(std::size_t index, const Renderer& now,
+                                   const RenderedFrame& color) const {
   vo::RgbdFrame frame{.timestamp = motion_.truth[index].timestamp,
                       .image = develop(color.radiance, camera_, options_, settings_[index])};
-  if (apart) {
-    capture = depth_capture(index);
-  }
+  const bool apart = options_.depth.is_apart();
+  const Capture capture = apart ? depth_capture(index) : color_capture(index);
   const RenderedFrame ideal = apart ? now.render(capture) : color;
   const DepthView view = seen_by_depth_camera(
       with_multipath(ideal, capture.camera, options_.depth.multipath), options_.depth.materials);

@@ -48,7 +48,19 @@ class SequenceCamera {
   TimeSpan span(std::size_t index) const;
 
   /// Takes a frame with a renderer of the scene as it is during the frame.
-  vo::RgbdFrame take(std::size_t index, const Renderer& now) const;
+  vo::RgbdFrame take(std::size_t index, const Renderer& now) const {
+    return take(index, now, now.render(color_capture(index)));
+  }
+
+  /// Takes a frame of which `color` is what was rendered of its `color_capture`.
+  vo::RgbdFrame take(std::size_t index, const Renderer& now, const RenderedFrame& color) const;
+
+  /// Returns the capture of a frame's colour, and of its depth if that is seen from the same place
+  /// at the same time.
+  Capture color_capture(std::size_t index) const;
+
+  /// Returns a renderer of the scene as it is at a frame's stamp.
+  std::shared_ptr<const Renderer> renderer_at(std::size_t index) const;
 
   const FrameSetting& setting(std::size_t index) const { return settings_[index]; }
 
@@ -57,9 +69,7 @@ class SequenceCamera {
   void follow_balance(const std::vector<Metering>& metered);
   std::vector<Metering> meter_frames() const;
   double scene_time_of(std::size_t index) const;
-  std::shared_ptr<const Renderer> renderer_at(std::size_t index) const;
   std::vector<double> stamps() const;
-  Capture color_capture(std::size_t index) const;
   Channels depth_channels() const;
   Capture depth_capture(std::size_t index) const;
 

@@ -10,15 +10,6 @@ namespace {
 
 using Corners = std::array<Eigen::Vector3d, 3>;  ///< triangle corners, m, world
 
-Corners world_corners(const FlatMesh& mesh, int triangle) {
-  Corners corners;
-  for (int i = 0; i < 3; ++i) {
-    const int vertex = mesh.mesh->triangles[triangle][i];
-    corners[i] = mesh.T_world_mesh * mesh.mesh->positions[vertex].cast<double>();
-  }
-  return corners;
-}
-
 /// A ray in world coordinates.
 struct Ray {
   Eigen::Vector3d camera_position;
@@ -66,6 +57,12 @@ TrianglePoint point_of(const WorldGeometry& world, const RTCRayHit& hit, const R
 
 }  // namespace
 
+Eigen::Vector3d position_in(const WorldGeometry& world, const TrianglePoint& point) {
+  const Corners corners = world_corners(world.meshes[point.mesh], point.triangle);
+  return point.weights[0] * corners[0] + point.weights[1] * corners[1] +
+         point.weights[2] * corners[2];
+}
+
 PointTracer::PointTracer(const Scene& scene)
     : world_(flatten(scene)), embree_(std::make_unique<EmbreeScene>(world_)) {}
 
@@ -111,9 +108,7 @@ PointImage PointTracer::trace(const vo::CameraModel& camera, const vo::SE3& T_wo
 }
 
 Eigen::Vector3d PointTracer::position(const TrianglePoint& point) const {
-  const Corners corners = world_corners(world_.meshes[point.mesh], point.triangle);
-  return point.weights[0] * corners[0] + point.weights[1] * corners[1] +
-         point.weights[2] * corners[2];
+  return position_in(world_, point);
 }
 
 Eigen::Vector3d PointTracer::face_normal(const TrianglePoint& point,

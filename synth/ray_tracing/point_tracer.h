@@ -4,8 +4,8 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <opencv2/core.hpp>
 
+#include "synth/rendering/triangle_point.h"
 #include "synth/scene/scene.h"
 #include "synth/scene/world_geometry.h"
 #include "vo/geometry/camera_model.h"
@@ -15,26 +15,9 @@ namespace synth {
 
 class EmbreeScene;
 
-/// A point of a triangle in barycentric coordinates, so that it moves with the triangle.
-struct TrianglePoint {
-  int mesh = kNone;      ///< index into WorldGeometry::meshes; kNone = no hit
-  int triangle = kNone;  ///< index into Mesh::triangles
-  Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< barycentric, sum 1
-  double depth = 0;                                   ///< m, CameraModel::depth
-
-  bool exists() const { return mesh != kNone; }
-};
-
-/// The surface points seen at the pixels' centres, row by row.
-struct PointImage {
-  cv::Size size;
-  std::vector<TrianglePoint> points;
-
-  const TrianglePoint& at(int u, int v) const {
-    return points[static_cast<std::size_t>(v) * static_cast<std::size_t>(size.width) +
-                  static_cast<std::size_t>(u)];
-  }
-};
+/// Returns a point's position, m, world, in a scene's geometry, even if it was traced in that of
+/// another time.
+Eigen::Vector3d position_in(const WorldGeometry& world, const TrianglePoint& point);
 
 /// Finds the surface points that a static camera sees of a static scene. Embree finds the triangle
 /// in single precision, the rest is double precision. The scene must outlive the tracer.

@@ -9,13 +9,14 @@
 
 #include <Eigen/Core>
 
-#include "synth/denoising/denoise.h"
 #include "synth/ray_tracing/color_tracer.h"
 #include "synth/ray_tracing/depth_sight_tracer.h"
 #include "synth/ray_tracing/embree_scene.h"
 #include "synth/ray_tracing/hit_cache.h"
+#include "synth/ray_tracing/point_tracer.h"
 #include "synth/rendering/surface_ids.h"
 #include "synth/scene/world_geometry.h"
+#include "vo/core/error.h"
 
 namespace synth {
 namespace {
@@ -54,6 +55,13 @@ float depth_of_hit(const View& view, const cv::Point& pixel, const HitPacket& pa
   return exact ? static_cast<float>(*exact) : packet.lanes.ray.tfar[lane];
 }
 
+/// Returns the point of a triangle that a packet's ray has met, without its depth.
+TrianglePoint point_of(const HitPacket& packet, int lane) {
+  return {.mesh = packet.mesh(lane),
+          .triangle = packet.triangle(lane),
+          .weights = packet.weights(lane).cast<double>()};
+}
+
 /// Returns each cell's part of the samples, which two `parts` share like a checkerboard, and the
 /// index of its sample in it.
 std::vector<SampleId> samples_of_cells(int per_edge, int parts) {
@@ -78,8 +86,14 @@ class RayTracer final : public Renderer {
 
   using Renderer::render;
   RenderedFrame render(const Capture& capture) const override;
+  NoisyFrame render_noisy(const Capture& capture) const override;
+  Eigen::Vector3d position(const TrianglePoint& point) const override {
+    return position_in(world_, point);
+  }
 
  private:
+  template <typename RenderColor>
+  RenderedFrame render_tiles(const Capture& capture, RenderColor render_color) const;
   void render_surface(const View& view, const Tile& tile, const SurfaceIds& ids,
                       RenderedFrame& frame) const;
   void add_sample(const View& view, const cv::Point& pixel, std::size_t cell,
@@ -89,8 +103,8 @@ class RayTracer final : public Renderer {
                    Add add) const;
   void render_color(const View& view, const Tile& tile, ColorMemory& memory,
                     RenderedFrame& frame) const;
-  void render_noisy(const View& view, const Tile& tile, ColorMemory& memory,
-                    NoisyPicture& picture) const;
+  void render_noisy_tile(const View& view, const Tile& tile, ColorMemory& memory,
+                         NoisyPicture& picture) const;
 
   WorldGeometry world_;
   EmbreeScene embree_;
@@ -114,7 +128,10 @@ RayTracer::RayTracer(WorldGeometry world, const RenderOptions& options)
       anisotropy_(options.anisotropy),
       color_tracer_(world_, embree_, options) {}
 
-RenderedFrame RayTracer::render(const Capture& capture) const {
+/// Renders the channels of a capture tile by tile; `render_color` is called with each tile, to
+/// render its colour.
+template <typename RenderColor>
+RenderedFrame RayTracer::render_tiles(const Capture& capture, RenderColor render_color) const {
   const vo::CameraModel& camera = capture.camera;
   camera.validate();
   capture.shutter.validate();
@@ -122,33 +139,47 @@ RenderedFrame RayTracer::render(const Capture& capture) const {
   RenderedFrame frame = empty_frame(camera, capture.channels);
   const SurfaceIds ids = capture.channels.ids ? surface_ids(world_) : SurfaceIds();
   ColorMemory memory = color_tracer_.new_memory(capture);
-  const bool is_denoised = denoises_ && capture.channels.color;
   const cv::Size size(camera.width(), camera.height());
-  NoisyPicture noisy = is_denoised ? NoisyPicture(size) : NoisyPicture();
   for (int v = 0; v < size.height; v += kTile) {
     for (int u = 0; u < size.width; u += kTile) {
       const Tile tile({u, v}, size);
       const Channels& channels = capture.channels;
-      if (channels.depth || channels.normal || channels.ids || channels.sight) {
+      if (channels.depth || channels.normal || channels.ids || channels.sight || channels.points) {
         render_surface(view, tile, ids, frame);
       }
-      if (is_denoised) {
-        render_noisy(view, tile, memory, noisy);
-      } else if (capture.channels.color && has_color_) {
-        render_color(view, tile, memory, frame);
-      }
+      render_color(view, tile, memory, frame);
     }
   }
-  if (is_denoised) {
-    frame.radiance = camera.wraps() ? denoised_round(noisy) : denoised(noisy);
+  return frame;
+}
+
+RenderedFrame RayTracer::render(const Capture& capture) const {
+  if (denoises_ && capture.channels.color) {
+    return without_noise(render_noisy(capture), capture);
   }
+  RenderedFrame frame = render_tiles(capture, [&](const View& view, const Tile& tile,
+                                                  ColorMemory& memory, RenderedFrame& rendered) {
+    if (capture.channels.color && has_color_) {
+      render_color(view, tile, memory, rendered);
+    }
+  });
   if (capture.infrared) {
     frame.radiance = grey_of(frame.radiance);
   }
   return frame;
 }
 
-/// Renders a tile's depth, normals, ids and sight.
+NoisyFrame RayTracer::render_noisy(const Capture& capture) const {
+  vo::require(denoises_, "render: expected a renderer that denoises");
+  NoisyFrame noisy{{}, NoisyPicture({capture.camera.width(), capture.camera.height()})};
+  noisy.frame = render_tiles(
+      capture, [&](const View& view, const Tile& tile, ColorMemory& memory, RenderedFrame&) {
+        render_noisy_tile(view, tile, memory, noisy.picture);
+      });
+  return noisy;
+}
+
+/// Renders a tile's depth, normals, ids, points and sight.
 void RayTracer::render_surface(const View& view, const Tile& tile, const SurfaceIds& ids,
                                RenderedFrame& frame) const {
   HitCache<DepthPlane> last;
@@ -178,6 +209,9 @@ void RayTracer::render_surface(const View& view, const Tile& tile, const Surface
         const auto mesh = static_cast<std::size_t>(packet.mesh(i));
         frame.instance(pixels[i]) = ids.instance[mesh];
         frame.material(pixels[i]) = ids.material[mesh];
+      }
+      if (!frame.points.points.empty()) {
+        frame.points.at(pixels[i].x, pixels[i].y) = point_of(packet, i);
       }
     }
   }
@@ -245,8 +279,8 @@ void RayTracer::render_color(const View& view, const Tile& tile, ColorMemory& me
 }
 
 /// Renders what a denoiser needs of a tile: means over each pixel's cells.
-void RayTracer::render_noisy(const View& view, const Tile& tile, ColorMemory& memory,
-                             NoisyPicture& picture) const {
+void RayTracer::render_noisy_tile(const View& view, const Tile& tile, ColorMemory& memory,
+                                  NoisyPicture& picture) const {
   struct Sums {
     std::array<Eigen::Vector3f, 2> noisy{Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero()};
     FirstSight sight;

@@ -65,6 +65,7 @@ struct Channels {
   bool ids = false;        ///< instance and material ids
   bool sight = false;      ///< DepthSight; the ray tracer alone makes it
   bool multipath = false;  ///< DepthSight::multipath, with sight
+  bool points = false;     ///< RenderedFrame::points; the ray tracer alone makes them
 };
 
 /// One picture to take: camera, motion, shutter, channels and the light that the camera sees.

@@ -1,6 +1,9 @@
 #include "synth/rendering/renderer.h"
 
 #include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
@@ -11,6 +14,7 @@ void RenderOptions::validate() const {
   constexpr int kMaxSamples = 65536;
   constexpr int kMaxBounces = 64;
   constexpr int kMaxAnisotropy = 16;
+  constexpr int kMaxDenoiseFrames = 8;
   vo::require(samples >= 1 && samples <= kMaxSamples, "render: expected samples from 1 to ",
               kMaxSamples, ", got ", samples);
   vo::require(ambient >= 0 && std::isfinite(ambient),
@@ -26,6 +30,11 @@ void RenderOptions::validate() const {
               " of the ", vo::to_string(kind));
   vo::require(!denoise || samples_per_edge() > 1,
               "render: denoise compares samples, expected at least 2 of them, got ", samples);
+  vo::require(denoise_frames >= 0 && denoise_frames <= kMaxDenoiseFrames,
+              "render: expected denoise_frames from 0 to ", kMaxDenoiseFrames, ", got ",
+              denoise_frames);
+  vo::require(denoise || denoise_frames == 0, "render: denoise_frames ", denoise_frames,
+              " needs denoise");
   vo::require(kind != RendererKind::rasterizer || mode != RenderMode::path,
               "render: the rasterizer cannot follow paths, expected mode direct, unlit or depth");
 }
@@ -67,7 +76,27 @@ RenderedFrame empty_frame(const vo::CameraModel& camera, const Channels& channel
     frame.instance = IdImage(size, std::uint16_t{0});
     frame.material = IdImage(size, std::uint16_t{0});
   }
+  if (channels.points) {
+    frame.points = {size, std::vector<TrianglePoint>(static_cast<std::size_t>(size.area()))};
+  }
   return frame;
+}
+
+RenderedFrame without_noise(NoisyFrame noisy, const Capture& capture) {
+  RenderedFrame frame = std::move(noisy.frame);
+  frame.radiance = capture.camera.wraps() ? denoised_round(noisy.picture) : denoised(noisy.picture);
+  if (capture.infrared) {
+    frame.radiance = grey_of(frame.radiance);
+  }
+  return frame;
+}
+
+NoisyFrame Renderer::render_noisy(const Capture& /*capture*/) const {
+  throw vo::Error("render: denoise is for mode path of the ray tracer");
+}
+
+Eigen::Vector3d Renderer::position(const TrianglePoint& /*point*/) const {
+  throw vo::Error("render: points of triangles are made by the ray tracer alone");
 }
 
 }  // namespace synth

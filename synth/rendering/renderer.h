@@ -6,7 +6,9 @@
 
 #include <opencv2/core.hpp>
 
+#include "synth/denoising/denoise.h"
 #include "synth/rendering/capture.h"
+#include "synth/rendering/triangle_point.h"
 #include "vo/core/image.h"
 #include "vo/geometry/camera_model.h"
 #include "vo/geometry/se3.h"
@@ -46,6 +48,9 @@ struct RenderOptions {
   double light_radius = 0;  ///< m, radius of point and spot lights; 0 casts sharp shadows
   int bounces = 4;          ///< mode `path`: number of reflections after the first
   bool denoise = false;     ///< mode `path`: removes noise from the colour, 4 samples or more
+  /// 0 to 8, frames before and as many after each frame of a sequence whose light helps to remove
+  /// its noise; a single picture is by itself.
+  int denoise_frames = 0;
   /// 1 to 16, most places at which a texture is read along the footprint of one colour sample on a
   /// slanted surface; 1 blurs across the slant as much as along it.
   int anisotropy = 1;
@@ -64,6 +69,8 @@ void visit_fields(Visitor& visit, RenderOptions& options) {
   visit("light_radius", options.light_radius, "of point and spot lights, m; 0: sharp shadows");
   visit("bounces", options.bounces, "mode path: reflections of light after the first");
   visit("denoise", options.denoise, "mode path: remove noise from the colour");
+  visit("denoise_frames", options.denoise_frames,
+        "frames before and after each that help denoise, 0 to 8");
   visit("anisotropy", options.anisotropy,
         "most reads of a texture along a slanted sample, 1 to 16");
 }
@@ -105,7 +112,17 @@ struct RenderedFrame {
   IdImage instance;              ///< SurfaceIds::instance at the pixel's centre; 0 = nothing hit
   IdImage material;              ///< SurfaceIds::material at the pixel's centre; 0 = nothing hit
   DepthSight sight;
+  PointImage points;  ///< on triangles, at the pixels' centres
 };
+
+/// A rendered frame whose colour is not yet free of noise.
+struct NoisyFrame {
+  RenderedFrame frame;  ///< without radiance
+  NoisyPicture picture;
+};
+
+/// Returns the frame with the radiance of its picture without most of its noise.
+RenderedFrame without_noise(NoisyFrame noisy, const Capture& capture);
 
 /// Returns a frame whose requested channels are allocated and 0 everywhere.
 RenderedFrame empty_frame(const vo::CameraModel& camera, const Channels& channels);
@@ -122,6 +139,15 @@ class Renderer {
   Renderer& operator=(Renderer&&) = delete;
 
   virtual RenderedFrame render(const Capture& capture) const = 0;
+
+  /// Renders a frame whose noise is to be removed by `without_noise`. Throws vo::Error unless the
+  /// renderer was made with RenderOptions::denoise.
+  virtual NoisyFrame render_noisy(const Capture& capture) const;
+
+  /// Returns where a point of RenderedFrame::points is in this renderer's scene at its stamp, m,
+  /// world, even if the frame shows the scene at another time. Throws vo::Error unless the renderer
+  /// makes such points.
+  virtual Eigen::Vector3d position(const TrianglePoint& point) const;
 
   /// Renders colour and depth as a camera at rest sees them.
   RenderedFrame render(const vo::CameraModel& camera, const vo::SE3& T_world_camera) const {

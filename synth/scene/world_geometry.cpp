@@ -197,6 +197,15 @@ std::array<Eigen::Vector3f, 3> corners_of(const FlatMesh& mesh, int triangle, fl
   return corners;
 }
 
+std::array<Eigen::Vector3d, 3> world_corners(const FlatMesh& mesh, int triangle) {
+  std::array<Eigen::Vector3d, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int vertex = mesh.mesh->triangles[triangle][i];
+    corners[i] = mesh.T_world_mesh * mesh.mesh->positions[vertex].cast<double>();
+  }
+  return corners;
+}
+
 Eigen::Affine3d T_flat_shared(const WorldGeometry& world, const FlatMesh& mesh) {
   return Eigen::Translation3d(-world.origin) * mesh.T_world_mesh *
          Eigen::Translation3d(world.shared_meshes[mesh.shared].centre);

@@ -70,6 +70,10 @@ MomentPair moments_around(const FlatMesh& mesh, float share);
 /// value of WorldGeometry::share_at.
 std::array<Eigen::Vector3f, 3> corners_of(const FlatMesh& mesh, int triangle, float share = 0);
 
+/// Returns the corners of a triangle, m, world, in double precision; of a mesh that moves, as the
+/// scene itself has them.
+std::array<Eigen::Vector3d, 3> world_corners(const FlatMesh& mesh, int triangle);
+
 /// Returns the transform from the vertices of the shared mesh that `mesh` shows to the world-space
 /// geometry's coordinates.
 Eigen::Affine3d T_flat_shared(const WorldGeometry& world, const FlatMesh& mesh);

@@ -30,6 +30,12 @@ vo::Trajectory depth_truth(const SequenceRecipe& recipe) {
   return truth;
 }
 
+/// A moving scene during a frame, and its renderer.
+struct MovingScene {
+  SceneDuring during;
+  std::unique_ptr<const Renderer> renderer;
+};
+
 }  // namespace
 
 vo::RgbdCameraModel written_camera(const SequenceRecipe& recipe) {
@@ -76,6 +82,13 @@ FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe,
   }
   sensor_ = std::make_unique<SequenceCamera>(scene, *renderers_, recipe.camera.model, motion_,
                                              recipe.sensor, recipe.infrared);
+  if (recipe.render.denoise_frames > 0) {
+    denoised_ = std::make_unique<const DenoisedFrames>(
+        FrameSource{recipe.truth.size(),
+                    [this](std::size_t index) { return sensor_->color_capture(index); },
+                    [this](std::size_t index) { return renderer_at(index); }},
+        recipe.render.denoise_frames);
+  }
   if (!recipe.channels.channels.empty()) {
     truth_ = std::make_unique<const TruthGenerator>(
         TruthSubject{scene, recipe.camera.model, recipe.truth, recipe.render.ambient,
@@ -84,15 +97,26 @@ FrameGenerator::FrameGenerator(const Scene& scene, const SequenceRecipe& recipe,
   }
 }
 
-vo::RgbdFrame FrameGenerator::take(std::size_t index) const {
+/// Returns a renderer of the scene as it moves during a frame.
+std::shared_ptr<const Renderer> FrameGenerator::renderer_at(std::size_t index) const {
   if (!moves_) {
-    return sensor_->take(index);
+    return sensor_->renderer_at(index);
   }
   const TimeSpan span = sensor_->span(index);
   const double now =
       scene_time(recipe_.truth, recipe_.truth.at(index).timestamp) + recipe_.scene_delay;
-  const SceneDuring during = scene_during(scene_, now, span.begin, span.end);
-  return sensor_->take(index, *make_renderer(during, recipe_.render));
+  const auto moving =
+      std::make_shared<MovingScene>(MovingScene{scene_during(scene_, now, span.begin, span.end)});
+  moving->renderer = make_renderer(moving->during, recipe_.render);
+  return {moving, moving->renderer.get()};
+}
+
+vo::RgbdFrame FrameGenerator::take(std::size_t index) const {
+  if (denoised_) {
+    const DenoisedFrame frame = denoised_->render(index);
+    return sensor_->take(index, *frame.renderer, frame.rendered);
+  }
+  return sensor_->take(index, *renderer_at(index));
 }
 
 MadeFrame FrameGenerator::make(std::size_t index) const {

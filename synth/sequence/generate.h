@@ -15,6 +15,7 @@
 #include "synth/rendering/renderer.h"
 #include "synth/scene/scene.h"
 #include "synth/sensor/sensor.h"
+#include "synth/sequence/denoised_frames.h"
 #include "synth/truth/truth_channels.h"
 #include "synth/truth/truth_generator.h"
 #include "vo/dataset/sequence.h"
@@ -74,6 +75,7 @@ class FrameGenerator {
   MadeFrame make(std::size_t index) const;
 
  private:
+  std::shared_ptr<const Renderer> renderer_at(std::size_t index) const;
   vo::RgbdFrame take(std::size_t index) const;
 
   const Scene& scene_;
@@ -82,7 +84,8 @@ class FrameGenerator {
   bool moves_;  ///< whether the scene moves, so that each frame has its own renderer
   std::shared_ptr<const RenderersOverTime> renderers_;
   std::unique_ptr<const SequenceCamera> sensor_;
-  std::unique_ptr<const TruthGenerator> truth_;  ///< null where no channel is asked for
+  std::unique_ptr<const DenoisedFrames> denoised_;  ///< null if each frame is rendered by itself
+  std::unique_ptr<const TruthGenerator> truth_;     ///< null where no channel is asked for
 };
 
 /// Returns the names of the files that `FrameGenerator::make` makes.

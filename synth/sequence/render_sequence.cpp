@@ -269,6 +269,7 @@ std::string format_recipe(const RenderJob& job) {
           vo::format_toml(vo::fields_of(camera, "camera."));
   std::vector<vo::Field> render = vo::fields_of(recipe.render, "render.");
   keep_if_on(render, "render.denoise", recipe.render.denoise);
+  keep_if_on(render, "render.denoise_frames", recipe.render.denoise_frames > 0);
   keep_if_on(render, "render.anisotropy", recipe.render.anisotropy > 1);
   std::vector<vo::Field> sensor = vo::fields_of(recipe.sensor, "sensor.");
   keep_if_on(sensor, "sensor.flicker.", recipe.sensor.flicker.is_on());

@@ -76,7 +76,7 @@ COMMANDS = [
     Command("unsynced", [f"{RENDER} --no-sync --out out"]),
     Command("force", [f"{RENDER} --ambient 0.5 --force --out out"], [f"{RENDER} --out out"]),
     Command("path", [f"{RENDER} --mode path --environment sky:30 --out out"]),
-    Command("denoised", [f"{SAMPLED} --samples 4 --mode path --denoise --environment {{inputs}}/sky.exr --out out"]),
+    Command("denoised", [f"{SAMPLED} --samples 4 --mode path --denoise --denoise-frames 1 --environment {{inputs}}/sky.exr --out out"]),
     Command("run", ["run {inputs}/rgbd.toml --debug-images 3 --quiet --out out"]),
     Command("run_mono", ["run {inputs}/mono.toml --debug-images 3 --quiet --out out"]),
     Command("test", ["test {inputs}/rgbd.toml --cache cache --quiet --junit junit.xml --json results.json "

@@ -1,28 +1,16 @@
-#include <cmath>
 #include <cstring>
 
 #include <gtest/gtest.h>
 
 #include "synth/camera/make_renderer.h"
+#include "tests/support/lit_box.h"
 #include "tests/support/quads.h"
 
 namespace synth {
 namespace {
 
-/// A box of two tones that a lamp behind the camera lights; no other light.
-Scene lit_box() {
-  Scene scene;
-  for (const float side : {-1.0F, 1.0F}) {
-    const Material wall = diffuse({0.5F + 0.3F * side, 0.6F, 0.5F - 0.3F * side});
-    add(scene, quad({-1, -1, side}, {2, 0, 0}, {0, 2, 0}), wall);
-    add(scene, quad({-1, side, -1}, {2, 0, 0}, {0, 0, 2}), wall);
-    add(scene, quad({side, -1, -1}, {0, 2, 0}, {0, 0, 2}), wall);
-  }
-  Material lamp = diffuse({0, 0, 0});
-  lamp.emission.setConstant(10);
-  add(scene, quad({-0.3F, -0.5F, -0.8F}, {0.6F, 0, 0}, {0, 0, 0.6F}), lamp);
-  return scene;
-}
+using support::lit_box;
+using support::relative_error;
 
 vo::PinholeCamera small_camera() {
   return vo::PinholeCamera::from_horizontal_fov(33, 25, 90);
@@ -35,13 +23,6 @@ cv::Mat_<cv::Vec3f> radiance(const Scene& scene, const RenderOptions& options) {
 RenderOptions path_options(int samples, bool denoise) {
   return {
       .mode = RenderMode::path, .samples = samples, .ambient = 0, .bounces = 4, .denoise = denoise};
-}
-
-/// Returns the root-mean-square difference over the mean of the second image.
-double relative_error(const cv::Mat_<cv::Vec3f>& image, const cv::Mat_<cv::Vec3f>& truth) {
-  const cv::Scalar mean = cv::mean(truth);
-  return cv::norm(image, truth, cv::NORM_L2) / std::sqrt(3.0 * static_cast<double>(truth.total())) /
-         ((mean[0] + mean[1] + mean[2]) / 3);
 }
 
 TEST(DenoisedPath, HasAThirdOfTheErrorAt16SamplesAndTheSameBrightness) {

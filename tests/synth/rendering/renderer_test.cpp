@@ -41,6 +41,12 @@ TEST(RenderOptions, DenoisingIsForPathsOfTheRayTracer) {
   RenderOptions raster = path;
   raster.kind = RendererKind::rasterizer;
   EXPECT_THAT(error_text([&] { raster.validate(); }), HasSubstr("of the rasterizer"));
+  RenderOptions around{.mode = RenderMode::path, .denoise_frames = 2};
+  EXPECT_THAT(error_text([&] { around.validate(); }), HasSubstr("denoise_frames 2 needs denoise"));
+  around.denoise = true;
+  EXPECT_NO_THROW(around.validate());
+  around.denoise_frames = 9;
+  EXPECT_THAT(error_text([&] { around.validate(); }), HasSubstr("from 0 to 8, got 9"));
   RenderOptions one = path;
   one.samples = 1;
   EXPECT_THAT(error_text([&] { one.validate(); }), HasSubstr("expected at least 2 of them, got 1"));

@@ -100,6 +100,26 @@ TEST(GenerateSequence, FollowsLightToTheSameDepthOnAnyNumberOfThreads) {
   EXPECT_NE(contents(one.path()), contents(straight.path()));
 }
 
+TEST(GenerateSequence, DenoisesByTheFramesAroundOnAnyNumberOfThreads) {
+  SequenceRecipe recipe{.truth = short_orbit(), .camera = kCamera};
+  recipe.render = {.mode = RenderMode::path, .denoise = true};
+  const support::TempFolder alone;
+  generate(small_room(), recipe, alone.path());
+  recipe.render.denoise_frames = 1;
+  const support::TempFolder one;
+  const support::TempFolder two;
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+    generate(small_room(), recipe, one.path());
+  }
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 2);
+    generate(small_room(), recipe, two.path());
+  }
+  EXPECT_EQ(contents(one.path()), contents(two.path()));
+  EXPECT_NE(contents(one.path()), contents(alone.path()));
+}
+
 TEST(GenerateSequence, WritesWhatTheSensorMeasuresAtThePosesOfTheTruth) {
   const support::TempFolder folder;
   generate(folder.path());
