@@ -103,15 +103,16 @@ struct Material {
   MaterialLayers layers;      ///< none if unlit
 };
 
-/// Returns every texture slot that a material may use.
-inline std::array<TextureSlot*, 11> all_texture_slots(Material& material) {
-  MaterialLayers& layers = material.layers;
-  return {&material.base_color_texture,    &material.metallic_roughness_texture,
-          &material.specular_texture,      &material.specular_color_texture,
-          &material.normal_texture,        &material.occlusion_texture,
-          &material.emissive_texture,      &layers.transmission_texture,
-          &layers.clearcoat_texture,       &layers.clearcoat_roughness_texture,
-          &layers.clearcoat_normal_texture};
+/// Returns pointers to every texture slot that a material, constant or not, may use.
+template <typename AnyMaterial>
+auto all_texture_slots(AnyMaterial& material) {
+  auto& layers = material.layers;
+  return std::array{&material.base_color_texture,    &material.metallic_roughness_texture,
+                    &material.specular_texture,      &material.specular_color_texture,
+                    &material.normal_texture,        &material.occlusion_texture,
+                    &material.emissive_texture,      &layers.transmission_texture,
+                    &layers.clearcoat_texture,       &layers.clearcoat_roughness_texture,
+                    &layers.clearcoat_normal_texture};
 }
 
 inline constexpr int kTexcoordSets = 2;

@@ -27,6 +27,12 @@ Eigen::Vector3f place_normal(const Eigen::Matrix3d& N, const Eigen::Vector3f& no
   return (N * normal.cast<double>()).normalized().cast<float>();
 }
 
+bool is_textured(const Material& material) {
+  const auto slots = all_texture_slots(material);
+  return std::any_of(slots.begin(), slots.end(),
+                     [](const TextureSlot* slot) { return slot->texture != kNone; });
+}
+
 /// Returns an instance's flat mesh without vertices.
 FlatMesh unplaced(const Scene& scene, std::size_t index) {
   const Instance& instance = scene.instances[index];
@@ -34,6 +40,7 @@ FlatMesh unplaced(const Scene& scene, std::size_t index) {
   world.mesh = &scene.meshes[instance.mesh];
   world.instance = static_cast<int>(index);
   world.material = &material_of(scene, *world.mesh);
+  world.is_textured = is_textured(*world.material);
   world.T_world_mesh = instance.T_world_mesh;
   world.side = instance.T_world_mesh.linear().determinant() < 0 ? -1.0F : 1.0F;
   return world;

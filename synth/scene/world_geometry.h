@@ -18,7 +18,8 @@ namespace synth {
 struct FlatMesh {
   const Mesh* mesh = nullptr;
   const Material* material = nullptr;
-  int instance = kNone;  ///< index into Scene::instances
+  bool is_textured = false;  ///< whether the material has any texture
+  int instance = kNone;      ///< index into Scene::instances
   Eigen::Affine3d T_world_mesh = Eigen::Affine3d::Identity();
   float side = 1;                                    ///< -1 if T_world_mesh mirrors, else 1
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, WorldGeometry::origin

@@ -171,8 +171,11 @@ Eigen::Vector3f cast_along(const Eigen::Vector3f& direction, const Eigen::Vector
 }
 
 /// Returns the section of a ray's cone with the triangle: as long across the slant as the cone is
-/// wide, and along it over the cosine more.
+/// wide, and along it over the cosine more. Without a texture to read there it has no size.
 SampleFootprint footprint_of(const SurfaceTriangle& triangle, const SurfaceRay& ray, float cosine) {
+  if (!triangle.mesh->is_textured) {
+    return {ray.weights};
+  }
   const float limited = std::max(kMinCosine, cosine);
   SampleFootprint footprint{ray.weights, quick_log2(ray.footprint / limited)};
   if (ray.anisotropy == 1 || triangle.double_area == 0) {
@@ -198,7 +201,7 @@ SampleFootprint footprint_of(const SurfaceTriangle& triangle, const SurfaceRay& 
 }
 
 SampleFootprint footprint_of(const SurfaceTriangle& triangle, const SurfaceRay& ray) {
-  return footprint_of(triangle, ray, slant_cosine(triangle, ray));
+  return footprint_of(triangle, ray, triangle.mesh->is_textured ? slant_cosine(triangle, ray) : 1);
 }
 
 Eigen::Vector3f emission_of(const SurfaceTriangle& triangle, const SampleFootprint& footprint) {
