@@ -128,8 +128,8 @@ class Document:
         return json.dumps(self.json)
 
 
-def lit_box(lamp_size, emission):
-    """Return a document of a box, 4 x 3 x 4 m about the origin, and the square lamp under its ceiling."""
+def box():
+    """Return a document of a box, 4 x 3 x 4 m about the origin."""
     document = Document()
     grey, red, green = (material(c) for c in ((0.7, 0.7, 0.7), (0.7, 0.1, 0.1), (0.1, 0.6, 0.1)))
     for y in (-1.5, 1.5):
@@ -138,6 +138,18 @@ def lit_box(lamp_size, emission):
         document.add(quad((-2, -1.5, z), (4, 0, 0), (0, 3, 0)), grey)
     for x, wall in ((-2, red), (2, green)):
         document.add(quad((x, -1.5, -2), (0, 0, 4), (0, 3, 0)), wall)
+    return document
+
+
+def add_balls(document):
+    """Add a ball of metal and one of plastic."""
+    document.add(ball((-0.8, -0.9, -0.8), 0.6), material((0.9, 0.8, 0.5), metallic=1, roughness=0.25))
+    document.add(ball((0.8, -0.9, -0.3), 0.6), material((0.2, 0.3, 0.8), roughness=0.3))
+
+
+def lit_box(lamp_size, emission):
+    """Return a document of the box and a square lamp under its ceiling."""
+    document = box()
     corner = (-lamp_size / 2, 1.49, -0.5 - lamp_size / 2)
     document.add(quad(corner, (lamp_size, 0, 0), (0, 0, lamp_size)), material((0, 0, 0), emission=emission))
     return document
@@ -146,6 +158,17 @@ def lit_box(lamp_size, emission):
 def lamp_box():
     """Return the text of the box with two balls, which VIEW shows."""
     document = lit_box(0.6, 12)
-    document.add(ball((-0.8, -0.9, -0.8), 0.6), material((0.9, 0.8, 0.5), metallic=1, roughness=0.25))
-    document.add(ball((0.8, -0.9, -0.3), 0.6), material((0.2, 0.3, 0.8), roughness=0.3))
+    add_balls(document)
+    return document.text()
+
+
+def point_lit_box():
+    """Return the text of the box with two balls and a lamp of point size, of 20 cd, in its middle."""
+    document = box()
+    add_balls(document)
+    document.json["extensionsUsed"].append("KHR_lights_punctual")
+    lamp = {"type": "point", "intensity": 20}
+    document.json["extensions"] = {"KHR_lights_punctual": {"lights": [lamp]}}
+    document.json["nodes"].append({"translation": [0, 0.8, 0.3], "extensions": {"KHR_lights_punctual": {"light": 0}}})
+    document.json["scenes"][0]["nodes"].append(len(document.json["nodes"]) - 1)
     return document.text()

@@ -1,6 +1,7 @@
 """blender -b -P render_by_cycles.py -- SCENE OUT.npy SAMPLES REFLECTIONS VIEW...: render as `renderers` does.
 
-One thread, box filter, no denoiser, no clamping; linear RGB, the camera of a View's six numbers. Prints the CPU time."""
+One thread, box filter, no denoiser, no clamping; linear RGB, the camera of a View's six numbers. Without REFLECTIONS, 0,
+surfaces show their base colour unlit. Prints the CPU time."""
 
 import math
 import os
@@ -20,6 +21,9 @@ view = View(int(width), int(height), focal, eye)
 
 bpy.ops.wm.read_factory_settings(use_empty=True)
 bpy.ops.import_scene.gltf(filepath=scene_file)
+for lamp in bpy.data.lights:
+    lamp.energy *= 683  # lumens that the importer takes for a watt
+    lamp.shadow_soft_size = 0
 
 
 def node(tree, kind, **inputs):
@@ -56,8 +60,18 @@ def as_gltf_says(material):
     tree.links.new(surface, output.inputs["Surface"])
 
 
+def as_unlit(material):
+    """Make a material's surface shine in its base colour."""
+    tree = material.node_tree
+    colour = tree.nodes["Principled BSDF"].inputs["Base Color"].default_value[:]
+    output = next(node for node in tree.nodes if node.type == "OUTPUT_MATERIAL")
+    tree.links.new(node(tree, "ShaderNodeEmission", Color=colour), output.inputs["Surface"])
+
+
 for material in bpy.data.materials:
-    if material.name != "lamp":
+    if int(reflections) == 0:
+        as_unlit(material)
+    elif material.name != "lamp":
         as_gltf_says(material)
 scene = bpy.context.scene
 scene.render.engine = "CYCLES"
@@ -66,7 +80,7 @@ cycles.device, cycles.samples = "CPU", int(samples)
 cycles.use_denoising = cycles.use_adaptive_sampling = False
 # Cycles counts the reflections after the first, where light is looked for too.
 for name in ("max_bounces", "diffuse_bounces", "glossy_bounces", "transmission_bounces"):
-    setattr(cycles, name, int(reflections) - 1)
+    setattr(cycles, name, max(0, int(reflections) - 1))
 cycles.blur_glossy = cycles.sample_clamp_indirect = cycles.sample_clamp_direct = 0
 cycles.pixel_filter_type = "BOX"
 scene.render.threads_mode, scene.render.threads = "FIXED", 1
