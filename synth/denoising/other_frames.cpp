@@ -107,7 +107,7 @@ Told told_by(const NoisyPicture& picture, const Light& own, const OtherFrame& ot
   return told;
 }
 
-/// The planes of a half's light and their variances.
+/// The planes of each half's light, and the variances of both.
 struct NoisyLight {
   std::array<Channels, 2> light;  ///< of each half
   Channels variance;

@@ -63,6 +63,19 @@ Eigen::Vector3d position_in(const WorldGeometry& world, const TrianglePoint& poi
          point.weights[2] * corners[2];
 }
 
+Eigen::Vector3d position_in(const WorldGeometry& world, const TrianglePoint& point, float share) {
+  const FlatMesh& mesh = world.meshes[point.mesh];
+  if (mesh.moments.empty()) {
+    return position_in(world, point);
+  }
+  Eigen::Vector3d position = world.origin;
+  const std::array<Eigen::Vector3f, 3> corners = corners_of(mesh, point.triangle, share);
+  for (std::size_t i = 0; i < 3; ++i) {
+    position += point.weights[static_cast<Eigen::Index>(i)] * corners[i].cast<double>();
+  }
+  return position;
+}
+
 PointTracer::PointTracer(const Scene& scene)
     : world_(flatten(scene)), embree_(std::make_unique<EmbreeScene>(world_)) {}
 

@@ -19,6 +19,10 @@ class EmbreeScene;
 /// another time.
 Eigen::Vector3d position_in(const WorldGeometry& world, const TrianglePoint& point);
 
+/// Returns it at an instant, a value of WorldGeometry::share_at: of a mesh that moves, in single
+/// precision from the world's origin.
+Eigen::Vector3d position_in(const WorldGeometry& world, const TrianglePoint& point, float share);
+
 /// Finds the surface points that a static camera sees of a static scene. Embree finds the triangle
 /// in single precision, the rest is double precision. The scene must outlive the tracer.
 class PointTracer {

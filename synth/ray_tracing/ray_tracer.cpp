@@ -87,8 +87,8 @@ class RayTracer final : public Renderer {
   using Renderer::render;
   RenderedFrame render(const Capture& capture) const override;
   NoisyFrame render_noisy(const Capture& capture) const override;
-  Eigen::Vector3d position(const TrianglePoint& point) const override {
-    return position_in(world_, point);
+  Eigen::Vector3d position(const TrianglePoint& point, double time) const override {
+    return position_in(world_, point, world_.share_at(time));
   }
 
  private:
@@ -171,6 +171,7 @@ RenderedFrame RayTracer::render(const Capture& capture) const {
 
 NoisyFrame RayTracer::render_noisy(const Capture& capture) const {
   vo::require(denoises_, "render: expected a renderer that denoises");
+  capture.camera.validate();
   NoisyFrame noisy{{}, NoisyPicture({capture.camera.width(), capture.camera.height()})};
   noisy.frame = render_tiles(
       capture, [&](const View& view, const Tile& tile, ColorMemory& memory, RenderedFrame&) {

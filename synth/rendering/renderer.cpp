@@ -95,7 +95,7 @@ NoisyFrame Renderer::render_noisy(const Capture& /*capture*/) const {
   throw vo::Error("render: denoise is for mode path of the ray tracer");
 }
 
-Eigen::Vector3d Renderer::position(const TrianglePoint& /*point*/) const {
+Eigen::Vector3d Renderer::position(const TrianglePoint& /*point*/, double /*time*/) const {
   throw vo::Error("render: points of triangles are made by the ray tracer alone");
 }
 

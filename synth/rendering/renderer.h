@@ -70,7 +70,7 @@ void visit_fields(Visitor& visit, RenderOptions& options) {
   visit("bounces", options.bounces, "mode path: reflections of light after the first");
   visit("denoise", options.denoise, "mode path: remove noise from the colour");
   visit("denoise_frames", options.denoise_frames,
-        "frames before and after each that help denoise, 0 to 8");
+        "frames of a sequence before and after each that help denoise, 0 to 8");
   visit("anisotropy", options.anisotropy,
         "most reads of a texture along a slanted sample, 1 to 16");
 }
@@ -117,7 +117,7 @@ struct RenderedFrame {
 
 /// A rendered frame whose colour is not yet free of noise.
 struct NoisyFrame {
-  RenderedFrame frame;  ///< without radiance
+  RenderedFrame frame;  ///< its radiance is empty or 0
   NoisyPicture picture;
 };
 
@@ -144,10 +144,10 @@ class Renderer {
   /// renderer was made with RenderOptions::denoise.
   virtual NoisyFrame render_noisy(const Capture& capture) const;
 
-  /// Returns where a point of RenderedFrame::points is in this renderer's scene at its stamp, m,
-  /// world, even if the frame shows the scene at another time. Throws vo::Error unless the renderer
-  /// makes such points.
-  virtual Eigen::Vector3d position(const TrianglePoint& point) const;
+  /// Returns where a point of RenderedFrame::points is, m, world, at a time of the scene's
+  /// animations, s, which is clamped to those that this renderer has the scene at, even if another
+  /// renderer found the point. Throws vo::Error unless the renderer makes such points.
+  virtual Eigen::Vector3d position(const TrianglePoint& point, double time) const;
 
   /// Renders colour and depth as a camera at rest sees them.
   RenderedFrame render(const vo::CameraModel& camera, const vo::SE3& T_world_camera) const {

@@ -5,6 +5,7 @@
 #include <list>
 #include <memory>
 #include <mutex>
+#include <utility>
 
 #include "synth/denoising/other_frames.h"
 #include "synth/rendering/capture.h"
@@ -26,11 +27,14 @@ struct DenoisedFrame {
 };
 
 /// Renders the frames of a sequence, from any thread and in any order, each with the light of the
-/// frames up to `reach` before and after it. Noisy frames are kept while the next ones are likely
-/// to need them; what was not kept is rendered again, so that a frame depends on its index alone.
+/// frames up to `reach` before and after it. A number of noisy frames, of a moving scene with its
+/// geometry, are kept for the next; what was not kept is rendered again, so that a frame depends on
+/// its index alone.
 class DenoisedFrames {
  public:
-  DenoisedFrames(FrameSource source, int reach);
+  DenoisedFrames(FrameSource source, int reach, std::size_t kept);
+  DenoisedFrames(FrameSource source, int reach)
+      : DenoisedFrames(std::move(source), reach, frames_at_once(reach)) {}
   ~DenoisedFrames();
   DenoisedFrames(const DenoisedFrames&) = delete;
   DenoisedFrames& operator=(const DenoisedFrames&) = delete;
@@ -42,12 +46,15 @@ class DenoisedFrames {
  private:
   struct Kept;
 
+  /// Returns how many frames the threads of this program need at once if they go in order.
+  static std::size_t frames_at_once(int reach);
   static OtherFrame seen_from(const Kept& here, const Kept& other);
   std::shared_ptr<const Kept> noisy(std::size_t index) const;
   std::shared_ptr<Kept> kept(std::size_t index) const;
 
   FrameSource source_;
   std::size_t reach_;
+  std::size_t capacity_;  ///< frames that are kept at most, 1 or more
   mutable std::mutex mutex_;
   mutable std::list<std::shared_ptr<Kept>> kept_;  ///< the one that was needed last comes first
 };

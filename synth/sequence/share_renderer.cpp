@@ -85,8 +85,10 @@ void ShareRenderer::render(std::vector<std::size_t> parts) {
     if (!make_) {
       make_ = job_.prepare();
     }
+    // Whoever is free takes the next part, so that what frames share with their neighbours lasts.
+    std::atomic<std::size_t> next = 0;
     tbb::parallel_for(std::size_t{0}, parts.size(),
-                      [&](std::size_t i) { render_unless_others_do(parts[i]); });
+                      [&](std::size_t) { render_unless_others_do(parts[next++]); });
     keep_missing(parts);
     if (!parts.empty()) {
       vo::pause_for_others([this] { tell(); });

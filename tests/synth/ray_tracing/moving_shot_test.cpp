@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -93,6 +94,31 @@ TEST(MovingShot, OfARollingShutterHasTheDepthOfACameraThatMovesTheOtherWay) {
   EXPECT_LT(
       cv::norm(of_moving_things(shutter).depth, of_moving_camera(shutter).depth, cv::NORM_INF),
       1e-6);
+}
+
+TEST(MovingShot, OfARollingShutterHasPointsThatAreWhereTheirRowsSeeThem) {
+  const Scene scene = moving(square_before_wall(), 1);
+  const vo::CameraModel camera = wide_camera();
+  Capture capture = still(camera, {});
+  capture.shutter = {.readout_time = 0.4};
+  capture.scene_time = kNow;
+  capture.channels.points = true;
+  const SceneDuring during = scene_during(scene, kNow, kNow - 0.3, kNow + 0.3);
+  const auto renderer = make_renderer(during, {});
+  const RenderedFrame frame = renderer->render(capture);
+  double farthest_at_stamp = 0;  // px
+  for (int v = 0; v < camera.height(); ++v) {
+    const double time = kNow + capture.shutter.row_time(v, camera.height());
+    for (int u = 0; u < camera.width(); ++u) {
+      const TrianglePoint& point = frame.points.at(u, v);
+      ASSERT_TRUE(point.exists());
+      const Eigen::Vector2d pixel(u, v);
+      EXPECT_LT((camera.project(renderer->position(point, time)) - pixel).norm(), 1e-3);
+      const double apart = (camera.project(renderer->position(point, kNow)) - pixel).norm();
+      farthest_at_stamp = std::max(farthest_at_stamp, apart);
+    }
+  }
+  EXPECT_GT(farthest_at_stamp, 1);
 }
 
 TEST(MovingShot, LeavesWhatRestsWhereItIs) {

@@ -140,6 +140,7 @@ TEST(DenoisedFrames, DependOnTheirIndexAlone) {
   const Frames frames(box_at_rest, passing, 4);
   const DenoisedFrames in_order(frames.source(), 1);
   const DenoisedFrames at_once(frames.source(), 1);
+  const DenoisedFrames forgetful(frames.source(), 1, 1);
   std::array<Image, kFrames> expected;
   for (std::size_t i = 0; i < kFrames; ++i) {
     expected[i] = in_order.render(i).rendered.radiance;
@@ -150,6 +151,7 @@ TEST(DenoisedFrames, DependOnTheirIndexAlone) {
   for (std::size_t i = 0; i < kFrames; ++i) {
     EXPECT_TRUE(is_same_image(images[i], expected[i])) << i;
     EXPECT_TRUE(is_same_image(denoised_frame(frames, i, 1), expected[i])) << i;
+    EXPECT_TRUE(is_same_image(forgetful.render(i).rendered.radiance, expected[i])) << i;
   }
 }
 
