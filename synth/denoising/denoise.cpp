@@ -16,7 +16,7 @@ constexpr int kGivenBack = 33;        // px, edge of each square whose means spr
 constexpr int kSpreads = 3;           // of them, one after the other: nearly a Gaussian
 constexpr int kBeyond = 128;          // px, more than from how far off one pixel changes another
 
-Plane sum_of(const Channels& channels) {
+Plane sum_of(const ColorPlanes& channels) {
   Plane sum(channels[0].size());
   for (int v = 0; v < sum.rows; ++v) {
     for (int u = 0; u < sum.cols; ++u) {
@@ -36,7 +36,7 @@ float dimming(const Plane& bright, const Plane& other, const cv::Point& pixel) {
 }
 
 /// Dims what is far brighter in a half than anything around it in the other.
-void dim(Channels& half, const Plane& bright, const Plane& other) {
+void dim(ColorPlanes& half, const Plane& bright, const Plane& other) {
   for (int v = 0; v < bright.rows; ++v) {
     for (int u = 0; u < bright.cols; ++u) {
       const float factor = dimming(bright, other, {u, v});
@@ -48,9 +48,11 @@ void dim(Channels& half, const Plane& bright, const Plane& other) {
 }
 
 /// Returns the light that arrives at the surfaces, of each half and channel.
-std::array<Channels, 2> arriving_light(const NoisyPicture& picture, const Channels& reflectance) {
-  std::array<Channels, 2> light{channels_of(picture.halves[0]), channels_of(picture.halves[1])};
-  for (Channels& half : light) {
+std::array<ColorPlanes, 2> arriving_light(const NoisyPicture& picture,
+                                          const ColorPlanes& reflectance) {
+  std::array<ColorPlanes, 2> light{color_planes_of(picture.halves[0]),
+                                   color_planes_of(picture.halves[1])};
+  for (ColorPlanes& half : light) {
     for (std::size_t i = 0; i < 3; ++i) {
       cv::divide(half[i], reflectance[i], half[i]);
     }
@@ -118,19 +120,19 @@ NoisyPicture::NoisyPicture(const cv::Size& size)
 
 cv::Mat_<cv::Vec3f> denoised(const NoisyPicture& picture) {
   LightPlanes planes;
-  planes.normal = channels_of(picture.normal);
-  planes.reflectance = channels_of(picture.reflectance);
+  planes.normal = color_planes_of(picture.normal);
+  planes.reflectance = color_planes_of(picture.reflectance);
   planes.nearness = relative_nearness(picture.nearness);
-  const Channels divisor = divisor_of(planes.reflectance);
+  const ColorPlanes divisor = divisor_of(planes.reflectance);
   planes.light = arriving_light(picture, divisor);
   for (std::size_t i = 0; i < 3; ++i) {
     planes.variance[i] = variance_of(planes.light[0][i], planes.light[1][i]);
   }
-  const std::array<Channels, 2> fitted = fitted_light(planes);
+  const std::array<ColorPlanes, 2> fitted = fitted_light(planes);
   cv::Mat_<cv::Vec3f> both;
   cv::add(picture.halves[0], picture.halves[1], both);
-  const Channels radiance = channels_of(both);
-  Channels result = channels_of(picture.shown);
+  const ColorPlanes radiance = color_planes_of(both);
+  ColorPlanes result = color_planes_of(picture.shown);
   for (std::size_t i = 0; i < 3; ++i) {
     Plane left;
     cv::add(planes.light[0][i], planes.light[1][i], left);

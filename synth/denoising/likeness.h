@@ -18,14 +18,14 @@ EDVO_INLINE float falling(float x) {
 }
 
 /// A noisy value and its variance.
-struct Noisy {
+struct NoisyValue {
   float value;
   float variance;
 };
 
 /// Returns how much more two values differ than by their noise: the difference of squares over the
 /// variance (Rousselle et al., Adaptive rendering with non-local means filtering, 2012).
-EDVO_INLINE float difference_beyond_noise(const Noisy& here, const Noisy& there) {
+EDVO_INLINE float difference_beyond_noise(const NoisyValue& here, const NoisyValue& there) {
   const float apart = there.value - here.value;
   const float expected = here.variance + std::min(here.variance, there.variance);
   const float rounding = kRounding * here.value * here.value + 1e-20F;

@@ -20,7 +20,7 @@ constexpr float kLeastSeen = 0.5F;      // of the weights of the pixels around a
 /// The light that arrives at surfaces, linear RGB, of each half of the samples.
 using Light = std::array<cv::Mat_<cv::Vec3f>, 2>;
 
-Light light_of(const NoisyPicture& picture, const Channels& divisor) {
+Light light_of(const NoisyPicture& picture, const ColorPlanes& divisor) {
   cv::Mat_<cv::Vec3f> merged;
   cv::merge(divisor.data(), divisor.size(), merged);
   Light light;
@@ -97,7 +97,8 @@ void tell(const NoisyPicture& picture, const OtherFrame& other, const Light& lig
 }
 
 Told told_by(const NoisyPicture& picture, const Light& own, const OtherFrame& other) {
-  const Light light = light_of(*other.picture, divisor_of(channels_of(other.picture->reflectance)));
+  const Light light =
+      light_of(*other.picture, divisor_of(color_planes_of(other.picture->reflectance)));
   Told told{{own[0].clone(), own[1].clone()}, Plane(own[0].size(), 0.0F)};
   for (int v = 0; v < told.seen.rows; ++v) {
     for (int u = 0; u < told.seen.cols; ++u) {
@@ -109,12 +110,12 @@ Told told_by(const NoisyPicture& picture, const Light& own, const OtherFrame& ot
 
 /// The planes of each half's light, and the variances of both.
 struct NoisyLight {
-  std::array<Channels, 2> light;  ///< of each half
-  Channels variance;
+  std::array<ColorPlanes, 2> light;  ///< of each half
+  ColorPlanes variance;
 };
 
 NoisyLight noisy_light(const Light& light) {
-  NoisyLight noisy{{channels_of(light[0]), channels_of(light[1])}, {}};
+  NoisyLight noisy{{color_planes_of(light[0]), color_planes_of(light[1])}, {}};
   for (std::size_t i = 0; i < 3; ++i) {
     noisy.variance[i] = variance_of(noisy.light[0][i], noisy.light[1][i]);
   }
@@ -178,7 +179,7 @@ void add_weighted(const cv::Mat_<cv::Vec3f>& light, const Plane& weights, cv::Ma
 }  // namespace
 
 NoisyPicture with_light_of(const NoisyPicture& picture, const std::vector<OtherFrame>& others) {
-  const Channels divisor = divisor_of(channels_of(picture.reflectance));
+  const ColorPlanes divisor = divisor_of(color_planes_of(picture.reflectance));
   const Light own = light_of(picture, divisor);
   const NoisyLight here = noisy_light(own);
   Light sums{own[0].clone(), own[1].clone()};
@@ -193,7 +194,7 @@ NoisyPicture with_light_of(const NoisyPicture& picture, const std::vector<OtherF
   }
   NoisyPicture result = picture;
   for (std::size_t half = 0; half < 2; ++half) {
-    Channels radiance = channels_of(sums[half]);
+    ColorPlanes radiance = color_planes_of(sums[half]);
     for (std::size_t i = 0; i < 3; ++i) {
       radiance[i] = radiance[i].mul(divisor[i]) / totals[half];
     }

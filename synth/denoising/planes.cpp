@@ -10,16 +10,16 @@ constexpr float kOwnVariance = 0.3F;  // least variance, relative to what the pi
 
 }  // namespace
 
-Channels channels_of(const cv::Mat_<cv::Vec3f>& image) {
-  Channels channels;
+ColorPlanes color_planes_of(const cv::Mat_<cv::Vec3f>& image) {
+  ColorPlanes channels;
   for (int i = 0; i < 3; ++i) {
     cv::extractChannel(image, channels[static_cast<std::size_t>(i)], i);
   }
   return channels;
 }
 
-Channels divisor_of(const Channels& reflectance) {
-  Channels divisor;
+ColorPlanes divisor_of(const ColorPlanes& reflectance) {
+  ColorPlanes divisor;
   for (std::size_t i = 0; i < 3; ++i) {
     divisor[i] = cv::max(reflectance[i], kLeastReflectance);
   }

@@ -9,22 +9,22 @@
 namespace synth {
 
 using Plane = cv::Mat_<float>;
-using Channels = std::array<Plane, 3>;
+using ColorPlanes = std::array<Plane, 3>;
 
 /// The images that light is fitted in, a plane for each number, all of one size.
 struct LightPlanes {
-  std::array<Channels, 2> light;  ///< of each half and channel
-  Channels variance;              ///< of the light of a half, per channel
-  Channels normal;
-  Channels reflectance;
+  std::array<ColorPlanes, 2> light;  ///< of each half and channel
+  ColorPlanes variance;              ///< of the light of a half, per channel
+  ColorPlanes normal;
+  ColorPlanes reflectance;
   Plane nearness;  ///< relative to the picture's nearest surface
 };
 
-Channels channels_of(const cv::Mat_<cv::Vec3f>& image);
+ColorPlanes color_planes_of(const cv::Mat_<cv::Vec3f>& image);
 
 /// Returns what radiance is divided by to become light that arrives: the reflectance, or a least
 /// one.
-Channels divisor_of(const Channels& reflectance);
+ColorPlanes divisor_of(const ColorPlanes& reflectance);
 
 /// Returns the variance of a half, as the difference of the halves tells it: the mean of 3 x 3 px
 /// around each pixel, or most of the pixel's own where that is greater.

@@ -57,7 +57,7 @@ Seen DenoisedFrames::Kept::place_of(const TrianglePoint& point, const cv::Point&
   double depth = 0;
   for (int i = 0; i < kSteps; ++i) {
     const double row = std::clamp(pixel.y(), 0.0, camera.height() - 1.0);
-    const Eigen::Vector3d p_camera = in_camera(point, static_cast<int>(row + 0.5));
+    const Eigen::Vector3d p_camera = in_camera(point, static_cast<int>(std::lround(row)));
     if (!camera.sees(p_camera)) {
       return {};
     }
