@@ -19,8 +19,8 @@ class EmbreeScene;
 /// another time.
 Eigen::Vector3d position_in(const WorldGeometry& world, const TrianglePoint& point);
 
-/// Returns it at an instant, a value of WorldGeometry::share_at: of a mesh that moves, in single
-/// precision from the world's origin.
+/// Returns a point's position, m, world, at an instant, `share` being a value of
+/// WorldGeometry::share_at; of a mesh that moves, in single precision from the world's origin.
 Eigen::Vector3d position_in(const WorldGeometry& world, const TrianglePoint& point, float share);
 
 /// Finds the surface points that a static camera sees of a static scene. Embree finds the triangle

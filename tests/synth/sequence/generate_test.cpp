@@ -65,6 +65,22 @@ void generate(const fs::path& folder, const vo::Progress& progress = {}) {
            progress);
 }
 
+/// Expects the same bytes on one thread and on two, and others than those of a folder.
+void expect_same_bytes_unlike(const fs::path& other, const SequenceRecipe& recipe) {
+  const support::TempFolder one;
+  const support::TempFolder two;
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+    generate(small_room(), recipe, one.path());
+  }
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 2);
+    generate(small_room(), recipe, two.path());
+  }
+  EXPECT_EQ(contents(one.path()), contents(two.path()));
+  EXPECT_NE(contents(one.path()), contents(other));
+}
+
 TEST(GenerateSequence, WritesTheSameBytesOnOneThreadAndOnTwo) {
   const support::TempFolder one;
   const support::TempFolder two;
@@ -86,18 +102,7 @@ TEST(GenerateSequence, FollowsLightToTheSameDepthOnAnyNumberOfThreads) {
   const support::TempFolder straight;
   generate(small_room(), recipe, straight.path());
   recipe.sensor.depth.multipath = {.frequency = 200e6, .samples = 2, .lamp = LampField::all};
-  const support::TempFolder one;
-  const support::TempFolder two;
-  {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
-    generate(small_room(), recipe, one.path());
-  }
-  {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 2);
-    generate(small_room(), recipe, two.path());
-  }
-  EXPECT_EQ(contents(one.path()), contents(two.path()));
-  EXPECT_NE(contents(one.path()), contents(straight.path()));
+  expect_same_bytes_unlike(straight.path(), recipe);
 }
 
 TEST(GenerateSequence, DenoisesByTheFramesAroundOnAnyNumberOfThreads) {
@@ -106,18 +111,7 @@ TEST(GenerateSequence, DenoisesByTheFramesAroundOnAnyNumberOfThreads) {
   const support::TempFolder alone;
   generate(small_room(), recipe, alone.path());
   recipe.render.denoise_frames = 1;
-  const support::TempFolder one;
-  const support::TempFolder two;
-  {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
-    generate(small_room(), recipe, one.path());
-  }
-  {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 2);
-    generate(small_room(), recipe, two.path());
-  }
-  EXPECT_EQ(contents(one.path()), contents(two.path()));
-  EXPECT_NE(contents(one.path()), contents(alone.path()));
+  expect_same_bytes_unlike(alone.path(), recipe);
 }
 
 TEST(GenerateSequence, WritesWhatTheSensorMeasuresAtThePosesOfTheTruth) {
