@@ -264,8 +264,9 @@ std::map<std::string, Bound> outside_bounds(const std::map<std::string, Bound>& 
   std::map<std::string, Bound> known = expect;
   for (const char* metric :
        {"keyframes", "nees_median", "nees_p90", "nees_absolute_median", "nees_absolute_p90",
-        "repeat_difference_m", "ate_percent", "scale_error_percent", "scale_drift_percent",
-        "depth_error_percent", "depth_outliers_percent", "depth_nees", "depth_density_fraction"}) {
+        "sure_error_max_m", "repeat_difference_m", "ate_percent", "scale_error_percent",
+        "scale_drift_percent", "depth_error_percent", "depth_outliers_percent", "depth_nees",
+        "depth_density_fraction"}) {
     known.erase(metric);
   }
   return known;

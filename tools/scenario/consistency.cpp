@@ -1,6 +1,7 @@
 #include "tools/scenario/consistency.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <Eigen/Cholesky>
@@ -21,16 +22,29 @@ struct RelativePose {
   vo::Matrix6d covariance;  ///< of the left increment of T_cur_earlier
 };
 
-std::optional<double> squared_error(const vo::Trajectory& truth, double timestamp,
-                                    const RelativePose& estimate) {
-  const auto T_world_earlier = vo::pose_at(truth, estimate.timestamp);
-  const auto T_world_cur = vo::pose_at(truth, timestamp);
-  if (!T_world_earlier || !T_world_cur) {
+std::optional<vo::SE3> true_motion(const vo::Trajectory& truth, double earlier, double later) {
+  const auto T_world_earlier = vo::pose_at(truth, earlier);
+  const auto T_world_later = vo::pose_at(truth, later);
+  if (!T_world_earlier || !T_world_later) {
     return {};
   }
-  const vo::SE3 T_earlier_cur_true = T_world_earlier->inverse() * *T_world_cur;
-  const vo::Vector6d error = (estimate.T_cur_earlier * T_earlier_cur_true).log();
+  return T_world_earlier->inverse() * *T_world_later;
+}
+
+std::optional<double> squared_error(const vo::Trajectory& truth, double timestamp,
+                                    const RelativePose& estimate) {
+  const auto T_earlier_cur_true = true_motion(truth, estimate.timestamp, timestamp);
+  if (!T_earlier_cur_true) {
+    return {};
+  }
+  const vo::Vector6d error = (estimate.T_cur_earlier * *T_earlier_cur_true).log();
   return error.dot(estimate.covariance.ldlt().solve(error));
+}
+
+auto first_with_pose(const std::vector<vo::TrackingResult>& frames) {
+  return std::find_if(frames.begin(), frames.end(), [](const vo::TrackingResult& frame) {
+    return frame.status == vo::TrackingStatus::initialized;
+  });
 }
 
 /// Judges the poses that `pose_of` gives of the tracked frames.
@@ -59,9 +73,7 @@ Nees relative_nees(const vo::Trajectory& truth, const std::vector<vo::TrackingRe
 }
 
 Nees absolute_nees(const vo::Trajectory& truth, const std::vector<vo::TrackingResult>& frames) {
-  const auto first = std::find_if(frames.begin(), frames.end(), [](const auto& frame) {
-    return frame.status == vo::TrackingStatus::initialized;
-  });
+  const auto first = first_with_pose(frames);
   if (first == frames.end()) {
     return {};
   }
@@ -69,6 +81,23 @@ Nees absolute_nees(const vo::Trajectory& truth, const std::vector<vo::TrackingRe
     return {first->timestamp, frame.T_world_camera.inverse() * first->T_world_camera,
             frame.absolute_covariance};
   });
+}
+
+double greatest_sure_error(const vo::Trajectory& truth,
+                           const std::vector<vo::TrackingResult>& frames) {
+  double greatest = std::numeric_limits<double>::quiet_NaN();
+  const auto first = first_with_pose(frames);
+  for (auto frame = first; frame != frames.end(); ++frame) {
+    if (frame->status != vo::TrackingStatus::tracked) {
+      continue;
+    }
+    if (const auto motion = true_motion(truth, first->timestamp, frame->timestamp)) {
+      const vo::SE3 T_first_cur = first->T_world_camera.inverse() * frame->T_world_camera;
+      const double error = (T_first_cur.translation() - motion->translation()).norm();
+      greatest = std::fmax(greatest, error);
+    }
+  }
+  return greatest;
 }
 
 }  // namespace tools

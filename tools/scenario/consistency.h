@@ -26,4 +26,9 @@ Nees relative_nees(const vo::Trajectory& truth, const std::vector<vo::TrackingRe
 /// T_cur_first_true^-1), by their absolute covariances.
 Nees absolute_nees(const vo::Trajectory& truth, const std::vector<vo::TrackingResult>& frames);
 
+/// Returns the greatest error of the position, m, of tracked frames, which excludes the uncertain
+/// ones, relative to the first frame with a pose; NaN without a tracked frame of known truth.
+double greatest_sure_error(const vo::Trajectory& truth,
+                           const std::vector<vo::TrackingResult>& frames);
+
 }  // namespace tools

@@ -33,7 +33,7 @@ void measure_trajectory(const Scenario& scenario, const vo::Trajectory& truth,
                         const TrackingRun& run, Metrics& metrics) {
   const vo::Trajectory& estimate = run.tracking.trajectory;
   if (!has_metric_start(scenario.odometry)) {
-    metrics = without_nees(metrics);
+    metrics = without_own_judgement(metrics);
     metrics.drift_percent = kUnknown;
   }
   const double length = estimate.size() < kMinPosesOfLength ? 0 : tracked_length(truth, estimate);

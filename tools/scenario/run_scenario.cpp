@@ -73,6 +73,7 @@ Metrics measure(const vo::Trajectory& truth, const vo::SequenceResult& tracking,
   const Nees absolute = absolute_nees(truth, tracking.frames);
   metrics.nees_absolute_median = absolute.median;
   metrics.nees_absolute_p90 = absolute.p90;
+  metrics.sure_error_max_m = greatest_sure_error(truth, tracking.frames);
   if (tracking.trajectory.size() >= kMinPoses) {
     const vo::TrajectoryErrors errors =
         vo::evaluate(truth, tracking.trajectory,

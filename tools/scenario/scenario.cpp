@@ -178,12 +178,13 @@ std::vector<std::pair<std::string, double>> metric_values(const Metrics& metrics
   return collector.values;
 }
 
-Metrics without_nees(const Metrics& metrics) {
+Metrics without_own_judgement(const Metrics& metrics) {
   const std::vector<std::pair<std::string, double>> values = metric_values(metrics);
   return make_metrics([&](const std::string& name) {
     const auto found = std::find_if(values.begin(), values.end(),
                                     [&](const auto& value) { return value.first == name; });
-    return name.starts_with("nees_") ? std::numeric_limits<double>::quiet_NaN() : found->second;
+    const bool is_own = name.starts_with("nees_") || name == "sure_error_max_m";
+    return is_own ? std::numeric_limits<double>::quiet_NaN() : found->second;
   });
 }
 

@@ -128,6 +128,7 @@ struct Metrics {
   double nees_p90 = 0;              ///< tail of the same, at the 90th percentile
   double nees_absolute_median = 0;  ///< NEES of poses relative to the first frame
   double nees_absolute_p90 = 0;     ///< tail of the same, at the 90th percentile
+  double sure_error_max_m = 0;      ///< greatest error since the first frame of a pose not in doubt
   double repeat_difference_m = 0;   ///< greatest distance between two runs; only if bounded
 
   // Metrics of modes mono and mapping; those of depth use the last map's confident hypotheses.
@@ -153,6 +154,7 @@ void visit_fields(Visitor& visit, Metrics& metrics) {
   visit("nees_p90", metrics.nees_p90, "the same in the tail, at the 90th percentile");
   visit("nees_absolute_median", metrics.nees_absolute_median, "of poses since the first frame");
   visit("nees_absolute_p90", metrics.nees_absolute_p90, "the same in the tail");
+  visit("sure_error_max_m", metrics.sure_error_max_m, "greatest, of poses not called uncertain");
   visit("repeat_difference_m", metrics.repeat_difference_m, "of two runs; measured if bounded");
   visit("ate_percent", metrics.ate_percent, "mono: absolute error over path length");
   visit("scale_error_percent", metrics.scale_error_percent, "mono, metric: size against truth's");
@@ -169,8 +171,9 @@ std::vector<std::pair<std::string, double>> metric_values(const Metrics& metrics
 /// Returns metrics with the values that `value_of` gives for each name.
 Metrics make_metrics(const std::function<double(const std::string& name)>& value_of);
 
-/// Returns the metrics with those that judge poses' covariances unknown (NaN).
-Metrics without_nees(const Metrics& metrics);
+/// Returns the metrics with those unknown (NaN) that judge what a tracker says of its own poses:
+/// their covariances and which of them are uncertain.
+Metrics without_own_judgement(const Metrics& metrics);
 
 /// A scenario file: what is rendered, how it is tracked, and which bounds, if any, the metrics must
 /// meet.

@@ -89,7 +89,7 @@ void measure_outside(const Scenario& scenario, const TrialSettings& settings,
   }
   Outcome outcome{
       .tracking = std::move(run.tracking), .truth = sequence.ground_truth(), .metrics = {}};
-  outcome.metrics = without_nees(measure(outcome.truth, outcome.tracking, scenario.score));
+  outcome.metrics = without_own_judgement(measure(outcome.truth, outcome.tracking, scenario.score));
   outcome.metrics.keyframes = kUnknownMetric;
   trial.metrics = outcome.metrics;
   if (is_reported(settings, trial)) {

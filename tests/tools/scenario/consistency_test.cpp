@@ -79,8 +79,33 @@ TEST(Consistency, AbsoluteErrorsAreTakenSinceTheFirstFrame) {
   EXPECT_NEAR(tools::absolute_nees(truth, {first, frame}).p90, 9 / 10.644641, 1e-6);
 }
 
+/// Returns a frame whose position is off by `error` m from the true one, `way` m along x.
+vo::TrackingResult frame_off_by(double error, double timestamp, double way,
+                                vo::TrackingStatus status) {
+  return {.timestamp = timestamp,
+          .T_world_camera = SE3(Eigen::Quaterniond::Identity(), {way, error, 0}),
+          .status = status};
+}
+
+TEST(Consistency, TheGreatestSureErrorIsOfPosesNotInDoubt) {
+  using enum vo::TrackingStatus;
+  const SE3 T_world_first(Eigen::Quaterniond(Eigen::AngleAxisd(1, Eigen::Vector3d::UnitZ())),
+                          {5, 6, 7});  // the truth's world is not the estimate's
+  vo::Trajectory truth;
+  for (int i = 0; i < 5; ++i) {
+    const SE3 T_first_cur(Eigen::Quaterniond::Identity(), {0.1 * i, 0, 0});
+    truth.push_back({static_cast<double>(i), T_world_first * T_first_cur});
+  }
+  const std::vector<vo::TrackingResult> frames{
+      frame_off_by(0, 0, 0, initialized), frame_off_by(0.02, 1, 0.1, tracked),
+      frame_off_by(0.5, 2, 0.2, uncertain), frame_off_by(-0.03, 3, 0.3, tracked),
+      frame_off_by(0.7, 4, 0.4, lost)};
+  EXPECT_NEAR(tools::greatest_sure_error(truth, frames), 0.03, 1e-12);
+}
+
 TEST(Consistency, IsUnknownWithoutTrackedFrames) {
   const vo::Trajectory truth{{0, SE3()}, {2, SE3()}};
+  EXPECT_TRUE(std::isnan(tools::greatest_sure_error(truth, {})));
   EXPECT_TRUE(std::isnan(tools::absolute_nees(truth, {}).median));
   EXPECT_TRUE(std::isnan(tools::relative_nees(truth, {vo::TrackingResult{.timestamp = 1}}).p90));
 }
