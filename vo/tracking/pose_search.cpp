@@ -95,10 +95,9 @@ bool is_more_credible(const TrackingResult& found, const TrackingResult& best) {
          found.alignment.depth_agreement >= best.alignment.depth_agreement - kWorse;
 }
 
-bool is_doubtful(const TrackingResult& result) {
+bool is_doubtful(TrackingStatus status, double correlation) {
   constexpr double kDoubtfulCorrelation = 0.8;
-  return result.status == TrackingStatus::lost ||
-         result.alignment.correlation < kDoubtfulCorrelation;
+  return status == TrackingStatus::lost || correlation < kDoubtfulCorrelation;
 }
 
 }  // namespace vo

@@ -31,8 +31,8 @@ std::vector<SE3> similar_keyframes(const LocalMap& map, const FramePyramid& fram
                                    std::size_t count);
 
 /// Returns whether a frame aligned from one start is so doubtful that others are tried: it is lost,
-/// or its images correlate weakly.
-bool is_doubtful(const TrackingResult& result);
+/// or the correlation that it is judged by is weak.
+bool is_doubtful(TrackingStatus status, double correlation);
 
 /// Returns whether a pose that was searched for is preferred to the best one so far.
 bool is_more_credible(const TrackingResult& found, const TrackingResult& best);

@@ -66,7 +66,8 @@ TrackingResult Tracker::track(const FramePyramid& current) {
   doubt_.see(current);
   Attempt attempt = aligned_from(current, {Start::expected, starting_pose(current)});
   attempt = segmented(current, std::move(attempt));
-  if (is_doubtful(attempt.result) && options_.lost.recover) {
+  const double correlation = correlation_of(attempt.result.alignment, attempt.start);
+  if (options_.lost.recover && is_doubtful(attempt.result.status, correlation)) {
     attempt = searched(current, std::move(attempt));
   }
   reference_points_ = attempt.references.points.front();
