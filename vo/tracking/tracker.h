@@ -92,6 +92,7 @@ class Tracker {
 
   /// Holds what the tiles of a frame show if the frame's pose is that of an alignment.
   struct Explanation {
+    AlignResult aligned;
     StaticEvidence evidence;
     TileEvidence log_odds{};
     TileMask moving = {};
@@ -101,7 +102,10 @@ class Tracker {
   };
 
   /// The tiles whose motions rival that of all points.
-  using RivalTiles = InplaceVector<TileMask, 2>;
+  struct Rivals {
+    bool are_contested = false;  ///< whether much moves, so that areas tell the motions apart
+    InplaceVector<TileMask, 2> tiles;
+  };
 
   void find_current_points(const FramePyramid& current);
   SE3 starting_pose(const FramePyramid& current) const;
@@ -122,10 +126,10 @@ class Tracker {
   AlignResult aligned_in(const TileMask& tiles, const FramePyramid& current,
                          const Attempt& attempt);
   MotionSupport supported(const FramePyramid& current, const Attempt& attempt,
-                          const AlignResult& aligned, const TileEvidence& evidence) const;
+                          const Explanation& explanation) const;
   bool differs(const SE3& T_a_b, const FramePyramid& current) const;
   bool is_contested(const Explanation& explanation) const;
-  RivalTiles rivals_of(const Explanation& explanation, const AlignResult& aligned) const;
+  Rivals rivals_of(const Explanation& explanation) const;
   Explanation best_explanation(const FramePyramid& current, Attempt& attempt);
   void forget_moved(const LocalMap::References& keyframes, const StaticEvidence& evidence);
   Attempt aligned_without(const TileMask& moving, const FramePyramid& current,

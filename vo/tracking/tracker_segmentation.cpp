@@ -61,7 +61,7 @@ Tracker::Explanation Tracker::explained(const FramePyramid& current, const Refer
                                           : ComparedReferences::all;
   const StaticEvidence evidence(references.views, {current, own_points_.get(), previous}, aligned,
                                 align_options(), compared);
-  Explanation explanation{.evidence = evidence};
+  Explanation explanation{.aligned = aligned, .evidence = evidence};
   label(log_odds_after(expected_, evidence.of_current()), explanation);
   return explanation;
 }
@@ -89,15 +89,15 @@ AlignResult Tracker::aligned_in(const TileMask& tiles, const FramePyramid& curre
       .result.alignment;
 }
 
-/// Returns what speaks for the motion of an alignment, with which the tiles have this evidence.
+/// Returns what speaks for the motion of an explanation.
 MotionSupport Tracker::supported(const FramePyramid& current, const Attempt& attempt,
-                                 const AlignResult& aligned, const TileEvidence& evidence) const {
-  MotionSupport support{intensity_support(evidence, tile_depths_)};
+                                 const Explanation& explanation) const {
+  MotionSupport support{intensity_support(explanation.evidence.of_current(), tile_depths_)};
   const std::shared_ptr<const SurfacePoints>& surface = attempt.references.surfaces.front();
   if (surface != nullptr) {
-    support.by_surfaces =
-        surface_support({*surface, current.levels[surface_level(current)], aligned.T_cur_ref},
-                        known_depth_noise(options_.points.depth_noise));
+    support.by_surfaces = surface_support(
+        {*surface, current.levels[surface_level(current)], explanation.aligned.T_cur_ref},
+        known_depth_noise(options_.points.depth_noise));
   }
   return support;
 }
@@ -113,18 +113,16 @@ bool Tracker::is_contested(const Explanation& explanation) const {
 /// Returns the tiles whose motions may be the camera's rather than that of all points: where that
 /// leaves some of the view unexplained, the far ones, because things that move are mostly before
 /// the world; where it is contested, also those that it leaves unexplained.
-Tracker::RivalTiles Tracker::rivals_of(const Explanation& explanation,
-                                       const AlignResult& aligned) const {
+Tracker::Rivals Tracker::rivals_of(const Explanation& explanation) const {
   constexpr double kMoving = 0.05;
   constexpr double kDisagreeing = 0.05;
-  RivalTiles rivals;
-  const bool contested = is_contested(explanation);
-  if (contested) {
-    rivals.push_back(grown(explanation.moving));
+  Rivals rivals{.are_contested = is_contested(explanation), .tiles = {}};
+  if (rivals.are_contested) {
+    rivals.tiles.push_back(grown(explanation.moving));
   }
-  if (contested || share_of_view(explanation.moving) > kMoving ||
-      aligned.agreement.disagreeing_fraction > kDisagreeing) {
-    rivals.push_back(~grown(~far_tiles(tile_depths_)));
+  if (rivals.are_contested || share_of_view(explanation.moving) > kMoving ||
+      explanation.aligned.agreement.disagreeing_fraction > kDisagreeing) {
+    rivals.tiles.push_back(~grown(~far_tiles(tile_depths_)));
   }
   return rivals;
 }
@@ -136,38 +134,34 @@ bool Tracker::differs(const SE3& T_a_b, const FramePyramid& current) const {
 }
 
 /// Returns the explanation of the frame by the motion of the attempt, or by a rival that is clearly
-/// better: that explains the larger area of surfaces as static where the motion is contested, or is
-/// clearly better supported where it is not. Things that move are smaller than the world. The
-/// attempt's alignment becomes that of the motion.
+/// better: that is clearly better supported or, where motions are contested, explains a clearly
+/// larger area of surfaces as static; support does not outweigh a smaller one there. Things that
+/// move are smaller than the world. The attempt's alignment becomes that of the motion.
 Tracker::Explanation Tracker::best_explanation(const FramePyramid& current, Attempt& attempt) {
   constexpr double kClearlyMore = 1.1;
-  AlignResult& aligned = attempt.result.alignment;
-  Explanation best = explained(current, attempt.references, attempt.previous, aligned);
-  const RivalTiles rivals = rivals_of(best, aligned);
-  if (rivals.empty()) {
-    return best;
-  }
-  const bool contested = is_contested(best);
+  Explanation best =
+      explained(current, attempt.references, attempt.previous, attempt.result.alignment);
   const TileEvidence before = best.evidence.of_current();
-  for (const TileMask& tiles : rivals) {
+  const Rivals rivals = rivals_of(best);
+  for (const TileMask& tiles : rivals.tiles) {
     const AlignResult other = aligned_in(tiles, current, attempt);
-    if (!other.usable() || !differs(aligned.T_cur_ref * other.T_cur_ref.inverse(), current)) {
+    if (!other.usable() || !differs(best.aligned.T_cur_ref * other.T_cur_ref.inverse(), current)) {
       continue;
     }
     Explanation rival = explained(current, attempt.references, std::nullopt, other);
+    const double larger = rival.areas.of_static / best.areas.of_static;
     const bool is_better =
-        contested
-            ? rival.areas.of_static > kClearlyMore * best.areas.of_static
-            : is_clearly_better(supported(current, attempt, other, rival.evidence.of_current()),
-                                supported(current, attempt, aligned, before));
+        (rivals.are_contested && larger > kClearlyMore) ||
+        ((!rivals.are_contested || larger > 1) &&
+         is_clearly_better(supported(current, attempt, rival), supported(current, attempt, best)));
     if (is_better) {
       best = std::move(rival);
       best.is_another_motion = true;
       best.tiles = tiles;
-      aligned = other;
     }
   }
   if (best.is_another_motion) {
+    attempt.result.alignment = best.aligned;
     label(log_odds_after_change(expected_, before, best.evidence.of_current()), best);
   }
   return best;
