@@ -134,7 +134,8 @@ Eigen::Vector3f reflectance(const SurfacePoint& point, const Eigen::Vector3f& to
   const Reflectance reflected =
       reflectance(finish_of(point), {.n_l = point.normal.dot(l),
                                      .n_v = point.normal.dot(point.to_viewer),
-                                     .l_v = l.dot(point.to_viewer)});
+                                     .l_v = l.dot(point.to_viewer),
+                                     .n_h = point.normal.dot((l + point.to_viewer).normalized())});
   return point.base_color * reflected.tint + Eigen::Vector3f(reflected.gloss.data());
 }
 

@@ -102,11 +102,15 @@ inline float ggx_alpha(const SurfacePoint& point) {
 
 SurfaceFinish finish_of(const SurfacePoint& point);
 
-/// The cosines between normal (n), direction to the light (l) and to the viewer (v).
+/// The cosines between normal (n), direction to the light (l) and to the viewer (v), and h halfway
+/// between these two. That of n and h follows from the others, but not in single precision where l
+/// and v are nearly opposite, at grazing angles: on smooth surfaces D would be wrong by its own
+/// size.
 struct LightCosines {
   float n_l;
   float n_v;
   float l_v;
+  float n_h;
 };
 
 /// A BRDF's value, radiance per irradiance: tint base_color + gloss.
@@ -120,16 +124,14 @@ struct Reflectance {
 /// D and V of GGX with alpha = roughness^2 (V: Smith's, height-correlated, over 4 n.l n.v), F after
 /// Schlick from the normal reflectance and times specular, or from the base colour of a metal; max
 /// F is the greatest of its colours (KHR_materials_specular). A point with neither metallic nor
-/// specular is Lambertian. With h halfway between l and v, v.h = cos(angle(l, v) / 2) and n.h =
-/// (n.l + n.v) / (2 v.h).
+/// specular is Lambertian. With h halfway between l and v, v.h = cos(angle(l, v) / 2).
 EDVO_INLINE Reflectance reflectance(const SurfaceFinish& finish, const LightCosines& cosines) {
   constexpr float kInvPi = std::numbers::inv_pi_v<float>;
   constexpr float kLeastCosine = 1e-4F;
   const float n_l = std::max(kLeastCosine, cosines.n_l);
   const float n_v = std::max(kLeastCosine, cosines.n_v);
   const float v_h = std::sqrt(std::min(1.0F, std::max(0.0F, 0.5F + 0.5F * cosines.l_v)));
-  const float halfway = (cosines.n_l + cosines.n_v) * 0.5F / std::max(kLeastCosine, v_h);
-  const float n_h = std::min(1.0F, std::max(0.0F, halfway));
+  const float n_h = std::min(1.0F, std::max(0.0F, cosines.n_h));
 
   const float alpha2 = finish.alpha2;
   const float spread = n_h * n_h * (alpha2 - 1) + 1;

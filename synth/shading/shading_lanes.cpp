@@ -51,6 +51,16 @@ EDVO_INLINE void find_light(const PlacedLight& light, const Lanes3& places, cons
   result.share = share;
 }
 
+/// Returns the cosine between the normal and the direction halfway between light and viewer.
+EDVO_INLINE float halfway_cosine(const LightLanes& light, const LitLanes& lit, float per_length,
+                                 std::size_t i) {
+  const float x = light.to_light.x[i] * per_length + lit.to_viewer.x[i];
+  const float y = light.to_light.y[i] * per_length + lit.to_viewer.y[i];
+  const float z = light.to_light.z[i] * per_length + lit.to_viewer.z[i];
+  const float along = x * lit.normal.x[i] + y * lit.normal.y[i] + z * lit.normal.z[i];
+  return along / std::sqrt(x * x + y * y + z * z);
+}
+
 EDVO_INLINE void reflect(const LitLanes& lit, const LightLanes& light,
                          const Eigen::Vector3f& intensity, Lanes3& radiance) {
   Lanes tint;
@@ -65,7 +75,8 @@ EDVO_INLINE void reflect(const LitLanes& lit, const LightLanes& light,
          {lit.normal_reflectance.x[i], lit.normal_reflectance.y[i], lit.normal_reflectance.z[i]}},
         {.n_l = dot(light.to_light, lit.normal, i) * per_length,
          .n_v = dot(lit.to_viewer, lit.normal, i),
-         .l_v = dot(light.to_light, lit.to_viewer, i) * per_length});
+         .l_v = dot(light.to_light, lit.to_viewer, i) * per_length,
+         .n_h = halfway_cosine(light, lit, per_length, i)});
     tint[i] = light.share[i] > 0 ? light.share[i] * reflected.tint : 0;
     gloss.x[i] = light.share[i] > 0 ? light.share[i] * reflected.gloss[0] : 0;
     gloss.y[i] = light.share[i] > 0 ? light.share[i] * reflected.gloss[1] : 0;

@@ -219,6 +219,27 @@ TEST(Scatter, SendsBackOnAverageWhatTheReflectanceSumsTo) {
   }
 }
 
+/// A white mirror sends back all light; single precision must not add to it at grazing angles.
+TEST(Scatter, OfAWhiteMirrorSendsBackWhatArrives) {
+  for (const float roughness : {0.0F, 0.03F, 0.05F}) {
+    for (const double degrees : {0.0, 45.0, 70.0, 80.0}) {
+      SurfacePoint point = shiny_point(roughness, 1, 1);
+      point.base_color.setOnes();
+      const double angle = degrees * kPi / 180;
+      point.to_viewer = Vector3d(std::sin(angle), 0, std::cos(angle)).cast<float>();
+      constexpr int kRoot = 100;
+      double sum = 0;
+      for (int i = 0; i < kRoot * kRoot; ++i) {
+        const Vector2f square((static_cast<float>(i / kRoot) + 0.5F) / kRoot,
+                              (static_cast<float>(i % kRoot) + 0.5F) / kRoot);
+        const auto lobe = static_cast<float>(i * 0.6180339887 - std::floor(i * 0.6180339887));
+        sum += scatter(point, lobe, square).weight.x();
+      }
+      EXPECT_NEAR(sum / (kRoot * kRoot), 1, 2e-3) << roughness << " " << degrees;
+    }
+  }
+}
+
 TEST(Scatter, DrawsDirectionsWithTheDensityThatItStates) {
   for (const SurfacePoint& point :
        {shiny_point(0.5F, 0, 1), shiny_point(0.4F, 1, 1), shiny_point(1, 0.5F, 1)}) {
