@@ -131,6 +131,33 @@ RayImage pixel_rays(const PinholeCamera& camera) {
   return rays;
 }
 
+/// Returns the pixels in which the lens shows nothing: their rays are no numbers. Empty where there
+/// are none.
+ByteImage pixels_without_ray(const RayImage& rays) {
+  ByteImage unseen(rays.size(), uchar{0});
+  for (int v = 0; v < rays.rows; ++v) {
+    for (int u = 0; u < rays.cols; ++u) {
+      const bool is_seen = std::isfinite(rays(v, u)[0]) && std::isfinite(rays(v, u)[1]);
+      unseen(v, u) = is_seen ? 0 : 255;
+    }
+  }
+  return cv::countNonZero(unseen) > 0 ? unseen : ByteImage();
+}
+
+CameraLevel level_of(const PinholeCamera& camera) {
+  CameraLevel level{camera, pixel_rays(camera), {}};
+  level.unseen = pixels_without_ray(level.rays);
+  return level;
+}
+
+/// Removes depth, which others may share, where the lens shows nothing.
+void take_out_unseen(const CameraLevel& level, DepthImage& depth) {
+  if (!level.unseen.empty() && !depth.empty()) {
+    depth = depth.clone();
+    depth.setTo(0, level.unseen);
+  }
+}
+
 }  // namespace
 
 void PyramidOptions::validate() const {
@@ -162,13 +189,13 @@ cv::Vec2f central_gradient(const GrayImage& image, cv::Point pixel) {
 }
 
 std::vector<CameraLevel> camera_levels(const PinholeCamera& camera, const PyramidOptions& options) {
-  std::vector<CameraLevel> levels{{camera, pixel_rays(camera)}};
+  std::vector<CameraLevel> levels{level_of(camera)};
   while (static_cast<int>(levels.size()) < options.levels) {
     const PinholeCamera half = halved_camera(levels.back().camera, options.principal_point);
     if (std::min(half.width, half.height) < kMinSize) {
       break;
     }
-    levels.push_back({half, pixel_rays(half)});
+    levels.push_back(level_of(half));
   }
   return levels;
 }
@@ -192,6 +219,7 @@ void PyramidBuilder::build(const RgbdFrame& frame, const Vignette& vignette,
       halve(pyramid.levels[l - 1].intensity, level.intensity);
       halve_depth_into(pyramid.levels[l - 1].depth, level.depth);
     }
+    take_out_unseen(levels_[l], level.depth);
   }
 }
 

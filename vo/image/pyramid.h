@@ -54,6 +54,8 @@ void visit_fields(Visitor& visit, PyramidOptions& options) {
 struct CameraLevel {
   PinholeCamera camera;
   RayImage rays;
+  ByteImage unseen;  ///< not 0 where the lens shows nothing, so that the ray is no number; empty
+                     ///< where there is no such pixel
 };
 
 /// Returns the camera at each level with the ray of every pixel, lens distortion removed. There are
@@ -84,7 +86,8 @@ class PyramidBuilder {
   PyramidBuilder(const PinholeCamera& camera, const PyramidOptions& options);
 
   /// Builds `pyramid` without edges: intensity by 2x2 means, the vignette removed; depth halved as
-  /// the options say. Its images' memory is reused if nobody else holds it.
+  /// the options say, none where the lens shows nothing. Its images' memory is reused if nobody
+  /// else holds it.
   void build(const RgbdFrame& frame, const Vignette& vignette, FramePyramid& pyramid);
 
  private:

@@ -1,5 +1,7 @@
 #include "vo/image/pyramid.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/textured_plane.h"
@@ -104,6 +106,31 @@ TEST(Pyramid, AnotherFrameTakesTheMemoryThatNobodyElseHolds) {
     EXPECT_TRUE(are_same(pyramid.levels[l].intensity, expected.levels[l].intensity)) << l;
     EXPECT_TRUE(are_same(pyramid.levels[l].depth, expected.levels[l].depth)) << l;
   }
+}
+
+/// A fisheye lens shows nothing beyond 85 degrees, where drivers that fill holes still give depth.
+TEST(Pyramid, ThereIsNoDepthWhereTheLensShowsNothing) {
+  vo::PinholeCamera fisheye{
+      .width = 160, .height = 120, .fx = 45, .fy = 45, .cx = 79.5, .cy = 59.5};
+  fisheye.distortion.model = vo::DistortionModel::kannala_brandt;
+  const DepthImage everywhere(fisheye.height, fisheye.width, 2.0F);
+  const vo::FramePyramid pyramid =
+      vo::build_pyramid({0, vo::ByteImage(fisheye.height, fisheye.width, uchar{90}), everywhere},
+                        fisheye, {.levels = 3});
+  for (const vo::PyramidLevel& level : pyramid.levels) {
+    int unseen = 0;
+    for (int v = 0; v < level.rays.rows; ++v) {
+      for (int u = 0; u < level.rays.cols; ++u) {
+        const bool has_ray = std::isfinite(level.rays(v, u)[0]);
+        unseen += has_ray ? 0 : 1;
+        const bool has_depth = level.depth(v, u) > 0;
+        EXPECT_TRUE(has_ray || !has_depth) << u << " " << v;
+      }
+    }
+    EXPECT_GT(unseen, 0);
+  }
+  EXPECT_EQ(pyramid.levels.front().depth(60, 80), 2.0F);
+  EXPECT_EQ(everywhere(0, 0), 2.0F) << "the caller's depth stays";
 }
 
 }  // namespace
