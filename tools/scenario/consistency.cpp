@@ -1,6 +1,5 @@
 #include "tools/scenario/consistency.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -41,24 +40,20 @@ std::optional<double> squared_error(const vo::Trajectory& truth, double timestam
   return error.dot(estimate.covariance.ldlt().solve(error));
 }
 
-auto first_with_pose(const std::vector<vo::TrackingResult>& frames) {
-  return std::find_if(frames.begin(), frames.end(), [](const vo::TrackingResult& frame) {
-    return frame.status == vo::TrackingStatus::initialized;
-  });
-}
-
-/// Judges the poses that `pose_of` gives of the tracked frames.
-template <typename PoseOf>
-Nees nees(const vo::Trajectory& truth, const std::vector<vo::TrackingResult>& frames,
-          const PoseOf& pose_of) {
-  std::vector<double> squares;
+/// Calls `judge(first, frame)` with each tracked frame and the one that its map began with.
+template <typename Judge>
+void for_each_tracked(const std::vector<vo::TrackingResult>& frames, const Judge& judge) {
+  const vo::TrackingResult* first = nullptr;
   for (const vo::TrackingResult& frame : frames) {
-    if (frame.status == vo::TrackingStatus::tracked) {
-      if (const auto square = squared_error(truth, frame.timestamp, pose_of(frame))) {
-        squares.push_back(*square);
-      }
+    if (frame.status == vo::TrackingStatus::initialized) {
+      first = &frame;
+    } else if (first != nullptr && frame.status == vo::TrackingStatus::tracked) {
+      judge(*first, frame);
     }
   }
+}
+
+Nees nees_of(const std::vector<double>& squares) {
   return squares.empty() ? Nees{}
                          : Nees{.median = vo::percentile(squares, 0.5) / kMedianOfChi2,
                                 .p90 = vo::percentile(squares, 0.9) / kP90OfChi2};
@@ -67,36 +62,41 @@ Nees nees(const vo::Trajectory& truth, const std::vector<vo::TrackingResult>& fr
 }  // namespace
 
 Nees relative_nees(const vo::Trajectory& truth, const std::vector<vo::TrackingResult>& frames) {
-  return nees(truth, frames, [](const vo::TrackingResult& frame) -> RelativePose {
-    return {frame.reference_timestamp, frame.alignment.T_cur_ref, frame.alignment.covariance};
-  });
+  std::vector<double> squares;
+  for (const vo::TrackingResult& frame : frames) {
+    if (frame.status != vo::TrackingStatus::tracked) {
+      continue;
+    }
+    const RelativePose pose{frame.reference_timestamp, frame.alignment.T_cur_ref,
+                            frame.alignment.covariance};
+    if (const auto square = squared_error(truth, frame.timestamp, pose)) {
+      squares.push_back(*square);
+    }
+  }
+  return nees_of(squares);
 }
 
 Nees absolute_nees(const vo::Trajectory& truth, const std::vector<vo::TrackingResult>& frames) {
-  const auto first = first_with_pose(frames);
-  if (first == frames.end()) {
-    return {};
-  }
-  return nees(truth, frames, [&](const vo::TrackingResult& frame) -> RelativePose {
-    return {first->timestamp, frame.T_world_camera.inverse() * first->T_world_camera,
-            frame.absolute_covariance};
+  std::vector<double> squares;
+  for_each_tracked(frames, [&](const vo::TrackingResult& first, const vo::TrackingResult& frame) {
+    const RelativePose pose{first.timestamp, frame.T_world_camera.inverse() * first.T_world_camera,
+                            frame.absolute_covariance};
+    if (const auto square = squared_error(truth, frame.timestamp, pose)) {
+      squares.push_back(*square);
+    }
   });
+  return nees_of(squares);
 }
 
 double greatest_sure_error(const vo::Trajectory& truth,
                            const std::vector<vo::TrackingResult>& frames) {
   double greatest = std::numeric_limits<double>::quiet_NaN();
-  const auto first = first_with_pose(frames);
-  for (auto frame = first; frame != frames.end(); ++frame) {
-    if (frame->status != vo::TrackingStatus::tracked) {
-      continue;
+  for_each_tracked(frames, [&](const vo::TrackingResult& first, const vo::TrackingResult& frame) {
+    if (const auto motion = true_motion(truth, first.timestamp, frame.timestamp)) {
+      const vo::SE3 T_first_cur = first.T_world_camera.inverse() * frame.T_world_camera;
+      greatest = std::fmax(greatest, (T_first_cur.translation() - motion->translation()).norm());
     }
-    if (const auto motion = true_motion(truth, first->timestamp, frame->timestamp)) {
-      const vo::SE3 T_first_cur = first->T_world_camera.inverse() * frame->T_world_camera;
-      const double error = (T_first_cur.translation() - motion->translation()).norm();
-      greatest = std::fmax(greatest, error);
-    }
-  }
+  });
   return greatest;
 }
 

@@ -22,12 +22,13 @@ struct Nees {
 /// covariances.
 Nees relative_nees(const vo::Trajectory& truth, const std::vector<vo::TrackingResult>& frames);
 
-/// Judges the poses of tracked frames relative to the first frame with a pose, e = log(T_cur_first
-/// T_cur_first_true^-1), by their absolute covariances.
+/// Judges the poses of tracked frames relative to the frame that their map began with, e =
+/// log(T_cur_first T_cur_first_true^-1), by their absolute covariances.
 Nees absolute_nees(const vo::Trajectory& truth, const std::vector<vo::TrackingResult>& frames);
 
 /// Returns the greatest error of the position, m, of tracked frames, which excludes the uncertain
-/// ones, relative to the first frame with a pose; NaN without a tracked frame of known truth.
+/// ones, relative to the frame that their map began with; NaN without a tracked frame of known
+/// truth.
 double greatest_sure_error(const vo::Trajectory& truth,
                            const std::vector<vo::TrackingResult>& frames);
 

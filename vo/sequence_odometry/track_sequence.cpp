@@ -93,6 +93,12 @@ std::size_t SequenceResult::keyframes() const {
       frames.begin(), frames.end(), [](const TrackingResult& f) { return f.is_keyframe; }));
 }
 
+std::size_t SequenceResult::beginnings() const {
+  return static_cast<std::size_t>(std::count_if(
+      frames.begin(), frames.end(),
+      [](const TrackingResult& f) { return f.status == TrackingStatus::initialized; }));
+}
+
 std::size_t SequenceResult::uncertain() const {
   return static_cast<std::size_t>(
       std::count_if(frames.begin(), frames.end(),
@@ -128,6 +134,11 @@ std::string note_on(const SequenceResult& result) {
   for (const auto& [reason, frames] : result.reasons()) {
     note +=
         concat(note.empty() ? "lost or uncertain frames: " : ", ", to_string(reason), " ", frames);
+  }
+  if (const std::size_t beginnings = result.beginnings(); beginnings > 1) {
+    note += concat(note.empty() ? "" : "; ", "the map began anew ", beginnings - 1,
+                   beginnings == 2 ? " time" : " times",
+                   " at the first pose, since no frame was surely found on it");
   }
   const double depth = result.typical_depth_m();
   if (depth > 0 && (depth < kNearest || depth > kFarthest)) {

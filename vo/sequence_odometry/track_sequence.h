@@ -21,6 +21,7 @@ struct SequenceResult {
   double tracked_fraction() const;  ///< share of all frames; the first counts as tracked
   std::size_t keyframes() const;
   std::size_t uncertain() const;   ///< frames whose pose must not be relied on
+  std::size_t beginnings() const;  ///< frames that a map began with
   double moving_fraction() const;  ///< mean share of the view that moves by itself
 
   /// Returns how many frames are lost or uncertain for each reason.

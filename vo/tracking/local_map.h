@@ -53,6 +53,7 @@ class LocalMap {
   const std::deque<std::shared_ptr<const Keyframe>>& keyframes() const { return keyframes_; }
   std::size_t memory_bytes() const;  ///< bytes of all keyframes
   void add(Keyframe keyframe);
+  void clear() { keyframes_.clear(); }
   void take_out(const Vignette& vignette);  ///< removes it where it shows
 
   /// Forgets keyframes whose points move by more than half a pixel, between the first and the last

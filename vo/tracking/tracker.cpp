@@ -49,15 +49,35 @@ Tracker::Tracker(const TrackerOptions& options, SE3 T_world_first)
   options_.validate();
 }
 
+/// Returns the result of a frame that the map is to begin with, if it is fit for that.
+TrackingResult Tracker::begun(const FramePyramid& current) {
+  const bool fit = can_be_reference(current);
+  last_timestamp_ = current.timestamp;
+  return {.timestamp = current.timestamp,
+          .T_world_camera = T_world_last_,
+          .status = fit ? TrackingStatus::initialized : TrackingStatus::lost,
+          .reason = fit ? TrackingReason::none : TrackingReason::too_few_points};
+}
+
+/// Returns whether a map on which no frame was surely found is given up with this frame, which is
+/// lost: after 5 lost frames, then after 10, and from then on after 20. An image of a lens cap, of
+/// noise or of another place begins a map, too.
+bool Tracker::begins_anew(const FramePyramid& current) {
+  constexpr int kLongestPatience = 20;
+  const bool has_depth_image = !current.levels.front().depth.empty();
+  if (!options_.lost.recover || was_sure_ || depth_is_mapped_ || ++lost_at_beginning_ < patience_ ||
+      !has_depth_image || !can_be_reference(current)) {
+    return false;
+  }
+  lost_at_beginning_ = 0;
+  patience_ = std::min(2 * patience_, kLongestPatience);
+  return true;
+}
+
 TrackingResult Tracker::track(const FramePyramid& current) {
   if (map_.empty()) {
     doubt_.see(current);
-    const bool fit = can_be_reference(current);
-    last_timestamp_ = current.timestamp;
-    return {.timestamp = current.timestamp,
-            .T_world_camera = T_world_last_,
-            .status = fit ? TrackingStatus::initialized : TrackingStatus::lost,
-            .reason = fit ? TrackingReason::none : TrackingReason::too_few_points};
+    return begun(current);
   }
   if (options_.symmetric) {
     find_current_points(current);
@@ -84,6 +104,11 @@ TrackingResult Tracker::track(const FramePyramid& current) {
     T_last_predicted_ = SE3();
     is_lost_ = true;
     segmentation_.reset();
+    if (begins_anew(current)) {
+      map_.clear();
+      absolute_covariance_.setZero();
+      return begun(current);
+    }
   }
   return attempt.result;
 }
@@ -298,6 +323,7 @@ void Tracker::accept(const FramePyramid& current, const Attempt& attempt) {
   last_timestamp_ = current.timestamp;
   is_lost_ = attempt.result.reason == TrackingReason::image_repeated;
   is_sure_ = attempt.result.reason == TrackingReason::none;
+  was_sure_ = was_sure_ || is_sure_;
 }
 
 /// Gives a keyframe whose motion was not known the mean velocity until the frame after it, and as

@@ -107,6 +107,8 @@ class Tracker {
     InplaceVector<TileMask, 2> tiles;
   };
 
+  TrackingResult begun(const FramePyramid& current);
+  bool begins_anew(const FramePyramid& current);
   void find_current_points(const FramePyramid& current);
   SE3 starting_pose(const FramePyramid& current) const;
   AlignOptions align_options() const;
@@ -168,6 +170,9 @@ class Tracker {
   int frames_since_keyframe_ = 0;
   bool is_lost_ = false;          ///< whether the last frame was lost
   bool is_sure_ = false;          ///< whether nothing spoke against the last pose that was found
+  bool was_sure_ = false;         ///< whether nothing spoke against some pose
+  int lost_at_beginning_ = 0;     ///< lost frames since the map began, while no pose was sure
+  int patience_ = 5;              ///< lost frames after which such a map begins anew
   bool depth_is_mapped_ = false;  ///< whether the points' depths were found with the tracked poses
   double last_timestamp_ = 0;     ///< s, of the last tracked frame
   SE3 T_world_last_;

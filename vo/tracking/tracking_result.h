@@ -11,7 +11,7 @@
 namespace vo {
 
 enum class TrackingStatus {
-  initialized,  ///< the first frame, where the trajectory starts
+  initialized,  ///< a frame that the map begins with, where the trajectory starts
   tracked,
   uncertain,  ///< the frame has a pose that must not be relied on
   lost,       ///< the frame has no pose
@@ -64,10 +64,11 @@ struct TrackingResult {
   SE3 T_cur_ref_guess;             ///< pose where the alignment started
 
   /// Covariance of the increment delta of T_world_camera exp(delta), [translation; rotation] in the
-  /// camera's own frame, m and rad; exp(delta) left of T_camera_world has the same. The first frame
-  /// is the origin, without doubt. It is compounded_covariance() of the alignment's and the first
-  /// reference's: that a pose and its reference may err alike, being aligned to common keyframes,
-  /// is neglected, and so is what other references know. 0 where there is no pose but the first.
+  /// camera's own frame, m and rad; exp(delta) left of T_camera_world has the same. The frame
+  /// that the map began with is the origin, without doubt. It is compounded_covariance() of the
+  /// alignment's and the first reference's: that a pose and its reference may err alike, being
+  /// aligned to common keyframes, is neglected, and so is what other references know. 0 where there
+  /// is no pose but the first.
   Matrix6d absolute_covariance = Matrix6d::Zero();
 
   double moving_fraction = 0;  ///< share of the view's tiles that move by themselves

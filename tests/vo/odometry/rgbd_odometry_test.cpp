@@ -221,6 +221,42 @@ TEST(RgbdOdometry, AFrameWithoutDepthIsTrackedButIsNoReference) {
   EXPECT_EQ(odometry.track(frame_at(sway(3), 3)).status, TrackingStatus::tracked);
 }
 
+/// Noise, as behind a lens cap, begins a map on which nothing is ever found.
+TEST(RgbdOdometry, AMapThatNothingIsFoundOnBeginsAnew) {
+  const SE3 T_world_first = sway(3);
+  vo::RgbdOdometry odometry(small_camera(), vo::preset_options(TrackerPreset::best_measured),
+                            T_world_first);
+  const vo::RgbdFrame noise =
+      support::with_noise(support::blank_frame(small_camera(), 90, 0), 20, 1);
+  EXPECT_EQ(odometry.track(noise).status, TrackingStatus::initialized);
+  for (int i = 1; i < 5; ++i) {
+    EXPECT_EQ(odometry.track(frame_at(sway(i), i)).status, TrackingStatus::lost) << i;
+  }
+  const vo::TrackingResult anew = odometry.track(frame_at(sway(5), 5));
+  EXPECT_EQ(anew.status, TrackingStatus::initialized);
+  EXPECT_TRUE(anew.is_keyframe);
+  for (int i = 6; i < 12; ++i) {
+    const vo::TrackingResult result = odometry.track(frame_at(sway(i), i));
+    EXPECT_EQ(result.status, TrackingStatus::tracked) << i;
+    EXPECT_THAT(result.T_world_camera, PoseNear(T_world_first * sway(5).inverse() * sway(i),
+                                                support::PoseTolerance{2e-3, 0.1}));
+  }
+}
+
+/// After one pose that was sure the map is kept: the camera may come back to it.
+TEST(RgbdOdometry, AMapThatWasOnceFollowedIsKept) {
+  vo::RgbdOdometry odometry(small_camera(), vo::preset_options(TrackerPreset::best_measured));
+  odometry.track(frame_at(sway(0), 0));
+  ASSERT_EQ(odometry.track(frame_at(sway(1), 1)).status, TrackingStatus::tracked);
+  for (int i = 2; i < 40; ++i) {
+    const vo::RgbdFrame noise = support::with_noise(support::blank_frame(small_camera(), 90, i), 20,
+                                                    static_cast<std::uint64_t>(i));
+    EXPECT_NE(odometry.track(noise).status, TrackingStatus::initialized);
+  }
+  const vo::TrackingResult found = odometry.track(frame_at(sway(2), 40));
+  EXPECT_THAT(found.T_world_camera, PoseNear(sway(2), support::PoseTolerance{2e-3, 0.1}));
+}
+
 TEST(RgbdOdometry, AFrameOfAnotherSizeIsAnError) {
   vo::RgbdOdometry odometry(small_camera());
   EXPECT_THROW(odometry.track({0, vo::ByteImage(240, 320, uchar{0}), {}}), vo::Error);
