@@ -199,6 +199,22 @@ class Laboratory(unittest.TestCase):
                 self.assertEqual(odometry.trajectory.to_tum(), pathlib.Path(estimate).read_text())
             self.assertEqual(len(read), len(frames.trajectory))
 
+    def test_depth_that_is_no_number_is_none(self):
+        image, depth = textured_plane(0, 2.0)
+        holes, numbers = depth.copy(), depth.copy()
+        holes[40:60, 30:90] = 0
+        numbers[40:60, 30:90] = np.nan
+        numbers[40:50, 30:90] = np.inf
+        poses = []
+        for measured in (holes, numbers):
+            odometry = edvo.RgbdOdometry(small_camera())
+            odometry.track(0.0, image, measured)
+            moved, there = textured_plane(1.5, 2.0)
+            poses.append(odometry.track(1 / 30, moved, np.where(measured == holes, there, measured)).pose)
+        np.testing.assert_array_equal(*poses)
+        with self.assertRaisesRegex(edvo.Error, "timestamp"):
+            odometry.track(float("nan"), image, depth)
+
     def test_a_map_is_arrays(self):
         odometry = edvo.MonoOdometry(small_camera(), edvo.MonoOptions(bootstrap="rgbd"))
         for i in range(4):

@@ -1,5 +1,7 @@
 #include "tools/python/arrays.h"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "vo/core/error.h"
@@ -111,6 +113,7 @@ py::object shared_array(const cv::Mat& image) {
 
 vo::RgbdFrame frame_of(double timestamp, const py::array& image,
                        const std::optional<py::array>& depth, const vo::RgbdCamera& camera) {
+  vo::require(std::isfinite(timestamp), "timestamp: expected a number of seconds, got ", timestamp);
   vo::RgbdFrame frame{timestamp, shared_image(image, CV_8U, "image"), {}};
   vo::require(frame.image.channels() == 1 || frame.image.channels() == 3, "image: has ",
               frame.image.channels(), " channels, expected grey or blue, green, red");
@@ -125,6 +128,11 @@ vo::RgbdFrame frame_of(double timestamp, const py::array& image,
     vo::require(metres.channels() == 1, "depth: has ", metres.channels(),
                 " channels, expected one");
     frame.depth = metres;
+    if (!cv::checkRange(metres)) {
+      frame.depth = metres.clone();
+      std::replace_if(
+          frame.depth.begin(), frame.depth.end(), [](float z) { return !std::isfinite(z); }, 0.0F);
+    }
   }
   return frame;
 }

@@ -80,6 +80,7 @@ SequenceReader::SequenceReader(const fs::path& folder, std::optional<RgbdCamera>
 }
 
 void SequenceReader::read_lists(double max_time_difference, SequenceContent content) {
+  constexpr double kMostPairs = 0.95;  // share of the images; recorders miss some
   ImageList images = read_image_list(folder_, "rgb.txt");
   entries_.reserve(images.names.size());
   if (content == SequenceContent::colour) {
@@ -99,6 +100,12 @@ void SequenceReader::read_lists(double max_time_difference, SequenceContent cont
     }
     require(!entries_.empty(), folder_.string(), ": no colour and depth image lie within ",
             max_time_difference, " s of each other");
+    if (static_cast<double>(entries_.size()) <
+        kMostPairs * static_cast<double>(images.names.size())) {
+      notes_.push_back(concat(images.names.size() - entries_.size(), " of ", images.names.size(),
+                              " colour images have no depth image within ", max_time_difference,
+                              " s and are left out"));
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 #include "vo/odometry/rgbd_odometry.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "vo/core/error.h"
@@ -67,6 +68,11 @@ TrackerOptions best_options() {
   return options;
 }
 
+/// Returns whether any pixel has a depth; it looks no farther than the first that has.
+bool is_measured(const DepthImage& depth) {
+  return std::any_of(depth.begin(), depth.end(), has_depth);
+}
+
 }  // namespace
 
 PinholeCamera tracked_camera(const PinholeCamera& camera, LensModel lens) {
@@ -126,7 +132,7 @@ TrackingResult RgbdOdometry::track(const RgbdFrame& frame) {
   pyramid_builder_.build(at_image_time, tracker_->vignette(), current_);
   if (options_.doubt) {
     current_.image_fingerprint = fingerprint(frame.image);
-    current_.depth_fingerprint = fingerprint(frame.depth);
+    current_.depth_fingerprint = is_measured(frame.depth) ? fingerprint(frame.depth) : 0;
   }
   stage_times_.pyramid_ms = watch.lap_ms();
   add_edges(current_, edge_finder_);

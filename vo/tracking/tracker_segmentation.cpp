@@ -210,9 +210,11 @@ Tracker::Attempt Tracker::segmented(const FramePyramid& current, Attempt attempt
   if (best.is_another_motion || share_in(best.moving, current, *current_points_) >= kFew) {
     attempt = aligned_without(best.moving | ~best.tiles, current, attempt);
   }
-  if (best.areas.moving_ratio() >= 1) {
+  if (best.areas.moving_ratio() >= 1 && attempt.result.status != TrackingStatus::lost) {
     attempt.result.status = TrackingStatus::lost;
     attempt.result.reason = TrackingReason::two_motions;
+    attempt.result.T_world_camera = T_world_last_;
+    attempt.result.absolute_covariance.setZero();
   }
   if (attempt.result.status == TrackingStatus::lost) {
     use_points_outside(unusable(moving_tiles(expected_)), current);

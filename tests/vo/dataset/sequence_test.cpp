@@ -112,6 +112,9 @@ TEST(Sequence, PairsColourAndDepthByNearestStampOnce) {
   EXPECT_LE(cv::norm(reader.read(0).depth, tiny_frame(3, 0).depth, cv::NORM_INF), 2e-4);
   EXPECT_NEAR(reader.read(0).depth_delay, 0.012, 1e-9);
   EXPECT_NEAR(reader.read(1).depth_delay, -0.005, 1e-9);
+  ASSERT_EQ(reader.notes().size(), 1U);
+  EXPECT_EQ(reader.notes().front(),
+            "1 of 3 colour images have no depth image within 0.02 s and are left out");
 }
 
 TEST(Sequence, ErrorsNameFileAndLine) {

@@ -257,6 +257,16 @@ TEST(RgbdOdometry, AMapThatWasOnceFollowedIsKept) {
   EXPECT_THAT(found.T_world_camera, PoseNear(sway(2), support::PoseTolerance{2e-3, 0.1}));
 }
 
+TEST(RgbdOdometry, DepthThatIsMissingInEveryFrameIsNotCalledRepeated) {
+  vo::RgbdOdometry odometry(small_camera(), vo::preset_options(TrackerPreset::best_measured));
+  odometry.track(frame_at(sway(0), 0));
+  for (int i = 1; i < 12; ++i) {
+    vo::RgbdFrame frame = frame_at(sway(i), i);
+    frame.depth.setTo(0);
+    EXPECT_NE(odometry.track(frame).reason, vo::TrackingReason::depth_repeated) << i;
+  }
+}
+
 TEST(RgbdOdometry, AFrameOfAnotherSizeIsAnError) {
   vo::RgbdOdometry odometry(small_camera());
   EXPECT_THROW(odometry.track({0, vo::ByteImage(240, 320, uchar{0}), {}}), vo::Error);
