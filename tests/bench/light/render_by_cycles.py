@@ -27,7 +27,7 @@ for lamp in bpy.data.lights:
 
 
 def node(tree, kind, **inputs):
-    """Add a node whose inputs are values or sockets."""
+    """Add a node whose inputs are values or sockets; return its first output."""
     added = tree.nodes.new(kind)
     for name, value in inputs.items():
         socket = next(socket for socket in added.inputs if socket.identifier == name)
@@ -38,23 +38,56 @@ def node(tree, kind, **inputs):
     return added.outputs[0]
 
 
+def diffuse_weight(n_v):
+    """Return the mean of 1 - F over a cosine's lobe of lights, F Schlick's of 0.04 and the half vector."""
+    level, turn = numpy.meshgrid((numpy.arange(256) + 0.5) / 256, (numpy.arange(256) + 0.5) * math.pi / 256)
+    n_l = numpy.sqrt(level)  # of equal shares of the cosine's lobe
+    l_v = n_l * n_v + numpy.sqrt((1 - n_l**2) * (1 - n_v**2)) * numpy.cos(turn)
+    grazing = (1 - numpy.sqrt((1 + l_v) / 2)) ** 5
+    return 1 - (0.04 + 0.96 * grazing).mean()
+
+
+def diffuse_weight_node(tree):
+    """Add nodes whose output is `diffuse_weight` where the surface is."""
+    geometry = tree.nodes.new("ShaderNodeNewGeometry").outputs
+    product = tree.nodes.new("ShaderNodeVectorMath")
+    product.operation = "DOT_PRODUCT"
+    for socket, name in zip(product.inputs, ("Normal", "Incoming")):
+        tree.links.new(geometry[name], socket)
+    ramp = tree.nodes.new("ShaderNodeValToRGB")
+    stops = ramp.color_ramp.elements
+    places = numpy.linspace(0, 1, 32) ** 2  # closer where the weight is steep
+    for place in places[1:-1]:
+        stops.new(place)
+    for stop, place in zip(stops, places):
+        stop.color = (*[diffuse_weight(place)] * 3, 1)
+    tree.links.new(product.outputs["Value"], ramp.inputs[0])
+    return ramp.outputs[0]
+
+
 def as_gltf_says(material):
     """Make a material's surface that of glTF 2.0's appendix B as far as Cycles has nodes for it.
 
     What the importer makes is Disney's: a dielectric's diffuse reflection grows with roughness and is not weakened by
-    what the surface reflects. Cycles' Fresnel is that of the normal, not of the half vector."""
+    what the surface reflects. Here its weight is right for light from everywhere, by the angle of the view alone."""
     tree = material.node_tree
     principled = tree.nodes["Principled BSDF"].inputs
     colour, metallic = principled["Base Color"].default_value[:], principled["Metallic"].default_value
     surface = node(tree, "ShaderNodeBsdfDiffuse", Color=colour)
     if not material.name.startswith("Lambert"):
         roughness = principled["Roughness"].default_value
-        gloss = node(tree, "ShaderNodeBsdfGlossy", Color=(1, 1, 1, 1), Roughness=roughness)
-        tree.nodes[-1].distribution = "GGX"
-        fresnel = node(tree, "ShaderNodeFresnel", IOR=1.5)
-        dielectric = node(tree, "ShaderNodeMixShader", Fac=fresnel, Shader=surface, Shader_001=gloss)
-        metal = node(tree, "ShaderNodeBsdfPrincipled", **{"Base Color": colour, "Metallic": 1, "Roughness": roughness})
-        tree.nodes[-1].distribution = "GGX"
+
+        def principled_as(colour, metallic):
+            made = {"Base Color": colour, "Metallic": metallic, "Roughness": roughness, "IOR": 1.5}
+            socket = node(tree, "ShaderNodeBsdfPrincipled", **made)
+            tree.nodes[-1].distribution = "GGX"
+            return socket
+
+        black = (0, 0, 0, 1)
+        nothing = node(tree, "ShaderNodeBsdfDiffuse", Color=black)
+        matt = node(tree, "ShaderNodeMixShader", Fac=diffuse_weight_node(tree), Shader=nothing, Shader_001=surface)
+        dielectric = node(tree, "ShaderNodeAddShader", Shader=matt, Shader_001=principled_as(black, 0))
+        metal = principled_as(colour, 1)
         surface = node(tree, "ShaderNodeMixShader", Fac=metallic, Shader=dielectric, Shader_001=metal)
     output = next(node for node in tree.nodes if node.type == "OUTPUT_MATERIAL")
     tree.links.new(surface, output.inputs["Surface"])
