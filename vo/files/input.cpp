@@ -68,7 +68,7 @@ bool leads_out(const fs::path& folder, const fs::path& relative) {
     path /= part;
     if (fs::symlink_status(path, error).type() == fs::file_type::symlink) {
       const fs::path home = fs::canonical(folder.empty() ? "." : folder, error);
-      const fs::path target = fs::weakly_canonical(path, error);
+      const fs::path target = fs::weakly_canonical(folder / relative, error);
       return !is_within(home, target);
     }
   }

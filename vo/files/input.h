@@ -29,8 +29,8 @@ std::string read_file(const std::filesystem::path& path, std::uintmax_t max_byte
 void copy_stream(int from, int to, const std::string& name, std::uintmax_t max_bytes,
                  const WaitObserver& waiting);
 
-/// Returns whether a symbolic link on the way from `folder` to `relative`, a path without "..",
-/// leads to a place outside the folder.
+/// Returns whether the symbolic links on the way from `folder` to `relative`, a path without "..",
+/// lead to a place outside the folder, be it the first or one behind it.
 bool leads_out(const std::filesystem::path& folder, const std::filesystem::path& relative);
 
 /// Returns the path of a file that a list in `folder` names. Throws Error beginning with `place`,

@@ -63,11 +63,14 @@ TEST(PathIn, FollowsNoSymbolicLinkOutOfTheFolder) {
   std::filesystem::create_symlink("rgb/1.png", seq / "inner.png");
   std::filesystem::create_symlink("../outside/1.png", seq / "outer.png");
   std::filesystem::create_directory_symlink("../outside", seq / "depth");
+  std::filesystem::create_directory_symlink("rgb", seq / "colour");
+  std::filesystem::create_symlink("../../outside/1.png", seq / "rgb/outer.png");
   std::filesystem::create_directory_symlink("seq", folder.path() / "alias");
   EXPECT_EQ(vo::path_in(seq, "inner.png", "rgb.txt:1"), seq / "inner.png");
+  EXPECT_EQ(vo::path_in(seq, "colour/1.png", "rgb.txt:1"), seq / "colour/1.png");
   EXPECT_EQ(vo::path_in(folder.path() / "alias", "rgb/1.png", "rgb.txt:1"),
             folder.path() / "alias/rgb/1.png");
-  for (const char* name : {"outer.png", "depth/1.png", "depth/none.png"}) {
+  for (const char* name : {"outer.png", "depth/1.png", "depth/none.png", "colour/outer.png"}) {
     EXPECT_THAT(
         error_text([&] { vo::path_in(seq, name, "rgb.txt:7"); }),
         HasSubstr("rgb.txt:7: '" + std::string(name) + "' leads by a symbolic link out of"));
