@@ -46,8 +46,12 @@ void write_stream(const fs::path& path, std::string_view bytes) {
 
 bool is_stream(const fs::path& path) {
   const std::string place = fs::absolute(path).lexically_normal().string();
-  return place.starts_with("/dev/") || place.starts_with("/proc/") ||
-         (fs::exists(path) && !fs::is_regular_file(path) && !fs::is_directory(path));
+  if (place == kStdoutPath || place == "/dev/stderr" || place.starts_with("/dev/fd/") ||
+      place.starts_with("/proc/")) {
+    return true;  // even where the descriptor is that of a file
+  }
+  const fs::file_status status = fs::status(path);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
 void require_no_conflict(const fs::path& path, std::string_view bytes, ExistingOutput existing) {

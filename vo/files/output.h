@@ -40,8 +40,8 @@ struct OutputPolicy {
 /// The path of this process' stdout, which `write_file` writes as it is, without opening it anew.
 inline constexpr const char* kStdoutPath = "/dev/stdout";
 
-/// Returns whether the path is a device or pipe: it has no "final name" to protect and is written
-/// directly.
+/// Returns whether the path is a device, a pipe or an open descriptor (/dev/stdout, /dev/fd/3): it
+/// has no "final name" to protect and is written directly. Files in /dev/shm are files.
 bool is_stream(const std::filesystem::path& path);
 
 /// Throws Error of kind output_exists when `write_file` would, so that a conflict is found before

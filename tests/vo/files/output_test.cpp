@@ -62,6 +62,30 @@ TEST(WriteFile, AFullDiskIsTemporary) {
   EXPECT_THAT(error_text(write), HasSubstr("/dev/full: cannot be written: No space left"));
 }
 
+TEST(WriteFile, AFileInMemoryIsAFile) {
+  if (!fs::is_directory("/dev/shm")) {
+    GTEST_SKIP() << "there is no /dev/shm";
+  }
+  std::string name = "/dev/shm/edvo-test-XXXXXX";
+  ASSERT_NE(::mkdtemp(name.data()), nullptr);
+  const auto remove = [](const fs::path* folder) { fs::remove_all(*folder); };
+  const fs::path folder = name;
+  const std::unique_ptr<const fs::path, decltype(remove)> removing(&folder, remove);
+  vo::write_file(folder / "a", "old");
+  EXPECT_EQ(error_kind([&] { vo::write_file(folder / "a", "new"); }), ErrorKind::output_exists);
+  EXPECT_EQ(vo::read_file(folder / "a"), "old");
+}
+
+TEST(IsStream, DevicesPipesAndDescriptorsAre) {
+  for (const char* path : {"/dev/null", "/dev/stdout", "/dev/stderr", "/dev/fd/1",
+                           "/dev/../dev/full", "/proc/self/fd/1"}) {
+    EXPECT_TRUE(vo::is_stream(path)) << path;
+  }
+  for (const char* path : {"/dev/none", "/dev/shm", "/dev", "/none"}) {
+    EXPECT_FALSE(vo::is_stream(path)) << path;
+  }
+}
+
 TEST(WriteFile, APlaceThatIsNotThereIsNamed) {
   const TempFolder folder;
   const fs::path path = folder.path() / "none" / "a";
