@@ -7,6 +7,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "vo/files/folder.h"
+#include "vo/files/output_lock.h"
 #include "vo/files/system_failure.h"
 
 namespace vo {
@@ -35,6 +37,29 @@ std::optional<FileLock> lock_to_write(const fs::path& file) {
   }
 }
 
+bool is_folder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(fs::symlink_status(path, ignored));
+}
+
+/// Removes the folder that a killed process left under the partial name of `path` when it made a
+/// folder of that name. Returns false where a process that lives makes it. Throws Error where it
+/// cannot be removed.
+bool remove_abandoned_folder(const fs::path& path) {
+  const fs::path partial = partial_name(path);
+  if (!is_folder(partial)) {
+    return true;
+  }
+  const auto lock = OutputLock::try_lock(path, LockKind::exclusive);
+  if (!lock) {
+    return false;
+  }
+  if (const int error = is_folder(partial) ? remove_tree(partial) : 0; error != 0) {
+    fail_with(partial, "cannot be removed", error);
+  }
+  return true;
+}
+
 }  // namespace
 
 fs::path partial_name(const fs::path& path, const fs::path& extension) {
@@ -53,6 +78,9 @@ PartialFile::PartialFile(fs::path path, fs::path partial, FileLock lock)
 std::optional<PartialFile> PartialFile::try_open(const fs::path& path, const fs::path& extension) {
   const fs::path partial = partial_name(path, extension);
   for (;;) {
+    if (!remove_abandoned_folder(path)) {
+      return {};
+    }
     std::optional<FileLock> lock = lock_to_write(partial);
     if (!lock) {
       return {};
@@ -120,7 +148,7 @@ void PartialFile::commit(std::string_view bytes, Durability durability) {
 void remove_abandoned(const fs::path& path) {
   const fs::path partial = partial_name(path);
   std::error_code ignored;
-  if (fs::is_regular_file(fs::symlink_status(partial, ignored))) {
+  if (fs::is_regular_file(fs::symlink_status(partial, ignored)) || is_folder(partial)) {
     PartialFile::try_open(path);
   }
 }

@@ -18,7 +18,8 @@ std::filesystem::path partial_name(const std::filesystem::path& path,
 bool is_partial_name(const std::filesystem::path& path);
 
 /// A file while it is being written, under its `partial_name` and locked: only one process or
-/// thread at a time writes a file, and what a killed one left is taken over by the next. The
+/// thread at a time writes a file, and what a killed one left is taken over by the next; a folder
+/// that a killed one left under this name is removed. The
 /// destructor removes a file that was not committed.
 class PartialFile {
  public:
@@ -57,7 +58,7 @@ class PartialFile {
   bool is_begun_ = false;         ///< whether what a killed process left is gone
 };
 
-/// Removes the partial file that a killed process left of `path`, if any.
+/// Removes the partial file or folder that a killed process left of `path`, if any.
 void remove_abandoned(const std::filesystem::path& path);
 
 /// Writes bytes into an open file. `path` is named by the Error that it throws where that fails.

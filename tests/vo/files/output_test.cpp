@@ -114,6 +114,26 @@ TEST(WriteFile, TakesOverWhatAKilledProcessLeft) {
   EXPECT_EQ(entries(folder.path()), 1U) << "the file is there already";
 }
 
+TEST(WriteFile, RemovesTheFolderThatAKilledProcessLeftUnderItsPartialName) {
+  const TempFolder folder;
+  for (const char* content : {"new", "new"}) {  // the second finds the file there already
+    folder.write(".a.partial-edvo/half", "of a folder whose writer was killed");
+    vo::write_file(folder.path() / "a", content);
+    EXPECT_EQ(vo::read_file(folder.path() / "a"), content);
+    EXPECT_EQ(entries(folder.path()), 1U);
+  }
+}
+
+TEST(WriteFile, LeavesAFolderToTheProcessThatMakesIt) {
+  const TempFolder folder;
+  const fs::path path = folder.path() / "a";
+  vo::OutputFolder living(path, ExistingOutput::keep, {});
+  living.write({{"marker", "1"}});
+  EXPECT_FALSE(vo::PartialFile::try_open(path).has_value());
+  living.commit();
+  EXPECT_EQ(vo::read_file(path / "marker"), "1");
+}
+
 TEST(WriteFile, IsDoneByOneProcessAtATime) {
   const TempFolder folder;
   const fs::path path = folder.path() / "a";
