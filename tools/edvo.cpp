@@ -19,6 +19,7 @@
 #include "tools/cli/interrupt.h"
 #include "tools/cli/session.h"
 #include "tools/cli/spelling.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/commands/commands.h"
 #include "vo/core/error.h"
 #include "vo/core/instruction_set.h"
@@ -139,6 +140,7 @@ void keep_freed_memory() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  tools::fill_closed_streams();
   const std::vector<std::string> words(argv + 1, argv + argc);
   tools::Session session = tools::start_session(words);
   const auto fail = [&](const std::string& text, int code) {

@@ -30,8 +30,9 @@ struct TakenStreams {
 
 /// Reads stdin to its end and puts a file of what came in its place.
 void hold_stdin() {
-  vo::require(::fcntl(STDIN_FILENO, F_GETFD) >= 0, vo::kStdinPath,
-              ": is closed, expected a file or pipe");
+  const int flags = ::fcntl(STDIN_FILENO, F_GETFL);
+  vo::require(flags >= 0 && (flags & O_ACCMODE) != O_WRONLY, vo::kStdinPath,
+              ": is closed or cannot be read, expected a file or pipe");
   const int held = ::memfd_create("stdin", MFD_CLOEXEC);
   if (held < 0) {
     vo::fail_with(vo::kStdinPath, "cannot be held", errno);
@@ -115,6 +116,15 @@ void take_streams(CLI::App& command, const FileArguments& files) {
       hold_stdin();
     }
   });
+}
+
+void fill_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) < 0) {
+      // The lowest number that is free is this stream's: those below have been filled.
+      ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
+  }
 }
 
 Speech speech_beside(const Session& session, const std::vector<std::filesystem::path>& outputs) {

@@ -23,6 +23,11 @@ struct FileArguments {
 /// file /dev/stdin, as often as they like, and write /dev/stdout. `./-` is a file of this name.
 void take_streams(CLI::App& command, const FileArguments& files);
 
+/// Opens /dev/null in the place of each of stdin, stdout and stderr that is closed, so that no file
+/// that is opened later becomes one of them. Stdin is opened for writing and the others for
+/// reading: what reads or writes them fails as it does where they are closed.
+void fill_closed_streams();
+
 /// A Speech is the stream on which a command speaks to people, with the colours of that stream.
 struct Speech {
   std::ostream& stream;

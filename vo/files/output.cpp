@@ -94,6 +94,9 @@ void require_writable(const fs::path& path) {
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   require(fs::is_directory(folder), path.string(), ": cannot be written: there is no folder ",
           folder.string());
+  if (path == kStdoutPath && (::fcntl(STDOUT_FILENO, F_GETFL) & O_ACCMODE) == O_RDONLY) {
+    fail_with(path, "cannot be written", EBADF);
+  }
   if (::access(is_stream(path) ? path.c_str() : folder.c_str(), W_OK) != 0) {
     fail_with(path, "cannot be written", errno);
   }

@@ -116,6 +116,17 @@ TEST_F(Streams, AnErrorNamesTheStreamAndItsLine) {
   EXPECT_THAT(closed.err, HasSubstr("/dev/stdin: is closed"));
 }
 
+TEST_F(Streams, NoFileBecomesAStreamThatIsClosed) {
+  const std::string convert = "convert " + path("sequence") + " --format mcap ";
+  ASSERT_EQ(run_program(convert + path("open.mcap")).exit_code, 0);
+  for (const std::string closed : {"0<&-", "1>&-", "2>&-", "0<&- 1>&- 2>&-"}) {
+    run_program("--version", "'" + std::string(EDVO_PROGRAM) + "' " + convert +
+                                 path("closed.mcap") + " >/dev/null 2>/dev/null " + closed + "; ");
+    EXPECT_EQ(read("closed.mcap"), read("open.mcap")) << closed;
+    std::filesystem::remove(file("closed.mcap"));
+  }
+}
+
 TEST_F(Streams, AScenarioFromStdinIsAsIfItLayInTheWorkingFolder) {
   write_scenario("good", "1");
   const std::string rest = " --json --quiet --debug-images 0 --out ";
