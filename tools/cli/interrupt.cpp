@@ -18,13 +18,21 @@ extern "C" void remember(int signal) {
   received_signal() = signal;
 }
 
+/// Lets `remember` handle a signal unless the process was started with it ignored, as by nohup.
+void remember_unless_ignored(int signal) {
+  struct sigaction inherited {};
+  if (::sigaction(signal, nullptr, &inherited) != 0 || inherited.sa_handler != SIG_IGN) {
+    std::signal(signal, remember);
+  }
+}
+
 }  // namespace
 
 void remember_signals() {
   received_signal() = 0;
-  std::signal(SIGINT, remember);
+  remember_unless_ignored(SIGINT);
+  remember_unless_ignored(SIGHUP);
   std::signal(SIGTERM, remember);
-  std::signal(SIGHUP, remember);
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGPIPE, SIG_DFL);
 }

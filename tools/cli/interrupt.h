@@ -3,7 +3,8 @@
 namespace tools {
 
 /// Makes SIGINT, SIGTERM and SIGHUP be recorded instead of ending the process, and a write beyond
-/// the file size limit an error of `write` instead of a signal. A write into a pipe that nobody
+/// the file size limit an error of `write` instead of a signal. SIGINT and SIGHUP stay ignored
+/// where the process was started with them ignored, as by nohup. A write into a pipe that nobody
 /// reads ends the process by SIGPIPE, whatever its parent ignored.
 void remember_signals();
 
