@@ -60,6 +60,7 @@ constexpr const char* kFooter =
     "Exit codes: 0 ok, 1 internal error, 2 wrong command line, 3 unusable input or output place,\n"
     "4 a bound was violated, 5 tracking was lost, 6 the output exists and differs (--force),\n"
     "75 try again (disk full, too many files, no memory, terminated), 130 interrupted;\n"
+    "a second signal, half a second after the first or later, ends the program at once;\n"
     "nobody reads stdout: ended by SIGPIPE, which a shell shows as 141.";
 
 int run(std::vector<std::string> words, tools::Session& session) {

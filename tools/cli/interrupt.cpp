@@ -2,20 +2,45 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
 
 #include "vo/core/error.h"
 
 namespace tools {
 namespace {
 
-std::atomic<int>& received_signal() {
-  static std::atomic<int> signal = 0;
-  static_assert(std::atomic<int>::is_always_lock_free, "a handler may not lock");
-  return signal;
+/// The last signal that was recorded, 0 before the first, and when the first came.
+struct ReceivedSignals {
+  std::atomic<int> last = 0;
+  std::atomic<std::int64_t> first_ns = 0;
+  static_assert(std::atomic<int>::is_always_lock_free &&
+                    std::atomic<std::int64_t>::is_always_lock_free,
+                "a handler may not lock");
+};
+
+ReceivedSignals& received() {
+  static ReceivedSignals signals;
+  return signals;
 }
 
+std::int64_t monotonic_ns() {
+  constexpr std::int64_t kNanoseconds = 1'000'000'000;  // a second
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec * kNanoseconds + now.tv_nsec;
+}
+
+/// Calls nothing but what POSIX lets a handler call.
 extern "C" void remember(int signal) {
-  received_signal() = signal;
+  const std::int64_t now = monotonic_ns();
+  if (received().last == 0) {
+    received().first_ns = now;
+  } else if (now - received().first_ns >= kSameRequestNs) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);  // it is blocked until the handler returns, and ends the process then
+  }
+  received().last = signal;
 }
 
 /// Lets `remember` handle a signal unless the process was started with it ignored, as by nohup.
@@ -29,7 +54,7 @@ void remember_unless_ignored(int signal) {
 }  // namespace
 
 void remember_signals() {
-  received_signal() = 0;
+  received().last = 0;
   remember_unless_ignored(SIGINT);
   remember_unless_ignored(SIGHUP);
   std::signal(SIGTERM, remember);
@@ -38,11 +63,11 @@ void remember_signals() {
 }
 
 bool is_interrupted() {
-  return received_signal() != 0;
+  return received().last != 0;
 }
 
 void throw_if_interrupted() {
-  switch (received_signal()) {
+  switch (received().last) {
     case SIGINT:
       vo::fail_as(vo::ErrorKind::interrupted, "interrupted");
     case SIGTERM:

@@ -1,6 +1,7 @@
 #include "tools/cli/interrupt.h"
 
 #include <csignal>
+#include <thread>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -23,6 +24,33 @@ TEST(RememberSignals, LeavesThoseAloneThatTheParentIgnored) {
     EXPECT_EXIT(raised(SIG_IGN), testing::ExitedWithCode(0), "") << signal;
     EXPECT_EXIT(raised(SIG_DFL), testing::ExitedWithCode(1), "") << signal;
   }
+}
+
+TEST(RememberSignals, EndsTheProcessAtOnceByAFurtherSignal) {
+  const auto raise_twice = [](int first, int second) {
+    tools::remember_signals();
+    std::raise(first);
+    std::this_thread::sleep_for(std::chrono::nanoseconds(tools::kSameRequestNs));
+    std::raise(second);
+    end_with_verdict();
+  };
+  EXPECT_EXIT(raise_twice(SIGINT, SIGTERM), testing::KilledBySignal(SIGTERM), "");
+}
+
+TEST(RememberSignals, TakesSignalsThatComeTogetherForOneRequest) {
+  const auto raise_both = [] {
+    tools::remember_signals();
+    sigset_t both;
+    sigemptyset(&both);
+    sigaddset(&both, SIGINT);
+    sigaddset(&both, SIGTERM);
+    ::sigprocmask(SIG_BLOCK, &both, nullptr);
+    std::raise(SIGINT);
+    std::raise(SIGTERM);
+    ::sigprocmask(SIG_UNBLOCK, &both, nullptr);  // both are delivered here
+    end_with_verdict();
+  };
+  EXPECT_EXIT(raise_both(), testing::ExitedWithCode(1), "");
 }
 
 }  // namespace
