@@ -104,7 +104,8 @@ int run(std::vector<std::string> words, tools::Session& session) {
     std::reverse(words.begin(), words.end());  // as CLI11 takes them
     program.parse(words);
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? tools::exit_code::kOk : tools::exit_code::kUsage;
+    // A help that was asked for is a result like any other.
+    session.status = program.exit(error) == 0 ? tools::exit_code::kOk : tools::exit_code::kUsage;
   }
   if (!std::cout.flush()) {
     vo::fail_as(vo::ErrorKind::temporary, "the result cannot be written to stdout");

@@ -248,6 +248,9 @@ TEST_F(Program, AResultThatStdoutCannotTakeIsNoSuccess) {
   ASSERT_EQ(track("--force --out " + path("e.txt")).exit_code, 0);
   const std::string files = path("sequence/groundtruth.txt") + " " + path("e.txt");
   EXPECT_EQ(run_program("evaluate " + files + " > /dev/full; exit $?; :").exit_code, 75);
+  for (const char* help : {"--help", "--version", "render --help"}) {
+    EXPECT_EQ(run_program(std::string(help) + " > /dev/full; exit $?; :").exit_code, 75) << help;
+  }
 }
 
 TEST_F(Program, ATrajectoryCanGoDownAPipe) {
