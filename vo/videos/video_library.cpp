@@ -1,5 +1,7 @@
 #include "vo/videos/video_library.h"
 
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <string_view>
@@ -41,7 +43,20 @@ std::vector<fs::path> library_places() {
 struct LoadedLibrary {
   const VideoLibrary* library = nullptr;
   std::string failure;
+  ErrorKind kind = ErrorKind::input;  ///< of the failure
 };
+
+/// Returns the kind of failure that the dynamic linker tells of. It keeps no errno: of glibc's
+/// messages those that speak of memory and open files are for want of them.
+ErrorKind kind_of_linking_failure(std::string_view reason) {
+  constexpr std::array<std::string_view, 5> kShortages = {"failed to map segment",
+                                                          "cannot map zero-fill", "annot allocate",
+                                                          "cannot create", "Too many open files"};
+  const bool is_shortage = std::any_of(
+      kShortages.begin(), kShortages.end(),
+      [&](std::string_view shortage) { return reason.find(shortage) != std::string_view::npos; });
+  return is_shortage ? ErrorKind::temporary : ErrorKind::input;
+}
 
 /// Tells OpenCV, which reads it when it is loaded, that FFmpeg is not to write on stderr, and that
 /// a camera without images is given up after a second, so that it can be left.
@@ -88,7 +103,8 @@ LoadedLibrary load(const fs::path& file) {
   void* handle = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
     const char* reason = ::dlerror();  // NOLINT(concurrency-mt-unsafe): the thread's own in glibc
-    return {nullptr, concat("OpenCV's videoio cannot be loaded: ", reason)};
+    return {nullptr, concat("OpenCV's videoio cannot be loaded: ", reason),
+            kind_of_linking_failure(reason)};
   }
   const auto entry = reinterpret_cast<VideoLibraryEntry>(::dlsym(handle, kVideoLibraryEntry));
   const VideoLibrary* library = entry == nullptr ? nullptr : entry(version());
@@ -112,7 +128,9 @@ LoadedLibrary load_first() {
 
 const VideoLibrary& video_library(const std::string& place) {
   static const LoadedLibrary loaded = load_first();
-  require(loaded.library != nullptr, place, ": ", loaded.failure);
+  if (loaded.library == nullptr) {
+    fail_as(loaded.kind, place, ": ", loaded.failure);
+  }
   return *loaded.library;
 }
 

@@ -1,6 +1,8 @@
+#include <cstring>
 #include <filesystem>
 #include <string>
 
+#include <elf.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -24,6 +26,24 @@ using testing::HasSubstr;
 constexpr int kFrames = 24;
 constexpr double kRateHz = 25;  // of which stamps in lists are exact
 
+/// Returns a shared library (ELF, 64 bits) whose segments ask for more memory than can be
+/// addressed.
+std::string of_vast_memory(std::string library) {
+  constexpr Elf64_Xword kVast = Elf64_Xword{1} << 60U;  // bytes
+  Elf64_Ehdr header{};
+  std::memcpy(&header, library.data(), sizeof(header));
+  for (std::size_t i = 0; i < header.e_phnum; ++i) {
+    Elf64_Phdr segment{};
+    char* const place = library.data() + header.e_phoff + i * sizeof(segment);
+    std::memcpy(&segment, place, sizeof(segment));
+    if (segment.p_type == PT_LOAD && (segment.p_flags & PF_W) != 0) {
+      segment.p_memsz = kVast;
+      std::memcpy(place, &segment, sizeof(segment));
+    }
+  }
+  return library;
+}
+
 /// Runs the program on images of a plane in colour, the camera moving 1 cm to the right per frame,
 /// and on a video of them.
 class VideoProgram : public support::ProgramTest {
@@ -41,6 +61,18 @@ class VideoProgram : public support::ProgramTest {
 
   static vo::RgbdCamera camera() {
     return {vo::PinholeCamera::from_horizontal_fov(160, 120, 60)};
+  }
+
+  /// Tracks the video by a copy of the program in a folder, and writes its exit code and what it
+  /// says of errors into `code` and `err`.
+  void track_video_by_copy(const std::string& folder) const {
+    fs::copy_file(EDVO_PROGRAM, file(folder + "/edvo"));
+    const std::string arguments =
+        "track " + path("video.avi") + with_camera() + " --mode mono --out " + path("v.txt");
+    const ProgramResult result =
+        run_program("--version", path(folder + "/edvo") + " " + arguments + " 2>" + path("err") +
+                                     "; echo $? >" + path("code") + "; ");
+    EXPECT_EQ(result.exit_code, 0);
   }
 
   void write_images() const {
@@ -159,17 +191,22 @@ TEST_F(VideoProgram, EvaluationCountsTheFramesOfAVideo) {
 
 TEST_F(VideoProgram, WithoutTheLibraryTheErrorNamesIt) {
   fs::create_directory(file("alone"));
-  fs::copy_file(EDVO_PROGRAM, file("alone/edvo"));
-  const std::string arguments =
-      "track " + path("video.avi") + with_camera() + " --mode mono --out " + path("v.txt");
-  const ProgramResult result =
-      run_program("--version", path("alone/edvo") + " " + arguments + " 2>" + path("err") +
-                                   "; echo $? >" + path("code") + "; ");
-  EXPECT_EQ(result.exit_code, 0);
+  track_video_by_copy("alone");
   EXPECT_EQ(read("code"), "3\n");
   EXPECT_THAT(read("err"), HasSubstr("video.avi: this program was built without OpenCV's videoio, "
                                      "expected libedvo_video.so of a build with "
                                      "libopencv-videoio-dev"));
+}
+
+TEST_F(VideoProgram, ALibraryThatIsNoneIsUnusableAndOneWithoutRoomInMemoryIsTemporary) {
+  write("junk/libedvo_video.so", "junk");
+  track_video_by_copy("junk");
+  EXPECT_EQ(read("code"), "3\n") << read("err");
+  write("vast/libedvo_video.so",
+        of_vast_memory(vo::read_file(fs::path(EDVO_PROGRAM).parent_path() / "libedvo_video.so")));
+  track_video_by_copy("vast");
+  EXPECT_EQ(read("code"), "75\n") << read("err");
+  EXPECT_THAT(read("err"), HasSubstr("video.avi: OpenCV's videoio cannot be loaded"));
 }
 
 }  // namespace
