@@ -67,6 +67,22 @@ void remove_abandoned_folders(const fs::path& place) {
   }
 }
 
+/// Returns the folder that the environment names for files of short life, the first of its
+/// variables that is set and not empty, or /tmp. Throws Error naming the variable where there is no
+/// such folder.
+fs::path temporary_place() {
+  for (const char* name : {"TMPDIR", "TMP", "TEMP", "TEMPDIR"}) {
+    const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nothing sets it
+    if (value != nullptr && *value != '\0') {
+      std::error_code ignored;
+      vo::require(fs::is_directory(value, ignored), name, ": ", value,
+                  " is no folder that can be entered, expected one for scratch files");
+      return value;
+    }
+  }
+  return "/tmp";
+}
+
 /// Makes a file `edvo-XXXXXX.lock` of a name that is free, locked before anybody else saw it.
 std::pair<fs::path, vo::FileLock> new_lock_file(const fs::path& place) {
   for (;;) {
@@ -87,7 +103,7 @@ std::pair<fs::path, vo::FileLock> new_lock_file(const fs::path& place) {
 }  // namespace
 
 ScratchFolder::ScratchFolder() {
-  const fs::path place = fs::temp_directory_path();
+  const fs::path place = temporary_place();
   remove_abandoned_folders(place);
   auto [file, lock] = new_lock_file(place);
   lock_file_ = file;

@@ -1,9 +1,14 @@
 #include "tools/processes/scratch_folder.h"
 
+#include <cstdlib>
 #include <filesystem>
+#include <optional>
+#include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/error_text.h"
 #include "vo/files/output.h"
 
 namespace {
@@ -48,6 +53,39 @@ TEST(ScratchFolder, OfAKilledProcessIsRemovedByTheNext) {
   EXPECT_TRUE(fs::exists(in_use.path()));
   EXPECT_TRUE(fs::exists(somebodys));
   fs::remove(somebodys);
+}
+
+/// Sets TMPDIR until it is destroyed.
+class TemporaryPlace {
+ public:
+  explicit TemporaryPlace(const char* value) {
+    // NOLINTBEGIN(concurrency-mt-unsafe): the tests have one thread
+    if (const char* before = std::getenv("TMPDIR")) {
+      before_ = before;
+    }
+    ::setenv("TMPDIR", value, 1);
+  }
+  ~TemporaryPlace() {
+    before_ ? ::setenv("TMPDIR", before_->c_str(), 1) : ::unsetenv("TMPDIR");
+    // NOLINTEND(concurrency-mt-unsafe)
+  }
+  TemporaryPlace(const TemporaryPlace&) = delete;
+  TemporaryPlace& operator=(const TemporaryPlace&) = delete;
+  TemporaryPlace(TemporaryPlace&&) = delete;
+  TemporaryPlace& operator=(TemporaryPlace&&) = delete;
+
+ private:
+  std::optional<std::string> before_;
+};
+
+TEST(ScratchFolder, NamesTheVariableWhosePlaceIsNoFolderAndTakesTmpForAnEmptyOne) {
+  const auto make = [] { const tools::ScratchFolder folder; };
+  {
+    const TemporaryPlace none("/none");
+    EXPECT_THAT(support::error_text(make), testing::HasSubstr("TMPDIR: /none is no folder"));
+  }
+  const TemporaryPlace empty("");
+  EXPECT_EQ(tools::ScratchFolder().path().parent_path(), "/tmp");
 }
 
 }  // namespace
