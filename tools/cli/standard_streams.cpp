@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <functional>
 #include <iostream>
+#include <map>
 #include <memory>
 
 #include <fcntl.h>
@@ -93,6 +94,23 @@ void require_one_output(const CLI::App& command, const TakenStreams& taken) {
   }
 }
 
+/// Throws where two of the options name one file, in whatever way.
+void require_distinct_outputs(const CLI::App& command, const std::vector<std::string>& outputs) {
+  std::map<std::filesystem::path, std::string> writers;
+  for (const std::string& name : outputs) {
+    for (const std::string& word : find_option(command, name)->results()) {
+      if (vo::is_stream(word)) {
+        continue;
+      }
+      const auto [first, is_new] = writers.try_emplace(vo::resolved_output(word), name);
+      if (!is_new && first->second != name) {
+        vo::fail_as(vo::ErrorKind::usage, name, ": ", word, " is written by ", first->second,
+                    " already, expected another file");
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void take_streams(CLI::App& command, const FileArguments& files) {
@@ -110,8 +128,9 @@ void take_streams(CLI::App& command, const FileArguments& files) {
   for (const std::string& name : files.others) {
     refuse_stream(*find_option(command, name));
   }
-  command.parse_complete_callback([&command, taken] {
+  command.parse_complete_callback([&command, taken, outputs = files.outputs] {
     require_one_output(command, *taken);
+    require_distinct_outputs(command, outputs);
     if (!taken->input.empty()) {
       hold_stdin();
     }

@@ -20,7 +20,8 @@ struct FileArguments {
 
 /// Lets a command take `-` for stdin and stdout, at most once each, and says so in its help. What
 /// comes from stdin is read to its end before the command starts; libraries find it as the regular
-/// file /dev/stdin, as often as they like, and write /dev/stdout. `./-` is a file of this name.
+/// file /dev/stdin, as often as they like, and write /dev/stdout. `./-` is a file of this name. Two
+/// outputs of one name are a usage error.
 void take_streams(CLI::App& command, const FileArguments& files);
 
 /// Opens /dev/null in the place of each of stdin, stdout and stderr that is closed, so that no file

@@ -78,6 +78,18 @@ TEST_F(Streams, OneOfEachAtMost) {
   }
 }
 
+TEST_F(Streams, TwoOutputsAreTwoFiles) {
+  std::filesystem::create_directory(file("folder"));
+  for (const std::string other : {"twice", "folder/../twice"}) {
+    const ProgramResult result =
+        run_program(track("--out " + path("twice") + " --frame-log " + path(other)));
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("twice is written by --out already, expected another file"));
+    EXPECT_FALSE(exists("twice"));
+  }
+  EXPECT_EQ(run_program("test --json F --junit G --report F").exit_code, 2);
+}
+
 TEST_F(Streams, AreRefusedWhereTheyMakeNoSense) {
   for (const std::string& arguments :
        {std::string("track - --out x"), std::string("render room.gltf --path still --out -"),
