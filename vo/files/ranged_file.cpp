@@ -39,6 +39,15 @@ std::uintmax_t regular_size(int descriptor, const fs::path& path) {
   return static_cast<std::uintmax_t>(status.st_size);
 }
 
+[[noreturn]] void fail_to_open(const fs::path& path, int error) {
+  require(error != ENOENT, path.string(), ": there is no such file");
+  struct stat status {};
+  if (error == ENXIO && ::stat(path.c_str(), &status) == 0) {  // as of a socket
+    fail(path.string(), ": is ", kind_of(status.st_mode), ", expected a regular file");
+  }
+  fail_with(path, "cannot be read", error);
+}
+
 /// Returns memory for so many bytes of a file.
 std::string room_for(std::uintmax_t count, const fs::path& path) {
   try {
@@ -55,9 +64,8 @@ RangedFile::RangedFile(fs::path path)
     : path_(std::move(path)),
       descriptor_(
           uninterrupted([&] { return ::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK); })) {
-  require(descriptor_ >= 0 || errno != ENOENT, path_.string(), ": there is no such file");
   if (descriptor_ < 0) {
-    fail_with(path_, "cannot be read", errno);
+    fail_to_open(path_, errno);
   }
   try {
     size_ = regular_size(descriptor_, path_);

@@ -8,7 +8,9 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include "tests/support/error_text.h"
@@ -40,6 +42,13 @@ TEST(ReadFile, NamesWhatIsNoRegularFileAndNeverWaitsForIt) {
     return error_text([&] { vo::read_file(path); });
   };
   EXPECT_THAT(error(pipe), HasSubstr("pipe: is a pipe, expected a regular file"));
+  const int socket = ::socket(AF_UNIX, SOCK_STREAM, 0);
+  sockaddr_un address{.sun_family = AF_UNIX};
+  (folder.path() / "socket").string().copy(address.sun_path, sizeof(address.sun_path) - 1);
+  ASSERT_EQ(::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
+  EXPECT_THAT(error(folder.path() / "socket"),
+              HasSubstr("socket: is a socket, expected a regular file"));
+  ::close(socket);
   EXPECT_EQ(error("/dev/zero"), "/dev/zero: is a device, expected a regular file");
   EXPECT_THAT(error(folder.path()), HasSubstr(": is a folder, expected a regular file"));
   EXPECT_THAT(error(folder.path() / "none"), HasSubstr("none: there is no such file"));
