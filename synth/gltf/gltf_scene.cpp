@@ -21,6 +21,7 @@
 #include "synth/gltf_model/select.h"
 #include "synth/scene/scene_motion.h"
 #include "synth/scene/shared_mesh.h"
+#include "synth/scene/world_geometry.h"
 #include "vo/core/error.h"
 
 namespace synth {
@@ -96,6 +97,9 @@ class SceneReader {
     read_brightness(model_, shining_, motion);
     Scene scene = at_rest();
     require_room(scene);
+    require_within_world(scene, [&](std::size_t instance) {
+      return model_.place("nodes", labels_.instances[instance].node);
+    });
     scene.motion = std::move(motion);
     for (const int index : shining_.materials) {
       labels_.materials.push_back({.index = index});
@@ -309,6 +313,7 @@ class SceneReader {
     const Light light = place_light(source, T_world_light, options_.scale);
     require(light.direction.squaredNorm() > 0, model_.path.string(),
             ": a light that has a direction is on a node of scale zero, expected a direction");
+    require_within_world(Eigen::AlignedBox3d(light.position), model_.path.string() + ": a light");
     scene_.lights.push_back(light);
     shining_.lights.push_back(index);
     scene_.motion.light_nodes.push_back(moved_by);

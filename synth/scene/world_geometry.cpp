@@ -8,6 +8,8 @@
 
 #include "synth/scene/cofactors.h"
 #include "synth/scene/vertex_sample.h"
+#include "vo/core/error.h"
+#include "vo/geometry/world_extent.h"
 
 namespace synth {
 namespace {
@@ -92,6 +94,26 @@ bool moves_between(const std::vector<FlatMesh>& moments) {
   });
 }
 
+/// Returns the bounding box of a mesh's vertices, m, in the mesh's coordinates.
+Eigen::AlignedBox3d bounds_of(const Mesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3f& position : mesh.positions) {
+    box.extend(position.cast<double>());
+  }
+  return box;
+}
+
+/// Throws unless the mesh is within the world at all moments, which an animation may leave.
+void require_moments_within_world(const std::vector<FlatMesh>& moments, const FlatMesh& world) {
+  const Eigen::AlignedBox3d shape = bounds_of(*world.mesh);
+  for (const FlatMesh& moment : moments) {
+    const bool is_bent = moment.shared == kNone;
+    require_within_world(
+        (is_bent ? bounds_of(*moment.mesh) : shape).transformed(moment.T_world_mesh),
+        vo::concat("scene: instance ", world.instance, ", which moves"));
+  }
+}
+
 void add_moments(const std::vector<Scene>& scenes, FlatMesh& world) {
   std::vector<FlatMesh> moments;
   for (const Scene& scene : scenes) {
@@ -101,6 +123,7 @@ void add_moments(const std::vector<Scene>& scenes, FlatMesh& world) {
     moment.shared = world.shared;
   }
   if (moves_between(moments)) {
+    require_moments_within_world(moments, world);
     std::for_each(moments.begin(), moments.end(), place_vertices);
     world.moments = std::move(moments);
   }
@@ -131,7 +154,9 @@ WorldGeometry flatten(const Scene& scene, const std::vector<Scene>& moments) {
     const int mesh = scene.instances[i].mesh;
     if (mesh != kNone && !scene.meshes[mesh].triangles.empty()) {
       world.meshes.push_back(unplaced(scene, i));
-      box.extend(bounds(world.meshes.back()));
+      const Eigen::AlignedBox3d own = bounds(world.meshes.back());
+      require_within_world(own, vo::concat("scene: instance ", i));
+      box.extend(own);
     }
   }
   if (!box.isEmpty()) {
@@ -152,6 +177,24 @@ Eigen::Vector3d corner_of(const FlatMesh& mesh, int vertex) {
 }
 
 }  // namespace
+
+void require_within_world(const Eigen::AlignedBox3d& box, const std::string& place) {
+  const Eigen::Array3d reach = box.min().array().abs().max(box.max().array().abs());
+  // What is not a number is not within, either.
+  vo::require(box.isEmpty() || (reach <= vo::kMaxMetres).all(), place, ": reaches ",
+              reach.maxCoeff(), " m from the origin, expected at most ", vo::kMaxMetres);
+}
+
+void require_within_world(const Scene& scene,
+                          const std::function<std::string(std::size_t)>& place_of) {
+  std::vector<Eigen::AlignedBox3d> boxes(scene.meshes.size());
+  std::transform(scene.meshes.begin(), scene.meshes.end(), boxes.begin(), bounds_of);
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    const Eigen::AlignedBox3d& own = boxes[static_cast<std::size_t>(instance.mesh)];
+    require_within_world(own.transformed(instance.T_world_mesh), place_of(i));
+  }
+}
 
 const Material& material_of(const Scene& scene, const Mesh& mesh) {
   return mesh.material == kNone ? kDefaultMaterial : scene.materials[mesh.material];

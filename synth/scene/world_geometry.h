@@ -1,7 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -35,6 +38,15 @@ struct FlatMesh {
 
 /// Returns the mesh's material, or a default one, white and diffuse, if the mesh names none.
 const Material& material_of(const Scene& scene, const Mesh& mesh);
+
+/// Throws Error beginning with `place` unless all of a box, m, world, is within vo::kMaxMetres of
+/// the origin along each axis: beyond, distances in 32-bit floats overflow, in which rays are
+/// traced.
+void require_within_world(const Eigen::AlignedBox3d& box, const std::string& place);
+
+/// Throws likewise for the instances of a scene; `place_of` names one by its index.
+void require_within_world(const Scene& scene,
+                          const std::function<std::string(std::size_t)>& place_of);
 
 /// A scene's triangles without its node hierarchy. All float coordinates are world coordinates
 /// minus `origin`, which preserves precision wherever the scene lies: the middle of the scene or,

@@ -6,12 +6,10 @@
 #include <vector>
 
 #include "vo/geometry/trajectory.h"
+#include "vo/geometry/world_extent.h"
 #include "vo/motion_files/trajectory_format.h"
 
 namespace vo {
-
-/// The greatest distance of a file from the origin, m, along each axis.
-inline constexpr double kMaxMetres = 1e9;
 
 /// Returns a pose that a file holds. Throws Error beginning with `place` if the position is not
 /// within `kMaxMetres` or the quaternion's length differs from 1 by 0.01 or more.

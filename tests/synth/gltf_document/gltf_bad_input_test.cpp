@@ -345,5 +345,11 @@ TEST(BadGltf, TransformThatOverflows) {
               HasSubstr("nodes[1]: its transform overflows"));
 }
 
+TEST(BadGltf, MeshBeyondTheWorld) {
+  EXPECT_THAT(error_with("/nodes/0/translation", {0, 1e19, 0}),
+              HasSubstr("nodes[0]: reaches 1e+19 m from the origin, expected at most 1e+09"));
+  EXPECT_THAT(error_with("/nodes/0/scale", {1e308, 1e308, 1e308}), HasSubstr("nodes[0]: reaches"));
+}
+
 }  // namespace
 }  // namespace synth

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "synth/scene/scene_motion.h"
+#include "tests/support/error_text.h"
 #include "tests/support/quads.h"
 
 namespace synth {
@@ -35,6 +37,18 @@ TEST(Flatten, AStrayVertexMovesNoCoordinatesAwayFromZero) {
   const WorldGeometry world = flatten(scene);
   EXPECT_LE(world.origin.norm(), 3);
   EXPECT_EQ((world.meshes[0].positions[2].cast<double>() + world.origin), Vector3d(1, 1, 2));
+}
+
+TEST(Flatten, NothingMovesOutOfTheWorld) {
+  Scene scene;
+  add(scene, square_at(2, 1), unlit({1, 1, 1}));
+  SceneDuring during{.now = scene, .moments = {scene, scene}, .end = 1};
+  during.moments[1].instances[0].T_world_mesh = Eigen::Translation3d(0, 0, 9e8);
+  EXPECT_NO_THROW(flatten(during));
+  during.moments[1].instances[0].T_world_mesh = Eigen::Translation3d(0, 0, 1e19);
+  EXPECT_EQ(
+      support::error_text([&] { flatten(during); }),
+      "scene: instance 0, which moves: reaches 1e+19 m from the origin, expected at most 1e+09");
 }
 
 TEST(DepthOfPlane, IsTheClosedForm) {
