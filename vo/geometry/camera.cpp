@@ -12,6 +12,12 @@
 namespace vo {
 namespace {
 
+// The limits of focal lengths, of either sign, and of the principal point, px: the directions of
+// pixels and their squares stay within 32-bit floats.
+constexpr double kLeastFocal = 1e-3;
+constexpr double kGreatestFocal = 1e9;
+constexpr double kFarthestCentre = 1e6;
+
 /// Returns whether the direction that the lens images at a pixel, if there is one, is imaged there
 /// again and the distortion is invertible around it.
 bool is_invertible_at(const PinholeCamera& camera, double u, double v) {
@@ -113,6 +119,12 @@ void PinholeCamera::validate() const {
           "camera: expected fx above 0 and fy other than 0, got ", fx, ", ", fy);
   require(std::isfinite(cx) && std::isfinite(cy), "camera: expected finite cx and cy, got ", cx,
           ", ", cy);
+  require(fx >= kLeastFocal && fx <= kGreatestFocal && std::abs(fy) >= kLeastFocal &&
+              std::abs(fy) <= kGreatestFocal,
+          "camera: expected focal lengths from ", kLeastFocal, " to ", kGreatestFocal, " px, got ",
+          fx, ", ", fy);
+  require(std::abs(cx) <= kFarthestCentre && std::abs(cy) <= kFarthestCentre,
+          "camera: expected cx and cy within ", kFarthestCentre, " px, got ", cx, ", ", cy);
   distortion.validate(image_radius(*this));
   require(distortion.is_zero() || has_invertible_border(*this),
           "camera: the lens distortion folds over inside the image, expected coefficients that can "

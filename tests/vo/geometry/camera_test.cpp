@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/error_text.h"
 #include "vo/core/error.h"
 #include "vo/dataset/camera_file.h"
 
@@ -91,6 +93,25 @@ TEST(PinholeCamera, RejectsWhatIsNoCamera) {
   camera.fx = 500;
   camera.width = 0;
   EXPECT_THROW(camera.validate(), vo::Error);
+}
+
+TEST(PinholeCamera, RejectsWhatNoLensHas) {
+  const PinholeCamera good{.width = 8, .height = 6, .fx = 1e-3, .fy = -1e9, .cx = -1e6, .cy = 1e6};
+  EXPECT_NO_THROW(good.validate());
+  for (double PinholeCamera::*field : {&PinholeCamera::fx, &PinholeCamera::fy}) {
+    for (const double focal_px : {1e-20, 1e20}) {
+      PinholeCamera camera = good;
+      camera.*field = focal_px;
+      EXPECT_THAT(support::error_text([&] { camera.validate(); }),
+                  testing::HasSubstr("camera: expected focal lengths from 0.001 to 1e+09 px, got"));
+    }
+  }
+  for (double PinholeCamera::*field : {&PinholeCamera::cx, &PinholeCamera::cy}) {
+    PinholeCamera camera = good;
+    camera.*field = -1e20;
+    EXPECT_THAT(support::error_text([&] { camera.validate(); }),
+                testing::HasSubstr("camera: expected cx and cy within 1e+06 px, got"));
+  }
 }
 
 /// With k1 = -0.25 the image's radius r (1 - r^2 / 4) grows up to r = 1.15 only, where it is 0.77.
