@@ -52,6 +52,9 @@ vo::SE3 turned(double angle_deg, const Eigen::Vector3d& axis) {
 void MoveOptions::validate() const {
   vo::require(eye.allFinite() && target.allFinite() && by.allFinite() && std::isfinite(turn_deg),
               "move: expected finite numbers");
+  constexpr double kMaxTurn = 1e6;  // deg, of which doubles have all digits of a turn
+  vo::require(std::abs(turn_deg) <= kMaxTurn, "move.turn_deg: expected from ", -kMaxTurn, " to ",
+              kMaxTurn, " deg, got ", turn_deg);
   constexpr double kLeastSine = 1e-6;  // sine of the gaze's angle to the vertical
   const Eigen::Vector3d gaze = target - eye;
   vo::require(std::hypot(gaze.x(), gaze.z()) > kLeastSine * gaze.norm(),

@@ -19,10 +19,11 @@ CameraPose eye_at(const CameraMotion& motion, double time) {
 }  // namespace
 
 void Shutter::validate() const {
-  vo::require(exposure_time >= 0 && std::isfinite(exposure_time),
-              "shutter: expected exposure_time at or above 0 s, got ", exposure_time);
-  vo::require(readout_time >= 0 && std::isfinite(readout_time),
-              "shutter: expected readout_time at or above 0 s, got ", readout_time);
+  constexpr double kLongest = 60;  // s
+  vo::require(exposure_time >= 0 && exposure_time <= kLongest,
+              "shutter: expected exposure_time from 0 to ", kLongest, " s, got ", exposure_time);
+  vo::require(readout_time >= 0 && readout_time <= kLongest,
+              "shutter: expected readout_time from 0 to ", kLongest, " s, got ", readout_time);
 }
 
 Capture still(const vo::CameraModel& camera, const vo::SE3& T_world_camera) {

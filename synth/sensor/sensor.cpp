@@ -68,10 +68,15 @@ bool DepthSensorOptions::is_apart() const {
 }
 
 void DepthSensorOptions::validate() const {
+  constexpr double kMaxOffset = 1000;     // m
+  constexpr double kMaxDelay = 60;        // s
   constexpr double kMaxCorrelation = 50;  // px
   constexpr double kMaxTurn = 90;         // deg, beyond which the cameras see nothing in common
-  vo::require(offset.allFinite() && std::isfinite(delay),
-              "sensor.depth: expected a finite offset and delay");
+  vo::require(offset.allFinite() && offset.norm() <= kMaxOffset,
+              "sensor.depth: expected an offset of at most ", kMaxOffset, " m, got ",
+              offset.norm());
+  vo::require(std::abs(delay) <= kMaxDelay, "sensor.depth: expected a delay from ", -kMaxDelay,
+              " to ", kMaxDelay, " s, got ", delay);
   vo::require(turn.allFinite() && turn.norm() < kMaxTurn,
               "sensor.depth: expected a turn of less than ", kMaxTurn, " deg");
   for (const double sigma :

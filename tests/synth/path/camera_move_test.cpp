@@ -31,6 +31,15 @@ TEST(Still, RestsAtItsPose) {
   EXPECT_THAT(path(99), PoseNear(expected, kSamePose));
 }
 
+TEST(Move, TurnsNoFurtherThanHasDigitsLeft) {
+  MoveOptions options = kMove;
+  options.turn_deg = -1e6;
+  EXPECT_NO_THROW(pan(options, kDuration));
+  options.turn_deg = 1e308;
+  EXPECT_THAT(error_text([&] { pan(options, kDuration); }),
+              HasSubstr("move.turn_deg: expected from -1e+06 to 1e+06 deg, got 1e+308"));
+}
+
 TEST(Dolly, GoesAlongTheFirstViewsAxesWithoutTurning) {
   const CameraPath path = dolly(kMove, kDuration);
   EXPECT_LT((path(0).translation() - Vector3d(1, 2, 3)).norm(), 1e-12);

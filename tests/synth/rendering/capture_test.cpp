@@ -54,9 +54,14 @@ TEST(Shutter, ExposesTheMiddleRowAtTheStampAndRowsEvenlyAroundIt) {
   EXPECT_NEAR(shutter.row_time(0, 5), -0.008, 1e-15);
 }
 
-TEST(Shutter, TimesAreNotNegative) {
+TEST(Shutter, TimesAreNeitherNegativeNorLongerThanAMinute) {
+  EXPECT_NO_THROW((Shutter{.exposure_time = 60, .readout_time = 60}.validate()));
+  for (const double time : {60.1, 1e308}) {
+    EXPECT_THROW(Shutter{.exposure_time = time}.validate(), vo::Error);
+    EXPECT_THROW(Shutter{.readout_time = time}.validate(), vo::Error);
+  }
   EXPECT_THAT(error_text([] { Shutter{.exposure_time = -1}.validate(); }),
-              HasSubstr("expected exposure_time at or above 0 s, got -1"));
+              HasSubstr("expected exposure_time from 0 to 60 s, got -1"));
   EXPECT_THAT(error_text([] { Shutter{.readout_time = -1}.validate(); }),
               HasSubstr("readout_time"));
 }

@@ -160,6 +160,20 @@ TEST(MeterExposure, IsOneWhereThereIsNothingToMeter) {
   EXPECT_EQ(metered(no_lights, {{0, {}}}), 1) << "colours are final";
 }
 
+TEST(SensorOptions, TheDepthCameraIsNearInPlaceAndTime) {
+  DepthSensorOptions depth;
+  depth.offset = {1000, 0, 0};
+  depth.delay = -60;
+  EXPECT_NO_THROW(depth.validate());
+  depth.delay = 1e308;
+  EXPECT_THAT(error_text([&] { depth.validate(); }),
+              HasSubstr("expected a delay from -60 to 60 s, got 1e+308"));
+  depth.delay = 0;
+  depth.offset = {0, 1e20, 0};
+  EXPECT_THAT(error_text([&] { depth.validate(); }),
+              HasSubstr("expected an offset of at most 1000 m, got 1e+20"));
+}
+
 TEST(SensorOptions, DepthLimitsMustBeInOrder) {
   EXPECT_NO_THROW(SensorOptions{}.validate());
   EXPECT_THAT(error_text([] { SensorOptions{.min_depth = 3, .max_depth = 2}.validate(); }),
