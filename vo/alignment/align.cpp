@@ -165,6 +165,7 @@ std::span<const AlignReference> references_of(std::size_t level,
 }  // namespace
 
 void AlignOptions::validate() const {
+  constexpr int kMostThreads = 1024;
   require(max_iterations >= 1, "align.max_iterations: expected at least 1, got ", max_iterations);
   require(min_translation >= 0 && min_rotation_deg >= 0,
           "align: expected step limits of at least 0");
@@ -173,7 +174,8 @@ void AlignOptions::validate() const {
   require(last_step >= 1, "align.last_step: expected at least 1, got ", last_step);
   require(coarse_references >= 0, "align.coarse_references: expected at least 0, got ",
           coarse_references);
-  require(threads >= 1, "align.threads: expected at least 1, got ", threads);
+  require(threads >= 1 && threads <= kMostThreads, "align.threads: expected 1 to ", kMostThreads,
+          ", got ", threads);
   require(depth_term >= 0, "align.depth_term: expected at least 0, got ", depth_term);
   require(depth_noise >= 0, "align.depth_noise: expected at least 0, got ", depth_noise);
   require(max_depth_ratio == 0 || max_depth_ratio > 1,

@@ -169,6 +169,8 @@ TEST(Align, OptionsOutOfRangeAreErrors) {
   EXPECT_THROW(vo::AlignOptions{.max_iterations = 0}.validate(), vo::Error);
   EXPECT_THROW(vo::AlignOptions{.last_step = 0.5}.validate(), vo::Error);
   EXPECT_THROW(vo::AlignOptions{.coarse_references = -1}.validate(), vo::Error);
+  EXPECT_NO_THROW(vo::AlignOptions{.threads = 1024}.validate());
+  EXPECT_THROW(vo::AlignOptions{.threads = 70'000}.validate(), vo::Error);
   EXPECT_THROW(vo::AlignOptions{.loss_scale = 0}.validate(), vo::Error);
   EXPECT_THROW(vo::AlignOptions{.min_points = 6}.validate(), vo::Error);
 }
