@@ -18,6 +18,19 @@ std::unique_ptr<Renderer> make_renderer(const SceneDuring& during, const RenderO
                                                   : make_ray_tracer(during, options);
 }
 
+void require_drawable(const Scene& scene, const RenderOptions& options) {
+  if (options.kind == RendererKind::rasterizer) {
+    require_rasterizable(scene);
+  }
+}
+
+void require_drawable(const vo::CameraModel& camera, const Shutter& shutter,
+                      const RenderOptions& options) {
+  if (options.kind == RendererKind::rasterizer) {
+    require_rasterizable(camera, shutter);
+  }
+}
+
 std::vector<std::string> notes_on_materials(const Scene& scene, const RenderOptions& options) {
   const bool draws_all =
       options.kind == RendererKind::ray_tracer && options.mode == RenderMode::path;

@@ -71,17 +71,6 @@ std::array<const TextureSlot*, kTextureSlots> texture_slots(const Material& mate
           &material.specular_color_texture};
 }
 
-void require_drawable(const Capture& capture) {
-  capture.camera.validate();
-  capture.shutter.validate();
-  vo::require(capture.camera.pinhole_for("rasterizer").distortion.is_zero(),
-              "rasterizer: cannot draw through a lens that distorts, expected a camera without "
-              "distortion or render.kind = ray_tracer");
-  vo::require(capture.shutter.exposure_time == 0 && capture.shutter.readout_time == 0,
-              "rasterizer: cannot draw motion blur or a rolling shutter, expected "
-              "exposure_time and readout_time 0 or render.kind = ray_tracer");
-}
-
 class Rasterizer final : public Renderer {
  public:
   Rasterizer(const Scene& scene, const RenderOptions& options);
@@ -129,10 +118,7 @@ Rasterizer::Rasterizer(const Scene& scene, const RenderOptions& options)
       log2_cell_width_(-std::log2(static_cast<float>(options.samples_per_edge()))),
       context_(GlContext::make()),
       gl_([this](const char* name) { return context_->find_function(name); }) {
-  vo::require(scene.environment.empty(),
-              "rasterizer: cannot draw an environment, expected render.kind = ray_tracer");
-  vo::require(lights_.size() <= kMaxLights, "rasterizer: the scene has ", lights_.size(),
-              " lights, expected at most ", kMaxLights, " or render.kind = ray_tracer");
+  require_rasterizable(scene);
   const GlContext::Current current(*context_);
   drawn_ = upload(gl_, world_);
   for (const GlMesh& mesh : drawn_.meshes) {
@@ -147,7 +133,9 @@ Rasterizer::Rasterizer(const Scene& scene, const RenderOptions& options)
 }
 
 RenderedFrame Rasterizer::render(const Capture& capture) const {
-  require_drawable(capture);
+  capture.camera.validate();
+  capture.shutter.validate();
+  require_rasterizable(capture.camera, capture.shutter);
   const CameraPose camera_pose = CapturePoses(capture).of_row(0);
   const Camera camera{*capture.camera.pinhole(),
                       camera_pose.R_world_camera.transpose().cast<float>(),
@@ -357,6 +345,22 @@ void Rasterizer::read_ids(RenderedFrame& frame) const {
 }
 
 }  // namespace
+
+void require_rasterizable(const Scene& scene) {
+  vo::require(scene.environment.empty(),
+              "rasterizer: cannot draw an environment, expected render.kind = ray_tracer");
+  vo::require(scene.lights.size() <= kMaxLights, "rasterizer: the scene has ", scene.lights.size(),
+              " lights, expected at most ", kMaxLights, " or render.kind = ray_tracer");
+}
+
+void require_rasterizable(const vo::CameraModel& camera, const Shutter& shutter) {
+  vo::require(camera.pinhole_for("rasterizer").distortion.is_zero(),
+              "rasterizer: cannot draw through a lens that distorts, expected a camera without "
+              "distortion or render.kind = ray_tracer");
+  vo::require(shutter.exposure_time == 0 && shutter.readout_time == 0,
+              "rasterizer: cannot draw motion blur or a rolling shutter, expected "
+              "exposure_time and readout_time 0 or render.kind = ray_tracer");
+}
 
 std::unique_ptr<Renderer> make_rasterizer(const Scene& scene, const RenderOptions& options) {
   return std::make_unique<Rasterizer>(scene, options);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "synth/camera/make_renderer.h"
 #include "synth/path/camera_path.h"
 #include "synth/rendering/infrared.h"
 #include "synth/rig/projector_pattern.h"
@@ -115,10 +116,12 @@ RenderJob camera_job(const RigJob& job, std::size_t number) {
   RenderJob own = job.body;
   SequenceRecipe& recipe = own.recipe;
   recipe.camera = camera.camera;
-  if (recipe.render.kind == RendererKind::rasterizer) {
-    recipe.camera.model.pinhole_for(vo::describe(camera) + ": the rasterizer");
-  }
   recipe.sensor = sensor_of(camera, recipe.sensor, number);
+  try {
+    require_drawable(recipe.camera.model, recipe.sensor.shutter, recipe.render);
+  } catch (const vo::Error& error) {
+    vo::fail(vo::describe(camera), ": ", error.what());
+  }
   recipe.path = path_on(path_of(job.body.recipe), camera.T_body_camera);
   recipe.truth = is_identity(camera.T_body_camera) && camera.time_offset == 0
                      ? job.body.recipe.truth

@@ -20,8 +20,9 @@ struct RigJob {
 /// pixels' channels of a stereo pair go to the cameras that name a partner, the rig's projectors to
 /// infrared cameras, where the renderer draws their light; their patterns are made only then.
 /// Throws vo::Error naming the camera whose options are out of range or not for its projection, or
-/// the projector whose pattern cannot be made, where the patterns have more than 2^26 px in all,
-/// and where a channel of pairs is asked for and no camera has a partner.
+/// whose lens or shutter the renderer cannot draw, the projector whose pattern cannot be made,
+/// where the patterns have more than 2^26 px in all, and where a channel of pairs is asked for and
+/// no camera has a partner.
 std::vector<RenderJob> camera_jobs(const RigJob& job);
 
 /// Returns the textures that the images and channels of any of the cameras depend on, for which the

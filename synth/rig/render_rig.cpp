@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "synth/camera/make_renderer.h"
 #include "synth/rendering/renderer.h"
 #include "synth/rig/rig_files.h"
 #include "synth/sequence/depth_coverage.h"
@@ -95,6 +96,7 @@ RenderOutcome render_rig(const RigJob& job, const std::vector<RenderJob>& camera
                          const fs::path& folder, const vo::OutputPolicy& policy,
                          const vo::Progress& progress, const MadeFrameObserver& observe) {
   frames_of(job.body.share, job.body.recipe.truth.size());  // throws before any work
+  require_drawable(job.body.scene.scene(), job.body.recipe.render);
   const RigPlan plan = plan_of(job, cameras);
   MadeFrameObserver first_camera;
   if (observe) {

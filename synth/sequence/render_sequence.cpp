@@ -194,7 +194,9 @@ RenderOutcome render_sequence(const RenderJob& job, const fs::path& folder,
                               const MadeFrameObserver& observe) {
   job.recipe.camera.validate();
   share_of(job);  // throws before any work
+  require_drawable(job.recipe.camera.model, job.recipe.sensor.shutter, job.recipe.render);
   const Scene& scene = job.scene.scene();
+  require_drawable(scene, job.recipe.render);
   const vo::StagedContent content = sequence_content(job);
   RenderOutcome outcome =
       render_share(share_job(job, content), folder, policy, {progress, observe});

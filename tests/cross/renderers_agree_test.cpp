@@ -314,5 +314,22 @@ TEST(Rasterizer, RefusesWhatItCannotDraw) {
                vo::Error);
 }
 
+TEST(Rasterizer, SaysBeforehandWhatItCannotDraw) {
+  const RenderOptions traced;
+  const RenderOptions raster{.kind = RendererKind::rasterizer};
+  Scene scene = lit_square();
+  scene.lights.resize(64, scene.lights.front());
+  EXPECT_NO_THROW(require_drawable(scene, raster));
+  EXPECT_NO_THROW(make_renderer(scene, raster));
+  scene.lights.push_back(scene.lights.front());
+  EXPECT_THROW(require_drawable(scene, raster), vo::Error);
+  EXPECT_THROW(make_renderer(scene, raster), vo::Error);
+  EXPECT_NO_THROW(require_drawable(scene, traced));
+  const Shutter rolling{.readout_time = 0.02};
+  EXPECT_NO_THROW(require_drawable(small_camera(), {}, raster));
+  EXPECT_THROW(require_drawable(small_camera(), rolling, raster), vo::Error);
+  EXPECT_NO_THROW(require_drawable(small_camera(), rolling, traced));
+}
+
 }  // namespace
 }  // namespace synth

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "synth/camera/make_renderer.h"
 #include "synth/rig/render_rig.h"
 #include "synth/sensor/pinhole_effects.h"
 #include "synth/sensor/preset.h"
@@ -197,8 +198,9 @@ synth::RenderJob chosen_job(const RenderArguments& arguments) {
     job.recipe.render.validate();
     job.recipe.sensor.validate();
     synth::require_pinhole_effects(job.recipe.sensor, job.recipe.camera.model);
-    if (!arguments.rig && job.recipe.render.kind == synth::RendererKind::rasterizer) {
-      job.recipe.camera.model.pinhole_for("--renderer rasterizer");
+    if (!arguments.rig) {
+      synth::require_drawable(job.recipe.camera.model, job.recipe.sensor.shutter,
+                              job.recipe.render);
     }
     if (!arguments.channels.empty()) {
       job.recipe.channels.channels = synth::parse_channels(arguments.channels);

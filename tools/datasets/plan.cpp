@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "synth/camera/make_renderer.h"
 #include "synth/environment/environment.h"
 #include "tools/datasets/layout.h"
 #include "tools/datasets/part_folder.h"
@@ -126,12 +127,32 @@ std::string objection(const DatasetFilter& filter, const SequenceJob& job) {
   return {};
 }
 
+/// Returns what of a sequence its renderer cannot draw; empty where it draws all. Reads the scene
+/// only for a renderer that does not draw every one.
+std::string undrawable(const SequenceJob& job) {
+  const synth::RenderJob& first = job.cameras.front();  // a rig's others have been looked at
+  const synth::SequenceRecipe& recipe = first.recipe;
+  if (recipe.render.kind == synth::RendererKind::ray_tracer) {
+    return {};
+  }
+  const synth::Scene& scene = first.scene.scene();
+  try {
+    synth::require_drawable(recipe.camera.model, recipe.sensor.shutter, recipe.render);
+    synth::require_drawable(scene, recipe.render);
+  } catch (const vo::Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
 /// Plans one sequence: its number of frames, or why there are none.
 void plan_one(const DatasetSpec& spec, std::size_t index, SequenceJobs& jobs, DatasetPlan& plan) {
   const DatasetSequence& sequence = spec.sequences[index];
   std::string reason;
+  std::string not_drawn;
   try {
     const SequenceJob& job = jobs.job(index);
+    not_drawn = undrawable(job);
     reason = objection(spec.filter, job);
     plan.frames[index] = reason.empty() ? job.frame_count() : 0;
   } catch (const vo::Error& error) {
@@ -140,6 +161,7 @@ void plan_one(const DatasetSpec& spec, std::size_t index, SequenceJobs& jobs, Da
     }
     reason = error.what();
   }
+  vo::require(not_drawn.empty(), spec.file.string(), ": ", sequence.name, ": ", not_drawn);
   if (!reason.empty()) {
     plan.rejected.push_back({sequence.name, reason});
   }

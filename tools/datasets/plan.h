@@ -43,8 +43,9 @@ struct DatasetPlan {
 
 /// Plans a data set: the frames of every sequence, those that the filter rejects or whose path
 /// cannot be made left out. Each path is planned and, where there is a filter, checked; `progress`
-/// counts sequences. Throws vo::Error for a scene that cannot be used and for a data set of more
-/// parts or frames than folders should hold.
+/// counts sequences. Throws vo::Error for a scene that cannot be used, for a scene or camera that
+/// the chosen renderer cannot draw, and for a data set of more parts or frames than folders should
+/// hold.
 DatasetPlan make_plan(const DatasetSpec& spec, const vo::Progress& progress);
 
 /// Returns the plan that `staging`/plan.json keeps, or makes it and keeps it there; any number of

@@ -133,7 +133,7 @@ TEST(CameraJobs, NamesTheEffectsThatAnEquirectangularCameraCannotHave) {
   EXPECT_THAT(refusal("sensor.depth.multipath.frequency=2e8"),
               HasSubstr("sensor.depth.multipath.radius: is for pinhole cameras"));
   EXPECT_THAT(refusal("", {.kind = RendererKind::rasterizer}),
-              HasSubstr("camera 'p': the rasterizer: expected a pinhole camera"));
+              HasSubstr("camera 'p': rasterizer: expected a pinhole camera"));
   EXPECT_EQ(refusal("sensor.depth.axial.constant=0.01\nsensor.depth.axial.grazing=0.01\n"
                     "sensor.depth.holes.max_incidence_deg=80.0\nsensor.depth.multipath.radius=0\n"
                     "sensor.depth.multipath.frequency=2e8\nsensor.depth.delay=0.01\n"

@@ -161,4 +161,51 @@ TEST_F(RenderProgram, NotesWhatItsModeLeavesOutOfMaterialsAndRefusesItIfStrict) 
   EXPECT_THAT(traced.err, testing::Not(HasSubstr(note)));
 }
 
+/// Adds lamps to a document, one at each of as many nodes.
+void add_lamps(synth::GltfDocument& document, int count) {
+  document.json["extensionsUsed"] = {"KHR_lights_punctual"};
+  document.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
+  for (int i = 0; i < count; ++i) {
+    document.json["scenes"][0]["nodes"].push_back(document.json["nodes"].size());
+    document.json["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  }
+}
+
+TEST_F(RenderProgram, RefusesWhatTheRasterizerCannotDrawBeforeAnythingIsWritten) {
+  const support::TempFolder plain_folder;
+  const std::string plain = synth::triangle_document().write(plain_folder).string();
+  synth::GltfDocument lit = synth::triangle_document();
+  add_lamps(lit, 65);
+  const support::TempFolder lit_folder;
+  const std::string lamps = lit.write(lit_folder).string();
+  const std::string image = "width = 32\nheight = 24\nfx = 30.0\nfy = 30.0\ncx = 15.5\ncy = 11.5\n";
+  const std::string lens = image + "distortion.k1 = 0.1\n";
+  write("lens.toml", lens);
+  write("rig.toml", "[[camera]]\nname = \"a\"\n" + image);
+  write("lens_rig.toml",
+        "[[camera]]\nname = \"a\"\n" + image + "[[camera]]\nname = \"b\"\n" + lens);
+  write("shutter_rig.toml",
+        "[[camera]]\nname = \"a\"\n" + image + "sensor.shutter.readout_time = 0.01\n");
+  struct Case {
+    std::string scene, options;
+    int exit_code;
+    std::string message;
+  };
+  for (const Case& refused :
+       {Case{plain, "--sensor kinect-v1", 2, "rasterizer: cannot draw motion blur"},
+        Case{plain, "--camera " + path("lens.toml"), 2, "rasterizer: cannot draw through a lens"},
+        Case{plain, "--environment sky:40", 3, "rasterizer: cannot draw an environment"},
+        Case{lamps, "", 3, "rasterizer: the scene has 65 lights"},
+        Case{plain, "--rig " + path("lens_rig.toml"), 3, "camera 'b': rasterizer: cannot draw"},
+        Case{plain, "--rig " + path("shutter_rig.toml"), 3, "camera 'a': rasterizer: cannot draw"},
+        Case{plain, "--environment sky:40 --rig " + path("rig.toml"), 3, "an environment"}}) {
+    const ProgramResult result =
+        run_program("render '" + refused.scene + "' --renderer rasterizer --path still --rate 10 " +
+                    "--duration 0.1 --samples 1 " + refused.options + " --out " + path("out"));
+    EXPECT_EQ(result.exit_code, refused.exit_code) << refused.options << result.err;
+    EXPECT_THAT(result.err, HasSubstr(refused.message)) << refused.options;
+    EXPECT_FALSE(exists("out") || exists("out.part")) << refused.options;
+  }
+}
+
 }  // namespace

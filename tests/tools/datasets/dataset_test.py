@@ -386,6 +386,13 @@ def check_bad_input():
         name = write_spec("bad.toml", change=change)
         out = edvo("plan", name, code=3)
         assert "bad.toml" in out and message in out, (change, out)
+    kinect = ("preset = \"kinect-v1\"\n", "")
+    sky = ("split = \"test\"", "split = \"test\"\nenvironment = \"sky:40\"")
+    for changes, message in (({}, "box_orbit_kinect_0: rasterizer: cannot draw motion blur"),
+                             ({"kinect": kinect, "sky": sky}, "moving_orbit_plain_0: rasterizer: cannot draw an environment")):
+        name = write_spec("bad.toml", more="render.kind = \"rasterizer\"", **changes)
+        out = edvo("render", name, "--out", "refused", code=3)
+        assert f"bad.toml: {message}" in out and not (SCRATCH / "refused.part").exists(), out
     edvo("render", "small.toml", "--out", "begun", "--shard", "1/8")
     write_spec("small.toml", change=("orbit.radius = 2.0", "orbit.radius = 2.5"))
     for action in ("render", "status", "merge"):

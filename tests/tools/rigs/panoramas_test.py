@@ -159,7 +159,7 @@ def check_refusals(edvo):
             (PANORAMA + "stereo = \"round\"\n", "", ["camera 'round'", "stereo"]),
             (PANORAMA + "[camera.sensor]\npreset = \"kinect-v1\"\n", "", ["camera 'round': sensor: sensor.", "pinhole"]),
             (PANORAMA, "--lens.blur 0.5", ["camera 'round': sensor: sensor.lens.blur", "pinhole"]),
-            (PANORAMA, "--renderer rasterizer", ["camera 'round': the rasterizer", "pinhole"])):
+            (PANORAMA, "--renderer rasterizer", ["camera 'round': rasterizer", "pinhole"])):
         edvo.rig("bad.toml", text)
         errors = edvo.render("room", f"--rig bad.toml {options} --out bad", 3)[1]
         assert all(word in errors for word in words), errors
