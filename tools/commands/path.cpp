@@ -100,8 +100,13 @@ void print(const synth::PathReport& report, const Colours& colours) {
 
 void check(const CheckArguments& arguments, Session& session) {
   vo::RgbdCameraModel camera;
+  if (!arguments.camera.camera.empty()) {
+    camera = chosen_camera(arguments.camera);  // an unusable file is no wrong usage
+  }
   check_usage([&] {
-    camera = chosen_camera(arguments.camera);
+    if (arguments.camera.camera.empty()) {
+      camera = chosen_camera(arguments.camera);
+    }
     camera.validate();
     arguments.limits.validate();
   });

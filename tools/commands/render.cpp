@@ -191,9 +191,14 @@ synth::RenderJob chosen_job(const RenderArguments& arguments) {
   if (!arguments.classes.empty()) {
     job.recipe.channels.classes = load_classes(arguments.classes);
   }
+  if (!arguments.camera.camera.empty()) {
+    job.recipe.camera = chosen_camera(arguments.camera);  // an unusable file is no wrong usage
+  }
   check_usage([&] {
     arguments.file.validate();
-    job.recipe.camera = chosen_camera(arguments.camera);
+    if (arguments.camera.camera.empty()) {
+      job.recipe.camera = chosen_camera(arguments.camera);
+    }
     job.recipe.camera.validate();
     job.recipe.render.validate();
     job.recipe.sensor.validate();

@@ -196,8 +196,8 @@ TEST_F(Program, AWrongCommandLineIsUsage) {
         "track a --out b --set keyframes.evry=1", "track a --out b --set keyframes.every=x",
         "evaluate a b --interval 3m", "render a --out b --path orbit --size 640",
         "render a --out b", "render a --out b --path orbit --intrinsics 1,2,3",
-        "render a --out b --path orbit --fov 180", "render a --out b --path orbit --rate -1",
-        "track a --out b --set pyramid.levels=0"}) {
+        "render a --out b --path orbit --fov 180", "path check a --path orbit --fov 180",
+        "render a --out b --path orbit --rate -1", "track a --out b --set pyramid.levels=0"}) {
     const ProgramResult result = run_program(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments << "\n" << result.err;
     EXPECT_NE(result.err, "") << arguments;
@@ -209,6 +209,7 @@ TEST_F(Program, AWrongCommandLineIsUsage) {
 
 TEST_F(Program, UnusableInputIsNamed) {
   const std::string out = " --quiet --out " + path("never.txt");
+  write("broken.toml", "widht = 64\n");
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"track " + path("none") + out, "none: there is no such folder"},
       {"track " + path("sequence") + " --camera tum-fr9" + out, "the nearest preset is tum-fr"},
@@ -216,6 +217,9 @@ TEST_F(Program, UnusableInputIsNamed) {
       {"evaluate " + path("none.txt") + " " + path("none.txt"), "none.txt: there is no such file"},
       {"run " + path("none.toml") + " --out " + path("never"), "none.toml: there is no such file"},
       {"render " + path("none.gltf") + " --path orbit --out " + path("never"), "none.gltf"},
+      {"render none.gltf --path orbit --camera " + path("broken.toml") + " --out " + path("never"),
+       "broken.toml:1: unknown key 'widht'"},
+      {"path check none.gltf --path orbit --camera " + path("broken.toml"), "broken.toml:1"},
       {"track " + path("sequence") + " --quiet --out /nowhere/e.txt", "there is no folder"}};
   for (const auto& [arguments, message] : cases) {
     const ProgramResult result = run_program(arguments);
