@@ -1,5 +1,7 @@
 #include "synth/rig/rig_files.h"
 
+#include <algorithm>
+
 #include "synth/camera/renderers_over_time.h"
 #include "synth/rig/projector_pattern.h"
 #include "synth/scene/scene.h"
@@ -14,16 +16,41 @@
 namespace synth {
 namespace {
 
+/// Returns the time in which a camera is exposed, from its first row to its last.
+TimeSpan exposed_span(const SequenceRecipe& camera) {
+  const Shutter& shutter = camera.sensor.shutter;
+  const int height = camera.camera.model.height();
+  return {camera.truth.front().timestamp + shutter.time_in_row(0, 0, height),
+          camera.truth.back().timestamp + shutter.time_in_row(height - 1, 1, height)};
+}
+
+/// Returns the time that the rig's IMU must cover: `body`, that of the body's poses, and where a
+/// camera takes its frames at other times, also that in which the cameras are exposed.
+TimeSpan covered_span(const RigJob& job, const std::vector<RenderJob>& jobs, const TimeSpan& body) {
+  const std::vector<vo::RigCamera>& cameras = job.rig.cameras;
+  if (std::all_of(cameras.begin(), cameras.end(),
+                  [](const vo::RigCamera& camera) { return camera.time_offset == 0; })) {
+    return body;
+  }
+  TimeSpan covered = body;
+  for (const RenderJob& camera : jobs) {
+    const TimeSpan exposed = exposed_span(camera.recipe);
+    covered = {std::min(covered.begin, exposed.begin), std::max(covered.end, exposed.end)};
+  }
+  return covered;
+}
+
 /// Returns what the rig's IMU measures, and the true states of the body.
-vo::ImuRecord measure_body(const RigJob& job) {
+vo::ImuRecord measure_body(const RigJob& job, const std::vector<RenderJob>& jobs) {
   const SequenceRecipe& recipe = job.body.recipe;
   const TimeSpan span{recipe.truth.front().timestamp, recipe.truth.back().timestamp};
   const CameraPath body = path_of(recipe);
   const CameraPath imu = [&](double time) { return body(time) * job.rig.T_body_imu; };
-  vo::ImuRecord record = measure_imu(imu, span, recipe.channels.imu);
+  vo::ImuRecord record = measure_imu(imu, span, recipe.channels.imu, covered_span(job, jobs, span));
+  const TimeSpan around{record.states.front().timestamp, record.states.back().timestamp};
   for (vo::BodyState& state : record.states) {
     state.T_world_body = body(state.timestamp);
-    state.velocity = path_motion(body, span, state.timestamp).velocity;
+    state.velocity = path_motion(body, span, around, state.timestamp).velocity;
   }
   return record;
 }
@@ -34,11 +61,11 @@ std::string pattern_file(const vo::RigProjector& projector) {
 }
 
 /// Returns the files of the body, which belong to no camera.
-std::vector<vo::NamedBytes> body_files(const RigJob& job) {
+std::vector<vo::NamedBytes> body_files(const RigJob& job, const std::vector<RenderJob>& jobs) {
   const SequenceRecipe& recipe = job.body.recipe;
   std::vector<vo::NamedBytes> files = {{"groundtruth.txt", vo::format_trajectory(recipe.truth)}};
   if (recipe.channels.has(TruthChannel::imu)) {
-    const std::vector<vo::NamedBytes> imu = encode_imu(measure_body(job));
+    const std::vector<vo::NamedBytes> imu = encode_imu(measure_body(job, jobs));
     files.insert(files.end(), imu.begin(), imu.end());
   }
   for (const vo::RigProjector& projector : job.rig.projectors) {
@@ -71,7 +98,7 @@ MadeFrame RigFrames::make(std::size_t camera, std::size_t frame) const {
 }
 
 std::vector<vo::NamedBytes> rig_files(const RigJob& job, const std::vector<RenderJob>& jobs) {
-  std::vector<vo::NamedBytes> all = body_files(job);
+  std::vector<vo::NamedBytes> all = body_files(job, jobs);
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     std::vector<vo::NamedBytes> files = sequence_files(jobs[i]);
     files.push_back(sequence_manifest(jobs[i]));

@@ -34,6 +34,20 @@ PathMotion central_differences(const CameraPath& path, double time, double step)
           (before.inverse() * after).log().tail<3>() / (2 * step)};
 }
 
+/// The samples `first` to `last` of an IMU, of which the sample 0 is at a span's begin.
+struct SampleRange {
+  std::int64_t first, last;
+};
+
+SampleRange samples_of(const TimeSpan& span, const TimeSpan& covered, double rate) {
+  constexpr double kTolerance = 1e-9;  // samples, for the rounding of rate times duration
+  const double first = std::ceil((span.begin - covered.begin) * rate - kTolerance);
+  const double last = covered.end > span.end
+                          ? std::ceil((covered.end - span.begin) * rate - kTolerance)
+                          : std::floor((span.end - span.begin) * rate + kTolerance);
+  return {-static_cast<std::int64_t>(std::max(first, 0.0)), static_cast<std::int64_t>(last)};
+}
+
 }  // namespace
 
 void ImuOptions::validate() const {
@@ -65,19 +79,40 @@ PathMotion path_motion(const CameraPath& path, const TimeSpan& span, double time
           motion.angular_velocity + share * (farther.angular_velocity - motion.angular_velocity)};
 }
 
+PathMotion path_motion(const CameraPath& path, const TimeSpan& span, const TimeSpan& around,
+                       double time) {
+  constexpr double kRounding = 1e-6;  // s, of times that are those of the span's ends
+  if (time < span.begin - kRounding) {
+    return path_motion(path, {around.begin, span.begin}, time);
+  }
+  if (time > span.end + kRounding) {
+    return path_motion(path, {span.end, around.end}, time);
+  }
+  return path_motion(path, span, time);
+}
+
 vo::ImuRecord measure_imu(const CameraPath& path, const TimeSpan& span, const ImuOptions& options) {
+  return measure_imu(path, span, options, span);
+}
+
+vo::ImuRecord measure_imu(const CameraPath& path, const TimeSpan& span, const ImuOptions& options,
+                          const TimeSpan& covered) {
   options.validate();
   const vo::ImuNoise& noise = options.noise;
-  constexpr double kTolerance = 1e-9;  // samples, for the rounding of rate times duration
-  const auto last = static_cast<std::size_t>((span.end - span.begin) * noise.rate + kTolerance);
+  const SampleRange range = samples_of(span, covered, noise.rate);
+  const auto time_of = [&](std::int64_t sample) {
+    return span.begin + static_cast<double>(sample) / noise.rate;
+  };
+  const TimeSpan around{time_of(range.first), time_of(range.last)};
   const double noise_scale = std::sqrt(noise.rate);
   const Eigen::Vector3d gravity(0, -options.gravity, 0);
   vo::ImuRecord record{.samples = {}, .states = {}, .noise = noise};
   vo::BodyState state;
-  for (std::size_t i = 0; i <= last; ++i) {
-    state.timestamp = span.begin + static_cast<double>(i) / noise.rate;
+  for (std::int64_t sample = range.first; sample <= range.last; ++sample) {
+    const auto i = static_cast<std::size_t>(sample - range.first);
+    state.timestamp = time_of(sample);
     state.T_world_body = path(state.timestamp);
-    const PathMotion motion = path_motion(path, span, state.timestamp);
+    const PathMotion motion = path_motion(path, span, around, state.timestamp);
     state.velocity = motion.velocity;
     record.states.push_back(state);
     record.samples.push_back(

@@ -37,7 +37,18 @@ struct PathMotion {
 /// Returns a path's motion at a time, s, by central differences within the span.
 PathMotion path_motion(const CameraPath& path, const TimeSpan& span, double time);
 
+/// Returns the same at a time in a span around that of the path's own poses, before and after which
+/// the path may rest: no difference is taken across the ends of `span`, where its speed may jump.
+PathMotion path_motion(const CameraPath& path, const TimeSpan& span, const TimeSpan& around,
+                       double time);
+
 /// Returns samples and true states at the span's begin and every 1 / rate seconds after it.
 vo::ImuRecord measure_imu(const CameraPath& path, const TimeSpan& span, const ImuOptions& options);
+
+/// Returns the same, in the same steps from the last at or before `covered.begin` to the first at
+/// or after `covered.end`, where that is outside the span; the motion is as if taken by
+/// `path_motion` around it.
+vo::ImuRecord measure_imu(const CameraPath& path, const TimeSpan& span, const ImuOptions& options,
+                          const TimeSpan& covered);
 
 }  // namespace synth

@@ -1,5 +1,6 @@
 #include "synth/truth/imu.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -102,6 +103,32 @@ TEST(Imu, BiasesWalkAndAreInTheTruth) {
     }
   }
   EXPECT_NEAR(std::sqrt(step / 3 / 2000), 0.1 / std::sqrt(200), 0.03 * 0.1 / std::sqrt(200));
+}
+
+/// A body that rests until 0 s, moves with constant acceleration and stops at 1 s, as paths through
+/// poses do: what is measured of its motion is what is measured without the rest around it.
+TEST(Imu, CoversTimesAroundAPathInTheSameSteps) {
+  const CameraPath path = [](double time) {
+    const double t = std::clamp(time, 0.0, 1.0);
+    return vo::SE3(Eigen::Quaterniond::Identity(), {0.5 * t + t * t, 0, 0});
+  };
+  const ImuOptions options{.noise = {.rate = 200}};
+  const vo::ImuRecord alone = measure_imu(path, {0, 1}, options);
+  const vo::ImuRecord covering = measure_imu(path, {0, 1}, options, {-0.021, 1.003});
+  ASSERT_EQ(covering.samples.size(), alone.samples.size() + 5 + 1);
+  EXPECT_EQ(covering.samples.front().timestamp, -5 / 200.0);
+  EXPECT_EQ(covering.samples.back().timestamp, 201 / 200.0);
+  for (std::size_t i = 0; i < alone.samples.size(); ++i) {
+    EXPECT_EQ(covering.samples[i + 5].timestamp, alone.samples[i].timestamp);
+    EXPECT_EQ(covering.samples[i + 5].specific_force, alone.samples[i].specific_force);
+    EXPECT_EQ(covering.states[i + 5].velocity, alone.states[i].velocity);
+  }
+  for (const std::size_t resting : {0, 1, 2, 3, 4, 206}) {
+    EXPECT_LT((covering.samples[resting].specific_force - Eigen::Vector3d(0, 9.81, 0)).norm(), 1e-9)
+        << resting;
+    EXPECT_LT(covering.states[resting].velocity.norm(), 1e-9) << resting;
+  }
+  EXPECT_EQ(measure_imu(path, {0, 1}, options, {0.2, 0.8}).samples.size(), alone.samples.size());
 }
 
 TEST(Imu, RefusesOptionsThatMakeNoSense) {

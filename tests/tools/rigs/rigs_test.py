@@ -158,6 +158,25 @@ def check_imu(edvo):
     assert abs(of_imu[:, 8:11] - states[:, 8:11]).max() > 0.01
 
 
+def check_imu_covers_cameras(edvo):
+    """The IMU and the true states begin before the first row of any camera and end after the last."""
+    offset, exposure, readout, height = -0.037, 0.01, 0.03, 72
+    edvo.rig("early.toml", f"[[camera]]\nname = \"plain\"\n{IMAGE}[[camera]]\nname = \"early\"\ntime_offset = {offset}\n{IMAGE}"
+             f"sensor.shutter.exposure_time = {exposure}\nsensor.shutter.readout_time = {readout}\n"
+             f"[[camera]]\nname = \"late\"\ntime_offset = {-offset}\n{IMAGE}")
+    edvo.render("room", "--rig early.toml --channels imu --out early")
+    edvo.render("room", "--rig one.toml --channels imu --out punctual")
+    edge = readout * (height - 1) / 2 / height + exposure / 2  # s from a stamp to the ends of its exposure
+    shutil.copy(edvo.work / "early/imu.csv", edvo.work / "early/data.csv")
+    for place in (make_list(edvo.work / "early"), edvo.work / "early"):
+        stamps = [int(row[0]) / 1e9 for row in euroc.read_list(place)]
+        assert offset - edge - 0.005 < stamps[0] <= offset - edge, stamps[0]
+        assert 0.3 - offset <= stamps[-1] < 0.3 - offset + 0.005, stamps[-1]
+    punctual = (edvo.work / "punctual/imu.csv").read_text().splitlines()
+    assert set(punctual) < set((edvo.work / "early/imu.csv").read_text().splitlines())
+    assert len(punctual) == 1 + 61, "a rig without offsets has the IMU of its path alone"
+
+
 def make_list(folder):
     """A folder whose data.csv are the true states of one."""
     place = folder / "states"
@@ -186,10 +205,10 @@ def check_euroc(edvo, rig):
             assert (files.read_png(mav / f"cam{number}/data" / file)
                     == files.read_png(rig / name / f"rgb/{index:06}.png")).all()
             nearest = numpy.argmin(abs(stamps - int(stamp)))
-            if abs(stamps[nearest] - int(stamp)) < 500:  # the last of the late camera is beyond the path
-                px, py, pz, qw, qx, qy, qz = (float(value) for value in states[nearest][1:8])
-                T_world_body = files.matrix_of([px, py, pz], [qx, qy, qz, qw])
-                assert abs(T_world_body @ T_BS - geometry.Z_UP @ T_world_camera).max() < 1e-8
+            assert abs(stamps[nearest] - int(stamp)) < 500, (name, stamp)
+            px, py, pz, qw, qx, qy, qz = (float(value) for value in states[nearest][1:8])
+            T_world_body = files.matrix_of([px, py, pz], [qx, qy, qz, qw])
+            assert abs(T_world_body @ T_BS - geometry.Z_UP @ T_world_camera).max() < 1e-8
     imu = euroc.read_sensor(mav / "imu0")
     assert abs(numpy.array(euroc.numbers(imu["data"])).reshape(4, 4) - T_body_imu).max() < 1e-9
     assert [row[1:] for row in euroc.read_list(mav / "imu0")] == [row[1:] for row in euroc.read_list(imu_list(rig))]
@@ -349,6 +368,7 @@ def main():
     check_time_offset(edvo)
     check_disparity(rig)
     check_imu(edvo)
+    check_imu_covers_cameras(edvo)
     check_euroc(edvo, rig)
     check_projectors(edvo, rig)
     check_notes_on_projectors(edvo)
