@@ -127,6 +127,9 @@ RenderJob camera_job(const RigJob& job, std::size_t number) {
                      ? job.body.recipe.truth
                      : poses_at(recipe.path, job.body.recipe.truth, camera.time_offset);
   recipe.scene_delay = camera.time_offset;
+  if (recipe.channels.imu.has_noise()) {
+    recipe.channels.imu.seed += number + 1;  // the body's own IMU has the seed itself
+  }
   choose_channels(job.rig, camera, recipe.channels);
   return own;
 }

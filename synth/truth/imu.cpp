@@ -60,6 +60,11 @@ void ImuOptions::validate() const {
               "imu: expected noise densities at or above 0");
 }
 
+bool ImuOptions::has_noise() const {
+  return noise.gyro_noise > 0 || noise.gyro_bias_walk > 0 || noise.accel_noise > 0 ||
+         noise.accel_bias_walk > 0;
+}
+
 /// Within a step of the span's ends, extrapolates linearly from one and two steps inside.
 PathMotion path_motion(const CameraPath& path, const TimeSpan& span, double time) {
   const double step = std::min(1e-3, (span.end - span.begin) / 4);  // s

@@ -17,7 +17,8 @@ struct ImuOptions {
   double gravity = 9.81;  ///< m/s^2 along the world's -y
   std::uint64_t seed = 1;
 
-  void validate() const;  ///< throws vo::Error if out of range
+  bool has_noise() const;  ///< whether the seed matters
+  void validate() const;   ///< throws vo::Error if out of range
 };
 
 template <typename Visitor>
