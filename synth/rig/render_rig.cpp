@@ -109,6 +109,9 @@ RenderOutcome render_rig(const RigJob& job, const std::vector<RenderJob>& camera
   RenderOutcome outcome =
       render_share(share_of_rig(job, plan), folder, policy, {progress, first_camera});
   outcome.notes = notes_on_rig(job, cameras);
+  for (std::string& note : notes_on_stamps(job, cameras)) {
+    outcome.notes.push_back(std::move(note));
+  }
   add_coverage(job, plan, outcome);
   return outcome;
 }
@@ -131,6 +134,20 @@ std::vector<std::string> notes_on_rig(const RigJob& job, const std::vector<Rende
   } else if (!render.draws_projectors()) {
     notes.emplace_back(
         "projectors are left out; the ray tracer draws their light in the modes direct and path");
+  }
+  return notes;
+}
+
+std::vector<std::string> notes_on_stamps(const RigJob& job, const std::vector<RenderJob>& cameras) {
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const double first = cameras[i].recipe.truth.front().timestamp;
+    if (first < 0) {
+      notes.push_back(vo::concat("camera '", job.rig.cameras[i].name, "': its first frame is at ",
+                                 first,
+                                 " s; MCAP holds no stamps below 0, and EuRoC's images of "
+                                 "such have names that begin with -"));
+    }
   }
   return notes;
 }

@@ -285,6 +285,10 @@ void render(RenderArguments& arguments, const Session& session) {
         arguments.rig ? synth::plan_rig(arguments.rig_job(), arguments.cameras, arguments.out)
                       : synth::plan_sequence(arguments.job, arguments.out);
     bar.erase();
+    if (arguments.rig) {
+      print_notes(arguments, synth::notes_on_stamps(arguments.rig_job(), arguments.cameras),
+                  session.err);
+    }
     print(arguments, plan);
     return;
   }

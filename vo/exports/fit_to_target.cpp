@@ -5,6 +5,7 @@
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/exports/source_views.h"
+#include "vo/recordings/mcap_sequence.h"
 
 namespace vo {
 
@@ -13,6 +14,9 @@ SequenceSource fit_to_target(const ConvertJob& job, SequenceSource source) {
   const double fy = source.camera.pinhole.fy;
   require(fy > 0 || traits.holds_y_up, job.in.string(), ": its camera has y up, fy = ", fy,
           ", expected one with y down for ", to_string(job.to));
+  if (job.to == WrittenSequence::mcap) {
+    require_mcap_stamps(source, job.in.string());
+  }
   if (traits.poses == Need::required ||
       (traits.poses == Need::all_or_none && !source.truth.empty())) {
     source = frames_with_poses(std::move(source), job.in.string(), to_string(job.to));

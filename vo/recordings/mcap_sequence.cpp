@@ -146,11 +146,12 @@ class SequenceMessages {
   std::uint16_t tf_ = 0;
 };
 
-/// Throws Error for stamps that a message of ROS 2 does not hold.
-void require_stamps(const SequenceSource& source) {
+}  // namespace
+
+void require_mcap_stamps(const SequenceSource& source, const std::string& place) {
   constexpr double kMost = 2147483647;  // s, of 31 bits
   const auto require_stamp = [&](double timestamp) {
-    require(timestamp >= 0 && timestamp < kMost, "MCAP: expected stamps from 0 to ", kMost,
+    require(timestamp >= 0 && timestamp < kMost, place, ": MCAP: expected stamps from 0 to ", kMost,
             " s, got ", timestamp);
   };
   for (const double timestamp : source.timestamps) {
@@ -161,12 +162,9 @@ void require_stamps(const SequenceSource& source) {
   }
 }
 
-}  // namespace
-
 void write_mcap_sequence(const std::filesystem::path& path, const SequenceSource& source,
                          const McapLayout& layout, PointClouds clouds, const OutputPolicy& policy,
                          const Progress& progress) {
-  require_stamps(source);
   StreamedOutput output(path, policy);
   McapWriter writer([&](std::string_view bytes) { output.append(bytes); }, layout);
   SequenceMessages messages(writer, source, clouds);

@@ -194,6 +194,16 @@ def check_imu_covers_cameras(edvo):
     assert len(punctual) == 1 + 61, "a rig without offsets has the IMU of its path alone"
 
 
+def check_negative_stamps(edvo):
+    """A camera whose stamps begin below 0 is named when it is planned and rendered, and where they cannot be written."""
+    scene = f"{edvo.source}/assets/room/room.gltf {PATH.replace('--quiet', '')}"
+    for out in ("--plan", "--out early"):
+        errors = edvo.run(f"render {scene} --rig early.toml --channels imu {out}")[1]
+        assert errors.count("note: camera 'early': its first frame is at -0.037 s") == errors.count("its first frame") == 1, errors
+    errors = edvo.run("convert early/early early.mcap --format mcap", 3)[1]
+    assert "early/early: MCAP: expected stamps from 0" in errors, errors
+
+
 def make_list(folder):
     """A folder whose data.csv are the true states of one."""
     place = folder / "states"
@@ -387,6 +397,7 @@ def main():
     check_imu(edvo)
     check_imu_noise(edvo)
     check_imu_covers_cameras(edvo)
+    check_negative_stamps(edvo)
     check_euroc(edvo, rig)
     check_projectors(edvo, rig)
     check_notes_on_projectors(edvo)
