@@ -120,6 +120,25 @@ class ValueSetter {
   const std::function<double(const std::string&)>& value_of_;
 };
 
+/// Returns whether a key names a value or a table that it is in, which the key of an option may
+/// leave out in front: `move` and `path.move` name path.move.eye.
+bool is_about(const std::string& value_key, const std::string& key) {
+  return vo::concat(".", value_key, ".").find(vo::concat(".", key, ".")) != std::string::npos;
+}
+
+/// Returns the place of what an error's message, `key: ...`, is about: of the last value of that
+/// key, or the file where none has it or a change may be at fault.
+std::string place_of(const std::string& message, const std::vector<vo::TomlValue>& values,
+                     const fs::path& file, const Assignments& changes) {
+  const std::string key = message.substr(0, message.find(':'));
+  const bool is_changed = std::any_of(changes.begin(), changes.end(), [&](const Assignment& one) {
+    return is_about(one.first, key);
+  });
+  const auto value = std::find_if(values.rbegin(), values.rend(),
+                                  [&](const vo::TomlValue& one) { return is_about(one.key, key); });
+  return is_changed || value == values.rend() ? file.string() : value->place;
+}
+
 void validate(const Scenario& scenario) {
   vo::require(!scenario.why.empty() || scenario.expect.empty(),
               "why: expected a sentence on what would break the bounds");
@@ -250,7 +269,7 @@ Scenario make_scenario(const std::vector<vo::TomlValue>& values, const fs::path&
   try {
     validate(scenario);
   } catch (const vo::Error& error) {
-    vo::fail(file.string(), ": ", error.what());
+    vo::fail(place_of(error.what(), values, file, changes), ": ", error.what());
   }
   return scenario;
 }

@@ -225,7 +225,8 @@ bool names_scenario(const std::filesystem::path& path);
 
 /// Returns the scenario that a file's values make with `changes`; of values with one key the last
 /// counts. Names in one of stdin are as if it lay in the working folder. Throws vo::Error as
-/// `file:line: unknown key 'sensor.exposre'; ...`, or as `--set key=value: ...` if the error is in
+/// `file:line: unknown key 'sensor.exposre'; ...`, without a line where no value of the file is at
+/// fault, or as `--set key=value: ...` if the error is in
 /// the changes.
 Scenario make_scenario(const std::vector<vo::TomlValue>& values, const std::filesystem::path& file,
                        const Assignments& changes = {});

@@ -372,6 +372,7 @@ def check_merges():
 def check_bad_input():
     for change, message in (
             (("kind = \"explore\"", "kind = \"explorer\""), "bad.toml:24: path.kind"),
+            (("orbit.radius = 2.0", "orbit.radius = -2.0"), "bad.toml:21: orbit: expected radius above 0"),
             (("split = \"test\"", "split = \"te st\""), "split"),
             (("scenes = \"box\"", "scenes = \"bux\""), "there is no 'bux'"),
             (("seeds = 2", "seeds = 0"), "seeds: expected 1 to"),

@@ -126,13 +126,27 @@ TEST(Scenario, ErrorsNameFileLineAndNearestKey) {
 }
 
 TEST(Scenario, WhatMakesNoSenseIsAnError) {
-  EXPECT_THAT(error_with("it would fail if", ""), HasSubstr("s.toml: why: expected a sentence"));
+  EXPECT_THAT(error_with("it would fail if", ""), HasSubstr("s.toml:1: why: expected a sentence"));
   EXPECT_THAT(error_with("duration = 2", "duration = -2"),
-              HasSubstr("path.duration: expected above 0, got -2"));
+              EndsWith("s.toml:6: path.duration: expected above 0, got -2"));
   EXPECT_THAT(error_with("min = 3, max = 12", "min = 13, max = 12"),
               HasSubstr("expect.keyframes: expected min <= max"));
   EXPECT_THAT(error_with("kind = \"orbit\"", "kind = \"spline\""),
               HasSubstr("a spline expects at least two eyes"));
+}
+
+TEST(Scenario, AValueThatMakesNoSenseIsNamedByItsLineUnlessAChangeIsAtFault) {
+  const TempFolder folder;
+  const auto file = folder.write("s.toml",
+                                 "why = \"it would fail if\"\n[scene]\ngltf = \"room/room.gltf\"\n"
+                                 "[path]\nkind = \"still\"\nmove.eye = [0.0, 0.75, 0.0]\n"
+                                 "move.target = [0.0, 0.0, 0.0]\nrate = 5\n");
+  const auto error_of = [&](const tools::Assignments& changes) {
+    return error_text([&] { tools::load_scenario(file, changes); });
+  };
+  EXPECT_THAT(error_of({}), HasSubstr("s.toml:7: move: expected a target beside the eye"));
+  EXPECT_THAT(error_of({{"path.move.target", "1,0,0"}, {"path.rate", "-1"}}),
+              HasSubstr("s.toml: path.rate: expected above 0"));
 }
 
 TEST(Scenario, ChangesComeAfterTheFileAndAPresetBeforeThem) {
