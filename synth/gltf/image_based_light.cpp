@@ -122,7 +122,7 @@ void require_divisors(const cv::Mat_<cv::Vec4b>& image, const std::string& place
 }
 
 cv::Mat_<cv::Vec4b> read_face(const GltfModel& model, int index) {
-  const std::string place = model.place("images", index);
+  const std::string place = model.image_place(index);
   if (model.missing_images.contains(index)) {
     fail_for_missing_images(model);
   }
@@ -141,7 +141,7 @@ CubeMap read_cube_map(const GltfModel& model, const tinygltf::Value& light) {
     const int index = largest.Get(i).GetNumberAsInt();
     cv::Mat_<cv::Vec4b>& face = cube.faces.at(static_cast<std::size_t>(i));
     face = read_face(model, index);
-    require(face.size() == cube.faces[0].size(), model.place("images", index), ": is ", face.cols,
+    require(face.size() == cube.faces[0].size(), model.image_place(index), ": is ", face.cols,
             " px wide, expected ", cube.faces[0].cols, " as the first face of its cube map");
   }
   if (light.Has("rotation")) {

@@ -149,7 +149,7 @@ int TextureReader::texture(int gltf_index, TexelEncoding encoding, NeededTexture
 int TextureReader::image(int gltf_index, TexelEncoding encoding) {
   const auto [entry, is_new] = images_.try_emplace({gltf_index, encoding});
   if (is_new) {
-    const std::string place = model_.place("images", gltf_index);
+    const std::string place = model_.image_place(gltf_index);
     const Bytes encoded = read_encoded_image(model_, gltf_index);
     image_budget_.take(texels_in(encoded, place) / 3 * 4 * sizeof(cv::Vec4b), place);
     const cv::Mat_<cv::Vec4b> image = decode_image(encoded, place);

@@ -204,6 +204,12 @@ std::string GltfModel::place(const std::string& array, int index) const {
   return path.string() + ": " + array + '[' + std::to_string(index) + ']';
 }
 
+std::string GltfModel::image_place(int index) const {
+  const std::string& uri = content.images[static_cast<std::size_t>(index)].uri;
+  const std::string name = place("images", index);
+  return uri.empty() || is_data_uri(uri) ? name : name + " (" + uri + ")";
+}
+
 GltfModel read_gltf_model(const GltfFile& file, Notes& notes) {
   check_document(file, notes);
   const JsonObject root(file.json, file.path.string());

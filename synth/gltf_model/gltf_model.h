@@ -26,6 +26,10 @@ struct GltfModel {
 
   /// Returns an element's name for messages, like "room.gltf: images[3]".
   std::string place(const std::string& array, int index) const;
+
+  /// Returns an image's name for messages, with that of the file that it is in, like
+  /// "room.gltf: images[3] (floor.png)".
+  std::string image_place(int index) const;
   std::filesystem::path folder() const { return path.parent_path(); }
 };
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 #include <tiny_gltf.h>
 
@@ -46,8 +47,8 @@ bool is_start_of_frame(std::uint8_t marker) {
   return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
 }
 
-/// Returns the size in a JPEG's frame header; zero if its segments lead to none.
-ImageSize jpeg_size(const Bytes& bytes) {
+/// Returns the size in a JPEG's frame header; none if its segments lead to no such header.
+std::optional<ImageSize> jpeg_size(const Bytes& bytes) {
   std::size_t position = 2;
   while (position + 9 <= bytes.size() && bytes[position] == 0xFF) {
     const std::uint8_t marker = bytes[position + 1];
@@ -56,11 +57,12 @@ ImageSize jpeg_size(const Bytes& bytes) {
       continue;
     }
     if (is_start_of_frame(marker)) {
-      return {read_big_endian(bytes, position + 7, 2), read_big_endian(bytes, position + 5, 2)};
+      return ImageSize{read_big_endian(bytes, position + 7, 2),
+                       read_big_endian(bytes, position + 5, 2)};
     }
     position += 2 + static_cast<std::size_t>(read_big_endian(bytes, position + 2, 2));
   }
-  return {};
+  return std::nullopt;
 }
 
 /// Returns the size that an image's header states, so that nothing is allocated for an absurd one.
@@ -69,7 +71,9 @@ ImageSize encoded_size(const Bytes& bytes, const std::string& place) {
     return {read_big_endian(bytes, 16, 4), read_big_endian(bytes, 20, 4)};
   }
   require(is_jpeg(bytes), place, ": is of another format, expected PNG or JPEG");
-  return jpeg_size(bytes);
+  const std::optional<ImageSize> size = jpeg_size(bytes);
+  require(size.has_value(), place, ": cannot be decoded, expected an undamaged JPEG");
+  return *size;
 }
 
 ImageSize checked_size(const Bytes& encoded, const std::string& place) {

@@ -267,5 +267,14 @@ TEST(ImageBasedLight, AFaceWhoseFileIsMissingIsNamed) {
   EXPECT_NO_THROW(load_gltf(path, {.needed = NeededTextures::surfaces}));
 }
 
+TEST(ImageBasedLight, AFaceThatCannotBeDecodedIsNamedByItsFile) {
+  GltfDocument document = document_with(block_faces());
+  document.json["images"][5] = {{"uri", "bad.jpg"}};
+  const TempFolder folder;
+  folder.write("bad.jpg", "\xFF\xD8\xFF\xE0 and no more");
+  EXPECT_THAT(error_of(document.write(folder)),
+              HasSubstr("images[5] (bad.jpg): cannot be decoded, expected an undamaged JPEG"));
+}
+
 }  // namespace
 }  // namespace synth

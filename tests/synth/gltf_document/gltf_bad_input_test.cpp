@@ -184,7 +184,12 @@ std::string png_header(const std::string& width, const std::string& height) {
 }
 
 TEST(BadGltf, ImageOfAnotherFormat) {
-  EXPECT_THAT(error_with_image("GIF89a"), HasSubstr("images[0]: is of another format"));
+  EXPECT_THAT(error_with_image("GIF89a"), HasSubstr("images[0] (image): is of another format"));
+}
+
+TEST(BadGltf, JpegWithoutAFrame) {
+  EXPECT_THAT(error_with_image("\xFF\xD8\xFF\xE0 and no more"),
+              HasSubstr("images[0] (image): cannot be decoded, expected an undamaged JPEG"));
 }
 
 TEST(BadGltf, ImageWithoutTexels) {
