@@ -243,7 +243,7 @@ def check_bad_input():
             (("\"rigs/pair.toml\"", "3"), "rig"),
             (("[path]", "[camera]\nfov_deg = 57.0\n[path]"), "bad.toml:7: camera.fov_deg: expected none beside rig"),
             (("preset =", "camera.width = 320\npreset ="), "sensors.kinect.camera.width: expected none beside rig"),
-            (("seeds = 2", "seeds = 2\nrender.kind = \"rasterizer\""), "camera 'round': rasterizer: expected a pinhole camera"),
+            (("seeds = 2", "seeds = 2\nrender.kind = \"rasterizer\""), "camera 'left': rasterizer: cannot draw motion blur"),
             (("pair.toml\"", "around.toml\"\nformats = \"euroc\""), "formats: expected a camera of the rig that is a pinhole"),
             (("seeds = 2", "formats = \"euroc, mcap\""), "formats: mcap: holds one camera, expected euroc alone")):
         out = edvo("plan", write_spec("bad.toml", change), code=3)
