@@ -180,7 +180,7 @@ Eigen::Vector3d corner_of(const FlatMesh& mesh, int vertex) {
 
 void require_within_world(const Eigen::AlignedBox3d& box, const std::string& place) {
   const Eigen::Array3d reach = box.min().array().abs().max(box.max().array().abs());
-  // What is not a number is not within, either.
+  // A coordinate that is no number fails this comparison, too.
   vo::require(box.isEmpty() || (reach <= vo::kMaxMetres).all(), place, ": reaches ",
               reach.maxCoeff(), " m from the origin, expected at most ", vo::kMaxMetres);
 }
