@@ -24,6 +24,19 @@ std::vector<vo::Field> path_fields(synth::PathOptions& path) {
   return fields;
 }
 
+vo::RgbdCamera camera_of_options(const CameraArguments& arguments) {
+  const auto [width, height] = parse_size(arguments.size);
+  if (arguments.intrinsics.empty()) {
+    return {vo::PinholeCamera::from_horizontal_fov(width, height, arguments.fov_deg)};
+  }
+  try {
+    const std::vector<double> k = vo::parse_reals(arguments.intrinsics, 4);
+    return {{width, height, k[0], k[1], k[2], k[3]}};
+  } catch (const vo::Error& error) {
+    vo::fail_as(vo::ErrorKind::usage, "--intrinsics: ", error.what());
+  }
+}
+
 }  // namespace
 
 void add_scene_options(CLI::App& command, synth::GltfOptions& options) {
@@ -55,16 +68,9 @@ vo::RgbdCameraModel chosen_camera(const CameraArguments& arguments) {
   if (!arguments.camera.empty()) {
     return vo::load_camera_model(arguments.camera);
   }
-  const auto [width, height] = parse_size(arguments.size);
-  if (arguments.intrinsics.empty()) {
-    return vo::RgbdCamera{vo::PinholeCamera::from_horizontal_fov(width, height, arguments.fov_deg)};
-  }
-  try {
-    const std::vector<double> k = vo::parse_reals(arguments.intrinsics, 4);
-    return vo::RgbdCamera{{width, height, k[0], k[1], k[2], k[3]}};
-  } catch (const vo::Error& error) {
-    vo::fail_as(vo::ErrorKind::usage, "--intrinsics: ", error.what());
-  }
+  vo::RgbdCameraModel camera;
+  check_usage([&] { camera = camera_of_options(arguments); });
+  return camera;
 }
 
 void add_camera_option(CLI::App& command, std::string& preset_or_file) {

@@ -99,14 +99,8 @@ void print(const synth::PathReport& report, const Colours& colours) {
 }
 
 void check(const CheckArguments& arguments, Session& session) {
-  vo::RgbdCameraModel camera;
-  if (!arguments.camera.camera.empty()) {
-    camera = chosen_camera(arguments.camera);  // an unusable file is no wrong usage
-  }
+  const vo::RgbdCameraModel camera = chosen_camera(arguments.camera);
   check_usage([&] {
-    if (arguments.camera.camera.empty()) {
-      camera = chosen_camera(arguments.camera);
-    }
     camera.validate();
     arguments.limits.validate();
   });

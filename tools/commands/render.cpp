@@ -191,14 +191,9 @@ synth::RenderJob chosen_job(const RenderArguments& arguments) {
   if (!arguments.classes.empty()) {
     job.recipe.channels.classes = load_classes(arguments.classes);
   }
-  if (!arguments.camera.camera.empty()) {
-    job.recipe.camera = chosen_camera(arguments.camera);  // an unusable file is no wrong usage
-  }
+  job.recipe.camera = chosen_camera(arguments.camera);
   check_usage([&] {
     arguments.file.validate();
-    if (arguments.camera.camera.empty()) {
-      job.recipe.camera = chosen_camera(arguments.camera);
-    }
     job.recipe.camera.validate();
     job.recipe.render.validate();
     job.recipe.sensor.validate();
