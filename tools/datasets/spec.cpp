@@ -14,6 +14,7 @@
 #include "tools/datasets/part_folder.h"
 #include "tools/datasets/spec_actors.h"
 #include "tools/datasets/spec_rig.h"
+#include "tools/scenario/value_places.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 
@@ -280,14 +281,17 @@ void read_options(DatasetSpec& spec) {
   if (spec.options.name.empty()) {
     spec.options.name = spec.file.stem().string();
   }
-  try {
-    spec.options.validate();
-    spec.filter.validate();
-    spec.channels();
-    spec.formats();
-  } catch (const vo::Error& error) {
-    vo::fail(spec.file.string(), ": ", error.what());
-  }
+  const auto require_valid = [&](const std::string& key, const auto& check) {
+    try {
+      check();
+    } catch (const vo::Error& error) {
+      vo::fail(place_of(key + error.what(), own, spec.file), ": ", error.what());
+    }
+  };
+  require_valid("", [&] { spec.options.validate(); });
+  require_valid("filter: ", [&] { spec.filter.validate(); });
+  require_valid("channels: ", [&] { spec.channels(); });
+  require_valid("formats: ", [&] { spec.formats(); });
 }
 
 /// Throws vo::Error if there is a channel of classes without a class.
@@ -300,7 +304,7 @@ void require_classes(const DatasetSpec& spec) {
   try {
     truth.validate();
   } catch (const vo::Error& error) {
-    vo::fail(spec.file.string(), ": ", error.what());
+    vo::fail(place_of(error.what(), spec.values, spec.file), ": ", error.what());
   }
 }
 

@@ -8,6 +8,7 @@
 #include "synth/sensor/preset.h"
 #include "tools/scenario/actor_tables.h"
 #include "tools/scenario/class_tables.h"
+#include "tools/scenario/value_places.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/files/input.h"
@@ -120,23 +121,14 @@ class ValueSetter {
   const std::function<double(const std::string&)>& value_of_;
 };
 
-/// Returns whether a key names a value or a table that it is in, which the key of an option may
-/// leave out in front: `move` and `path.move` name path.move.eye.
-bool is_about(const std::string& value_key, const std::string& key) {
-  return vo::concat(".", value_key, ".").find(vo::concat(".", key, ".")) != std::string::npos;
-}
-
-/// Returns the place of what an error's message, `key: ...`, is about: of the last value of that
-/// key, or the file where none has it or a change may be at fault.
-std::string place_of(const std::string& message, const std::vector<vo::TomlValue>& values,
-                     const fs::path& file, const Assignments& changes) {
-  const std::string key = message.substr(0, message.find(':'));
+/// Returns the place of what an error's message is about, or the file where a change may be at
+/// fault.
+std::string place_at_fault(const std::string& message, const std::vector<vo::TomlValue>& values,
+                           const fs::path& file, const Assignments& changes) {
   const bool is_changed = std::any_of(changes.begin(), changes.end(), [&](const Assignment& one) {
-    return is_about(one.first, key);
+    return is_about(message, one.first);
   });
-  const auto value = std::find_if(values.rbegin(), values.rend(),
-                                  [&](const vo::TomlValue& one) { return is_about(one.key, key); });
-  return is_changed || value == values.rend() ? file.string() : value->place;
+  return is_changed ? file.string() : place_of(message, values, file);
 }
 
 void validate(const Scenario& scenario) {
@@ -269,7 +261,7 @@ Scenario make_scenario(const std::vector<vo::TomlValue>& values, const fs::path&
   try {
     validate(scenario);
   } catch (const vo::Error& error) {
-    vo::fail(place_of(error.what(), values, file, changes), ": ", error.what());
+    vo::fail(place_at_fault(error.what(), values, file, changes), ": ", error.what());
   }
   return scenario;
 }

@@ -375,15 +375,16 @@ def check_bad_input():
             (("orbit.radius = 2.0", "orbit.radius = -2.0"), "bad.toml:21: orbit: expected radius above 0"),
             (("split = \"test\"", "split = \"te st\""), "split"),
             (("scenes = \"box\"", "scenes = \"bux\""), "there is no 'bux'"),
-            (("seeds = 2", "seeds = 0"), "seeds: expected 1 to"),
+            (("seeds = 2", "seeds = 0"), "bad.toml:4: seeds: expected 1 to"),
             (("seeds = 2", "seedz = 2"), "seedz"),
             (("plane_and_box.gltf", "missing.gltf"), "missing.gltf does not exist"),
             (("part_frames = 3", "[[actor]]\nfile = \"nobody.gltf\"\npath = [[0, 0, 0], [1, 0, 0]]"), "nobody.gltf does not exist"),
             (("part_frames = 3", "[[actor]]\nfile = \"nobody.gltf\"\nscenes = \"bux\""), "actor.scenes: there is no 'bux'"),
             (("part_frames = 3", "[[actor]]\nscenes = \"box\""), "bad.toml:6: actor: expected a file"),
             (("[paths.orbit]", "[paths.'or_bit']"), "or_bit"),
-            (("part_frames = 3", "part_frames = 3\nformats = \"tum\""), "formats"),
-            (("part_frames = 3", "part_frames = 3\nchannels = \"flaw\""), "flaw")):
+            (("part_frames = 3", "part_frames = 3\nformats = \"tum\""), "bad.toml:6: formats"),
+            (("part_frames = 3", "part_frames = 3\n[filter]\nmin_clearance = -1.0"), "bad.toml:7: path check: expected limits"),
+            (("part_frames = 3", "part_frames = 3\nchannels = \"flaw\""), "bad.toml:6: ")):
         name = write_spec("bad.toml", change=change)
         out = edvo("plan", name, code=3)
         assert "bad.toml" in out and message in out, (change, out)

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "vo/text_files/toml_file.h"
+
+namespace tools {
+
+/// Returns whether an error's message, `key: ...`, is about the value of a key. A message names the
+/// value or a table that it is in, and may leave out what is in front: `move: ...` and
+/// `path.move: ...` are about path.move.eye.
+bool is_about(const std::string& message, const std::string& value_key);
+
+/// Returns the place of the last value that an error's message is about, or the file where it is
+/// about none.
+std::string place_of(const std::string& message, const std::vector<vo::TomlValue>& values,
+                     const std::filesystem::path& file);
+
+}  // namespace tools
