@@ -281,17 +281,11 @@ void read_options(DatasetSpec& spec) {
   if (spec.options.name.empty()) {
     spec.options.name = spec.file.stem().string();
   }
-  const auto require_valid = [&](const std::string& key, const auto& check) {
-    try {
-      check();
-    } catch (const vo::Error& error) {
-      vo::fail(place_of(key + error.what(), own, spec.file), ": ", error.what());
-    }
-  };
-  require_valid("", [&] { spec.options.validate(); });
-  require_valid("filter: ", [&] { spec.filter.validate(); });
-  require_valid("channels: ", [&] { spec.channels(); });
-  require_valid("formats: ", [&] { spec.formats(); });
+  const ValuesOfFile values{spec.file, own};
+  values.require_valid("", [&] { spec.options.validate(); });
+  values.require_valid("filter: ", [&] { spec.filter.validate(); });
+  values.require_valid("channels: ", [&] { spec.channels(); });
+  values.require_valid("formats: ", [&] { spec.formats(); });
 }
 
 /// Throws vo::Error if there is a channel of classes without a class.
@@ -301,11 +295,7 @@ void require_classes(const DatasetSpec& spec) {
   if (spec.rig) {
     std::erase_if(truth.channels, synth::is_of_pair);  // which some of its cameras have
   }
-  try {
-    truth.validate();
-  } catch (const vo::Error& error) {
-    vo::fail(place_of(error.what(), spec.values, spec.file), ": ", error.what());
-  }
+  ValuesOfFile{spec.file, spec.values}.require_valid("", [&] { truth.validate(); });
 }
 
 /// Throws vo::Error that names all files of scenes and actors that are missing.

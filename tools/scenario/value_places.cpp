@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "vo/core/error.h"
-
 namespace tools {
 
 bool is_about(const std::string& message, const std::string& value_key) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "vo/core/error.h"
 #include "vo/text_files/toml_file.h"
 
 namespace tools {
@@ -17,5 +18,22 @@ bool is_about(const std::string& message, const std::string& value_key);
 /// about none.
 std::string place_of(const std::string& message, const std::vector<vo::TomlValue>& values,
                      const std::filesystem::path& file);
+
+/// The values of a TOML file, which errors are traced back to.
+struct ValuesOfFile {
+  const std::filesystem::path& file;
+  const std::vector<vo::TomlValue>& values;
+
+  /// Runs a check, and throws its vo::Error with the place of the value that it is about in front.
+  /// `key`, as `filter: `, is what messages without a key are about.
+  template <typename Check>
+  void require_valid(const std::string& key, const Check& check) const {
+    try {
+      check();
+    } catch (const vo::Error& error) {
+      vo::fail(place_of(key + error.what(), values, file), ": ", error.what());
+    }
+  }
+};
 
 }  // namespace tools
