@@ -145,7 +145,9 @@ void summarize(const JointSystem& system, const JointProblem& problem, AlignMemo
   }
   if (result.usable()) {
     const JointScores& scores = problem.scores(system, result.T_cur_ref, memory);
-    result.covariance = pose_covariance(problem, system, scores, result.T_cur_ref);
+    const NoiseFreeCurvature curvature(system.H, scores.noise_curvature);
+    result.noise_share = curvature.noise_share();
+    result.covariance = pose_covariance(problem, system, scores, curvature, result.T_cur_ref);
     result.loss_by_readout = scores.loss_by_readout;
     result.agreement = scores.agreement;
   }

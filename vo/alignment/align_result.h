@@ -52,6 +52,7 @@ struct AlignResult {
   double cost = 0;              ///< robust loss per point of the finest level, in squared scales
   double conditioning = 0;      ///< least over greatest eigenvalue of the scaled normal equations;
                                 ///< near 0 a direction of motion is not determined
+  double noise_share = 0;       ///< NoiseFreeCurvature::noise_share()
   double gain = 1;    ///< the current image shows gain I_ref + offset, ref the first reference
   double offset = 0;  ///< intensity, offset from the first reference's brightness
   /// Covariance of the left increment delta of exp(delta) T_cur_ref; see pose_covariance().

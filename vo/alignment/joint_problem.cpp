@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "vo/alignment/noise_curvature.h"
 #include "vo/core/parallel_for.h"
 #include "vo/residuals/rolling_shutter_moments.h"
 
@@ -99,13 +100,17 @@ Matrix6d JointProblem::increment_jacobian(const ImagePair& pair, const SE3& T_cu
   return -adjoint((T_cur_first * pair.reference->T_first_ref).inverse());
 }
 
+/// Returns the equations of the pose alone, with the brightness eliminated where it is estimated.
+NormalEquations<6> JointProblem::of_pose(const PointEquations& equations) const {
+  return options_.brightness == BrightnessModel::affine
+             ? equations.eliminated<kBrightnessParameters>()
+             : equations.leading<kPoseParameters>();
+}
+
 void JointProblem::add_part(std::size_t pair, const SE3& T_cur_first, JointSystem& system) const {
   const PointEquations& part = system.parts[pair];
   const double inverse_variance = 1 / (models_[pair].scale * models_[pair].scale);
-  system.add(options_.brightness == BrightnessModel::affine
-                 ? part.eliminated<kBrightnessParameters>()
-                 : part.leading<kPoseParameters>(),
-             increment_jacobian(pairs_[pair], T_cur_first), inverse_variance);
+  system.add(of_pose(part), increment_jacobian(pairs_[pair], T_cur_first), inverse_variance);
   system.points += part.points;
   system.total += part.total;
 }
@@ -191,6 +196,20 @@ JointProblem::ScoredPair JointProblem::scored(std::size_t pair, const PointEquat
           .inverse_variance = 1 / (model.scale * model.scale)};
 }
 
+/// Adds the curvature that the noise of a pair's images adds to the system's H, where it is known:
+/// other formulations than ESM look at the gradients of one image alone.
+void JointProblem::add_noise(const ScoredPair& scored, const SE3& T_cur_first,
+                             JointScores& result) const {
+  if (options_.formulation != Formulation::esm) {
+    return;
+  }
+  PointEquations noise = noise_equations(scored.seen, scored.scores);
+  noise.H.bottomRightCorner<kBrightnessParameters, kBrightnessParameters>() =
+      scored.part.H.bottomRightCorner<kBrightnessParameters, kBrightnessParameters>();
+  const Matrix6d J = increment_jacobian(scored.pair, T_cur_first);
+  result.noise_curvature += scored.inverse_variance * J.transpose() * of_pose(noise).H * J;
+}
+
 /// Adds the derivatives of b by the velocities, to first order with the points' weights fixed.
 void JointProblem::add_velocities(const ScoredPair& scored, JointScores& result) const {
   if (!options_.readout.is_rolling()) {
@@ -237,6 +256,7 @@ void JointScores::reset(std::size_t reference_count, const PinholeCamera& camera
   for (CellScores& reference : references) {
     reference.reset(camera);
   }
+  noise_curvature.setZero();
   by_current_velocity.setZero();
   by_reference_velocity.clear();
   for (std::size_t r = 0; r < reference_count; ++r) {
@@ -254,6 +274,7 @@ const JointScores& JointProblem::scores(const JointSystem& system, const SE3& T_
   readout.b.tail<6>() = system.b;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const ScoredPair pair = scored(i, system.parts[i], T_cur_first, memory.terms);
+    add_noise(pair, T_cur_first, result);
     add_velocities(pair, result);
     add_readout(pair, T_cur_first, readout);
     if (i == 0) {

@@ -62,8 +62,9 @@ struct JointScores {
   Matrix6d by_current_velocity = Matrix6d::Zero();
   InplaceVector<Matrix6d, kMaxReferences> by_reference_velocity;
 
-  LossByReadout loss_by_readout;  ///< first-order in the residuals
-  ViewAgreement agreement;        ///< of the first reference's points with the current image
+  Matrix6d noise_curvature = Matrix6d::Zero();  ///< noise's part of the system's H
+  LossByReadout loss_by_readout;                ///< first-order in the residuals
+  ViewAgreement agreement;  ///< of the first reference's points with the current image
 
   /// Starts anew with this many references, and images of this camera.
   void reset(std::size_t reference_count, const PinholeCamera& camera);
@@ -161,6 +162,7 @@ class JointProblem {
   Matrix6d increment_jacobian(const ImagePair& pair, const SE3& T_cur_first) const;
   PointEquations::Vector part_step(const JointSystem& system, std::size_t pair,
                                    const Vector6d& delta, const SE3& T_cur_first) const;
+  NormalEquations<6> of_pose(const PointEquations& equations) const;
   void add_part(std::size_t pair, const SE3& T_cur_first, JointSystem& system) const;
   const AlignReference& first() const { return *pairs_.front().reference; }
   std::size_t index_of(const ImagePair& pair) const;
@@ -172,6 +174,7 @@ class JointProblem {
   void add_depth(const SE3& T_cur_first, AlignMemory& memory) const;
   ScoredPair scored(std::size_t pair, const PointEquations& part, const SE3& T_cur_first,
                     PointTerms& scores) const;
+  void add_noise(const ScoredPair& scored, const SE3& T_cur_first, JointScores& result) const;
   void add_velocities(const ScoredPair& scored, JointScores& result) const;
   void add_readout(const ScoredPair& scored, const SE3& T_cur_first,
                    ReadoutEquations& equations) const;

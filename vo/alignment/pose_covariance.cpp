@@ -5,8 +5,6 @@
 
 #include <Eigen/Cholesky>
 
-#include "vo/core/normal_equations.h"
-
 namespace vo {
 namespace {
 
@@ -103,18 +101,17 @@ Matrix6d acceleration_covariance(const JointProblem& problem, const SE3& T_cur_f
 }
 
 /// Returns H^-1 S H^-1, the covariance of the increment that follows from the covariance S of b.
-Matrix6d propagated(const Matrix6d& H, const Matrix6d& scatter_of_b) {
-  const Matrix6d H_inverse = solve_by_columns<6, 6>(H, Matrix6d::Identity());
+Matrix6d propagated(const Matrix6d& H_inverse, const Matrix6d& scatter_of_b) {
   const Matrix6d covariance = H_inverse * scatter_of_b * H_inverse;
   return (covariance + covariance.transpose()) / 2;
 }
 
 /// Returns the covariance that comes from what differs from cell to cell.
-Matrix6d cell_covariance(const JointSystem& system, const JointScores& scores) {
+Matrix6d cell_covariance(const JointScores& scores, const Matrix6d& H_inverse) {
   constexpr double kMinCurvatureShare = 0.25;
   const double share = std::max(scores.curvature_share, kMinCurvatureShare);
   const double factor = birge_factor(scores.references) / (share * share);
-  return factor * propagated(system.H, joint_scatter(scores.references));
+  return factor * propagated(H_inverse, joint_scatter(scores.references));
 }
 
 }  // namespace
@@ -122,14 +119,16 @@ Matrix6d cell_covariance(const JointSystem& system, const JointScores& scores) {
 Matrix6d sandwich_covariance(const JointProblem& problem, const JointSystem& system,
                              const SE3& T_cur_first) {
   AlignMemory memory;
-  return cell_covariance(system, problem.scores(system, T_cur_first, memory));
+  const JointScores& scores = problem.scores(system, T_cur_first, memory);
+  return cell_covariance(scores, NoiseFreeCurvature(system.H, scores.noise_curvature).inverse());
 }
 
 Matrix6d pose_covariance(const JointProblem& problem, const JointSystem& system,
-                         const JointScores& scores, const SE3& T_cur_first) {
-  const Matrix6d H_inverse = solve_by_columns<6, 6>(system.H, Matrix6d::Identity());
-  return cell_covariance(system, scores) +
-         propagated(system.H, shutter_scatter(problem, scores, T_cur_first)) +
+                         const JointScores& scores, const NoiseFreeCurvature& curvature,
+                         const SE3& T_cur_first) {
+  const Matrix6d H_inverse = curvature.inverse();
+  return cell_covariance(scores, H_inverse) +
+         propagated(H_inverse, shutter_scatter(problem, scores, T_cur_first)) +
          acceleration_covariance(problem, T_cur_first) +
          bias_variance(system.H, problem.camera()) * (H_inverse + H_inverse.transpose()) / 2;
 }

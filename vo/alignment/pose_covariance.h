@@ -1,6 +1,7 @@
 #pragma once
 
 #include "vo/alignment/joint_problem.h"
+#include "vo/alignment/noise_curvature.h"
 
 namespace vo {
 
@@ -9,6 +10,7 @@ namespace vo {
 ///
 ///   C = f H^-1 (sum over cells of g_c g_c^T) H^-1 / a^2
 ///
+/// - H is the system's without the noise's part, see NoiseFreeCurvature.
 /// - g_c is the part of b that comes from one cell of the current image: the cluster-robust
 ///   'sandwich' (Huber 1967; White 1980; Cameron & Miller, "A Practitioner's Guide to
 ///   Cluster-Robust Inference", 2015). It takes the residuals at their own size and allows any
@@ -35,8 +37,9 @@ Matrix6d sandwich_covariance(const JointProblem& problem, const JointSystem& sys
 ///   time, E is not known and taken as 0.7 T; a is the last known one, in any direction.
 ///
 /// Errors that all references share are not included: depth that lags behind the image, a read-out
-/// time that is not found yet. `scores` must be those of `system`.
+/// time that is not found yet. `scores` and `curvature` must be those of `system`.
 Matrix6d pose_covariance(const JointProblem& problem, const JointSystem& system,
-                         const JointScores& scores, const SE3& T_cur_first);
+                         const JointScores& scores, const NoiseFreeCurvature& curvature,
+                         const SE3& T_cur_first);
 
 }  // namespace vo

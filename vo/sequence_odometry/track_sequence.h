@@ -59,10 +59,11 @@ struct TimeSummary {
 TimeSummary summarize(const std::vector<StageTimes>& times);
 
 /// Returns CSV with one line per frame: stamp, status, why it is lost, why the alignment ended,
-/// iterations, points, visible fraction, correlation, depth agreement, cost, conditioning, read-out
-/// time, vignette, stamp of the reference (empty without one), and the upper triangles row by row
-/// of two covariances of increments left of a pose ([translation; rotation], m and rad, in the
-/// camera's own frame): of T_camera_reference, and the absolute one, of T_camera_world.
+/// iterations, points, visible fraction, correlation, depth agreement, cost, conditioning, noise
+/// share, read-out time, vignette, stamp of the reference (empty without one), and the upper
+/// triangles row by row of two covariances of increments left of a pose ([translation; rotation], m
+/// and rad, in the camera's own frame): of T_camera_reference, and the absolute one, of
+/// T_camera_world.
 std::string format_frame_log(const std::vector<TrackingResult>& frames);
 
 }  // namespace vo

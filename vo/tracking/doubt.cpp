@@ -26,6 +26,12 @@ constexpr double kCompetingMeanArea = 0.42;
 /// Share of the view that may be black.
 constexpr double kMostCovered = 0.3;
 
+/// Share of noise in the curvature of the loss along the direction of motion that has the most: of
+/// one frame, and as a mean over some by how much it exceeds a half. Parallel stripes have 0.7 to
+/// 1; a hand-held camera in a room has 0.1, and 0.5 in one frame of a hundred.
+constexpr double kMostNoise = 0.9;
+constexpr double kNoiseBeyondHalf = 0.2;
+
 constexpr double kNewest = 0.2;  // weight of a frame in the means
 
 }  // namespace
@@ -57,6 +63,7 @@ TrackingReason Doubt::judge(const AlignResult& alignment, const ViewSurfaces& su
   const double disagreement = alignment.agreement.disagreeing_fraction;
   disagreement_.add(disagreement, kMostMeanDisagreement);
   depth_disagreement_.add(1 - alignment.depth_agreement, kMostDepthDisagreement);
+  noise_.add(alignment.noise_share - 0.5, kNoiseBeyondHalf);
   const bool motions_compete = motions_.add(surfaces.edged);
   if (image_is_repeated_) {
     return TrackingReason::image_repeated;
@@ -73,7 +80,11 @@ TrackingReason Doubt::judge(const AlignResult& alignment, const ViewSurfaces& su
   if (disagreement > kMostDisagreement || disagreement_.is_high) {
     return TrackingReason::parts_disagree;
   }
-  return depth_disagreement_.is_high ? TrackingReason::depths_disagree : TrackingReason::none;
+  if (depth_disagreement_.is_high) {
+    return TrackingReason::depths_disagree;
+  }
+  return alignment.noise_share > kMostNoise || noise_.is_high ? TrackingReason::undetermined
+                                                              : TrackingReason::none;
 }
 
 }  // namespace vo

@@ -43,9 +43,19 @@ struct ViewSurfaces {
   bool changed_motion = false;  ///< whether another motion was found to be the camera's
 };
 
+/// Returns whether what the frame shows agrees with the map: nothing speaks against its pose, or
+/// only that noise determines it. Such a frame goes on as one that is sure, since no frame after it
+/// would see more of the direction that is missing.
+inline bool agrees_with_map(const TrackingResult& result) {
+  return result.status == TrackingStatus::tracked ||
+         (result.status == TrackingStatus::uncertain &&
+          result.reason == TrackingReason::undetermined);
+}
+
 /// Says whether a pose that was found is to be relied on. A driver that repeats images, a depth
-/// image that stands still, something that covers the view, is stuck in it or moves through it:
-/// each may leave an alignment with a small covariance and a wrong pose.
+/// image that stands still, something that covers the view, is stuck in it or moves through it,
+/// noise that determines a motion along which nothing changes: each may leave an alignment with a
+/// small covariance and a wrong pose.
 class Doubt {
  public:
   /// Takes in the fingerprints of the next frame's images, before it is aligned; 0 says nothing.
@@ -60,6 +70,7 @@ class Doubt {
   std::uint64_t depth_ = 0;
   bool image_is_repeated_ = false;
   int same_depths_ = 0;      ///< frames in a row with other images and the same depth
+  RecentMean noise_;         ///< share of noise in the curvature, less a half
   RecentMean disagreement_;  ///< share of the points that disagree
   CompetingMotions motions_;
   RecentMean depth_disagreement_;  ///< share of the surfaces that disagree

@@ -95,7 +95,7 @@ TrackingResult Tracker::track(const FramePyramid& current) {
   if (attempt.result.status == TrackingStatus::tracked && options_.doubt) {
     judge_pose(attempt.result);
   }
-  if (attempt.result.status == TrackingStatus::tracked) {
+  if (agrees_with_map(attempt.result)) {
     calibrate(current, attempt);
   }
   if (attempt.result.status != TrackingStatus::lost) {
@@ -322,7 +322,7 @@ void Tracker::accept(const FramePyramid& current, const Attempt& attempt) {
   absolute_covariance_ = attempt.result.absolute_covariance;
   last_timestamp_ = current.timestamp;
   is_lost_ = attempt.result.reason == TrackingReason::image_repeated;
-  is_sure_ = attempt.result.reason == TrackingReason::none;
+  is_sure_ = agrees_with_map(attempt.result);
   was_sure_ = was_sure_ || is_sure_;
 }
 

@@ -169,8 +169,8 @@ class Tracker {
   TileEvidence expected_{};  ///< log-odds that the tracked frame's tiles are static, beforehand
   int frames_since_keyframe_ = 0;
   bool is_lost_ = false;          ///< whether the last frame was lost
-  bool is_sure_ = false;          ///< whether nothing spoke against the last pose that was found
-  bool was_sure_ = false;         ///< whether nothing spoke against some pose
+  bool is_sure_ = false;          ///< whether the last frame with a pose agreed with the map
+  bool was_sure_ = false;         ///< whether some frame agreed with the map
   int lost_at_beginning_ = 0;     ///< lost frames since the map began, while no pose was sure
   int patience_ = 5;              ///< lost frames after which such a map begins anew
   bool depth_is_mapped_ = false;  ///< whether the points' depths were found with the tracked poses

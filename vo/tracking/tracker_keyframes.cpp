@@ -38,8 +38,8 @@ bool Tracker::needs_keyframe(const FramePyramid& current, const TrackingResult& 
   constexpr double kLongestWait = 2;  // times the due keyframe's flow, for a sharp frame
   const bool urgent = flow > kLongestWait * options.max_flow || overlap < options_.map.min_overlap;
   return urgent ||
-         (result.status == TrackingStatus::tracked &&
-          result.alignment.correlation >= kKeyframeCorrelation && !is_blurred(current, T_cur_last));
+         (agrees_with_map(result) && result.alignment.correlation >= kKeyframeCorrelation &&
+          !is_blurred(current, T_cur_last));
 }
 
 /// Returns whether the frame is too blurred relative to the last keyframe, where both show the

@@ -67,6 +67,26 @@ TEST(Doubt, OfPartsThatDisagreeMuchAtOnceOrALittleForLong) {
   EXPECT_EQ(judged(for_long, frame_of(20, 20), 0.05), TrackingReason::parts_disagree);
 }
 
+TrackingReason judged_with_noise(vo::Doubt& doubt, double noise_share) {
+  return doubt.judge({.noise_share = noise_share}, {});
+}
+
+TEST(Doubt, OfAMotionAlongWhichImagesShareNothingAtOnceOrLittleForLong) {
+  vo::Doubt at_once;
+  EXPECT_EQ(judged_with_noise(at_once, 0.95), TrackingReason::undetermined);
+  EXPECT_EQ(judged_with_noise(at_once, 0.3), TrackingReason::none);
+
+  vo::Doubt for_long;
+  EXPECT_EQ(judged_with_noise(for_long, 0.8), TrackingReason::none);
+  for (int i = 0; i < 10; ++i) {
+    judged_with_noise(for_long, 0.8);
+  }
+  EXPECT_EQ(judged_with_noise(for_long, 0.8), TrackingReason::undetermined);
+  EXPECT_EQ(judged_with_noise(for_long, 0.3), TrackingReason::undetermined);
+  judged_with_noise(for_long, 0.3);
+  EXPECT_EQ(judged_with_noise(for_long, 0.3), TrackingReason::none);
+}
+
 TEST(Doubt, OfAViewThatIsCovered) {
   vo::Doubt doubt;
   EXPECT_EQ(doubt.judge({}, {.edged = {}, .covered_fraction = 0.25}), TrackingReason::none);
@@ -147,6 +167,35 @@ TEST(Doubt, MarksFramesOfWhichAPartIsStuckOrLeavesItOutAndKeepsTheirPosesRight) 
     }
   }
   EXPECT_GT(noticed, 15);
+}
+
+/// A wall at 2 m of horizontal stripes, with noise of 4 grey levels. Along the stripes it looks the
+/// same from everywhere.
+vo::RgbdFrame striped_frame(int index) {
+  vo::RgbdFrame frame = support::blank_frame(small_camera(), 0, index);
+  for (int v = 0; v < frame.image.rows; ++v) {
+    frame.image.row(v) = 60 + 40 * (v / 11 % 3);
+  }
+  return support::with_noise(frame, 4, static_cast<std::uint64_t>(index));
+}
+
+TEST(Doubt, MarksFramesWhoseNoiseAloneDeterminesAMotion) {
+  vo::RgbdOdometry odometry(small_camera());
+  int sure = 0;
+  for (int i = 0; i < 20; ++i) {
+    const vo::TrackingResult result = odometry.track(striped_frame(i));
+    sure += result.status == TrackingStatus::tracked ? 1 : 0;
+  }
+  EXPECT_LE(sure, 5);
+}
+
+TEST(Doubt, DoesNotTakeTextureInTheSameNoiseForNoise) {
+  vo::RgbdOdometry odometry(small_camera());
+  for (int i = 0; i < 20; ++i) {
+    const vo::TrackingResult result = odometry.track(support::with_noise(
+        plane_frame(small_camera(), sway(i), i), 4, static_cast<std::uint64_t>(i)));
+    EXPECT_EQ(result.status, i == 0 ? TrackingStatus::initialized : TrackingStatus::tracked) << i;
+  }
 }
 
 TEST(Doubt, IsNotThePapers) {
