@@ -11,10 +11,13 @@
 namespace vo {
 namespace {
 
+using detail::add_reference;
 using detail::Block;
 using detail::BlockRow;
+using detail::complete_rotations;
 using detail::kBlock;
 using detail::LaneSums;
+using detail::load_points;
 using detail::load_row;
 using detail::PassWarp;
 
@@ -24,9 +27,7 @@ EDVO_INLINE void load_terms(const PointView& view, const PointTerms& terms, std:
                             Block& block) {
   const std::size_t count = std::min(kBlock, terms.weight.size() - first);
   const EdgePointLevel& points = view.points;
-  load_row(points.x_ref, first, count, block.x_ref);
-  load_row(points.y_ref, first, count, block.y_ref);
-  load_row(points.z_ref, first, count, block.z_ref);
+  load_points(points, first, count, block);
   load_row(points.dI_dx, first, count, block.dI_dx);
   load_row(points.dI_dy, first, count, block.dI_dy);
   load_row(points.dI_dz, first, count, block.dI_dz);
@@ -46,19 +47,6 @@ EDVO_INLINE void place_points(const PassWarp& warp, Block& block) {
     block.x[i] = warp.R[0] * x + warp.R[1] * y + warp.R[2] * z + warp.t[0];
     block.y[i] = warp.R[3] * x + warp.R[4] * y + warp.R[5] * z + warp.t[1];
     block.z[i] = warp.R[6] * x + warp.R[7] * y + warp.R[8] * z + warp.t[2];
-  }
-}
-
-/// Turns the derivatives by position, the means of both images', into half their difference: the
-/// mean less the reference's.
-EDVO_INLINE void subtract_reference(const PassWarp& warp, Block& block) {
-  for (std::size_t i = 0; i < kBlock; ++i) {
-    const float x = block.dI_dx[i];
-    const float y = block.dI_dy[i];
-    const float z = block.dI_dz[i];
-    block.J[0][i] -= warp.R[0] * x + warp.R[1] * y + warp.R[2] * z;
-    block.J[1][i] -= warp.R[3] * x + warp.R[4] * y + warp.R[5] * z;
-    block.J[2][i] -= warp.R[6] * x + warp.R[7] * y + warp.R[8] * z;
   }
 }
 
@@ -96,25 +84,13 @@ EDVO_INLINE void remove_parallax(Block& block) {
   }
 }
 
-/// Completes the derivatives by the pose's increment, which are [q; p x q].
-EDVO_INLINE void complete_rotations(Block& block) {
-  for (std::size_t i = 0; i < kBlock; ++i) {
-    const float qx = block.J[0][i];
-    const float qy = block.J[1][i];
-    const float qz = block.J[2][i];
-    block.J[3][i] = block.y[i] * qz - block.z[i] * qy;
-    block.J[4][i] = block.z[i] * qx - block.x[i] * qz;
-    block.J[5][i] = block.x[i] * qy - block.y[i] * qx;
-  }
-}
-
 EDVO_INLINE void sum_differences(const PointView& view, const PointTerms& terms, LaneSums& sums) {
   const PassWarp warp(view);
   Block block{};
   for (std::size_t first = 0; first < terms.weight.size(); first += kBlock) {
     load_terms(view, terms, first, block);
     place_points(warp, block);
-    subtract_reference(warp, block);
+    add_reference(warp, -1, block);  // half the difference: the mean less the reference's
     remove_parallax(block);
     complete_rotations(block);
     sums.add(kPassParameters, block);

@@ -289,6 +289,31 @@ EDVO_INLINE void test_depth(const DepthImage& depth, float max_ratio, std::size_
   }
 }
 
+/// Adds `share` times the reference's derivatives by position, turned into the current camera's
+/// frame, to those of the Jacobian.
+EDVO_INLINE void add_reference(const PassWarp& warp, float share, Block& block) {
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float x = share * block.dI_dx[i];
+    const float y = share * block.dI_dy[i];
+    const float z = share * block.dI_dz[i];
+    block.J[0][i] += warp.R[0] * x + warp.R[1] * y + warp.R[2] * z;
+    block.J[1][i] += warp.R[3] * x + warp.R[4] * y + warp.R[5] * z;
+    block.J[2][i] += warp.R[6] * x + warp.R[7] * y + warp.R[8] * z;
+  }
+}
+
+/// Completes derivatives q by the position p to those by the pose increment, [q; p x q].
+EDVO_INLINE void complete_rotations(Block& block) {
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float qx = block.J[0][i];
+    const float qy = block.J[1][i];
+    const float qz = block.J[2][i];
+    block.J[3][i] = block.y[i] * qz - block.z[i] * qy;
+    block.J[4][i] = block.z[i] * qx - block.x[i] * qz;
+    block.J[5][i] = block.x[i] * qy - block.y[i] * qx;
+  }
+}
+
 /// Computes the rows of the Jacobian. The derivative q by the point's position p gives the
 /// derivative by the pose increment: [q; p x q] (paper, Eq. 12).
 EDVO_INLINE void differentiate_block(const PassWarp& warp, const PassOptions& options,
@@ -304,22 +329,10 @@ EDVO_INLINE void differentiate_block(const PassWarp& warp, const PassOptions& op
         options.current_share * (-(a * block.x[i] + b * block.y[i]) * block.inverse_z[i]);
   }
   if (options.reference_share > 0) {
-    for (std::size_t i = 0; i < kBlock; ++i) {
-      const float x = options.reference_share * block.dI_dx[i];
-      const float y = options.reference_share * block.dI_dy[i];
-      const float z = options.reference_share * block.dI_dz[i];
-      block.J[0][i] += warp.R[0] * x + warp.R[1] * y + warp.R[2] * z;
-      block.J[1][i] += warp.R[3] * x + warp.R[4] * y + warp.R[5] * z;
-      block.J[2][i] += warp.R[6] * x + warp.R[7] * y + warp.R[8] * z;
-    }
+    add_reference(warp, options.reference_share, block);
   }
+  complete_rotations(block);
   for (std::size_t i = 0; i < kBlock; ++i) {
-    const float qx = block.J[0][i];
-    const float qy = block.J[1][i];
-    const float qz = block.J[2][i];
-    block.J[3][i] = block.y[i] * qz - block.z[i] * qy;
-    block.J[4][i] = block.z[i] * qx - block.x[i] * qz;
-    block.J[5][i] = block.x[i] * qy - block.y[i] * qx;
     block.J[6][i] = -block.intensity_ref[i];
     block.J[7][i] = -1;
   }
