@@ -12,8 +12,24 @@ std::uint32_t scramble(std::uint32_t x) {
   return x ^ (x >> 16U);
 }
 
-int wrap(int index, int count) {
-  return ((index % count) + count) % count;
+/// An index of a lattice of `count` and the next one, where the last is beside the first.
+struct Neighbours {
+  int here;
+  int next;
+};
+
+Neighbours wrap(int index, int count) {
+  const int here = ((index % count) + count) % count;
+  return {here, here + 1 < count ? here + 1 : 0};
+}
+
+/// Returns the bits that all random numbers with this seed and first index begin with.
+std::uint32_t scramble_line(std::uint32_t seed, int i) {
+  return scramble(scramble(seed + 0x9e3779b9U) + static_cast<std::uint32_t>(i));
+}
+
+double random01_on(std::uint32_t line, int j) {
+  return static_cast<double>(scramble(line * 31U + static_cast<std::uint32_t>(j))) / 4294967296.0;
 }
 
 double ease(double t) {
@@ -23,24 +39,22 @@ double ease(double t) {
 }  // namespace
 
 double random01(std::uint32_t seed, int i, int j) {
-  const std::uint32_t bits =
-      scramble(scramble(scramble(seed + 0x9e3779b9U) + static_cast<std::uint32_t>(i)) * 31U +
-               static_cast<std::uint32_t>(j));
-  return static_cast<double>(bits) / 4294967296.0;
+  return random01_on(scramble_line(seed, i), j);
 }
 
 double noise(double u, double v, const Lattice& lattice) {
   const double x = u * lattice.columns;
   const double y = v * lattice.rows;
-  const int column = static_cast<int>(std::floor(x));
-  const int row = static_cast<int>(std::floor(y));
-  const auto corner = [&](int dx, int dy) {
-    return random01(lattice.seed, wrap(column + dx, lattice.columns), wrap(row + dy, lattice.rows));
-  };
+  const double column = std::floor(x);
+  const double row = std::floor(y);
+  const Neighbours columns = wrap(static_cast<int>(column), lattice.columns);
+  const Neighbours rows = wrap(static_cast<int>(row), lattice.rows);
+  const std::uint32_t left = scramble_line(lattice.seed, columns.here);
+  const std::uint32_t right = scramble_line(lattice.seed, columns.next);
   const double a = ease(x - column);
   const double b = ease(y - row);
-  const double top = corner(0, 0) * (1 - a) + corner(1, 0) * a;
-  const double bottom = corner(0, 1) * (1 - a) + corner(1, 1) * a;
+  const double top = random01_on(left, rows.here) * (1 - a) + random01_on(right, rows.here) * a;
+  const double bottom = random01_on(left, rows.next) * (1 - a) + random01_on(right, rows.next) * a;
   return top * (1 - b) + bottom * b;
 }
 
