@@ -151,6 +151,65 @@ TEST(LocalMap, AnAdjustedKeyframeIsWhereItWasFound) {
   EXPECT_TRUE(before->points->levels.front().z_ref.empty()) << "whoever holds it sees no change";
 }
 
+/// A keyframe with a finest point in the middle of every tile, 8x8 px, whose depth was measured.
+vo::Keyframe keyframe_of_tiles() {
+  vo::EdgePoints points;
+  points.levels.resize(2);
+  vo::EdgePointLevel& finest = points.levels.front();
+  finest.resize(vo::ViewTiles::kCount);
+  for (std::size_t tile = 0; tile < vo::ViewTiles::kCount; ++tile) {
+    const auto index = static_cast<int>(tile);
+    finest.pixel[tile] = {8 * (index % vo::ViewTiles::kColumns) + 4,
+                          8 * (index / vo::ViewTiles::kColumns) + 4};
+    finest.z_ref[tile] = static_cast<float>(1 + index);
+  }
+  vo::Keyframe keyframe{cameras_only(), std::make_shared<const vo::EdgePoints>(points), SE3()};
+  keyframe.measured_depth = finest.z_ref;
+  return keyframe;
+}
+
+vo::TileMask columns(std::size_t first, std::size_t count) {
+  vo::TileMask tiles;
+  for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
+    const std::size_t column = tile % vo::ViewTiles::kColumns;
+    tiles[tile] = column >= first && column < first + count;
+  }
+  return tiles;
+}
+
+/// Each column of tiles is 2.5 % of the view.
+TEST(LocalMap, LeavesOutOfAKeyframeWhatMovedAndIsDisturbedByMuchOfIt) {
+  vo::LocalMap map{vo::MapOptions{}};
+  map.add(keyframe_of_tiles());
+  map.add(keyframe_of_tiles());
+  const std::shared_ptr<const vo::Keyframe> before = map.keyframes().front();
+  map.leave_out(*before, columns(0, 4));
+  const std::shared_ptr<const vo::Keyframe> once = map.keyframes().front();
+  EXPECT_EQ(once->points->levels.front().size(), 1200U * 36 / 40);
+  EXPECT_EQ(once->measured_depth, once->points->levels.front().z_ref);
+  EXPECT_EQ(once->measured_depth.front(), 5) << "the fifth column";
+  EXPECT_FALSE(once->is_disturbed()) << "10 %";
+
+  map.leave_out(*once, columns(3, 2));
+  const vo::Keyframe& twice = *map.keyframes().front();
+  EXPECT_EQ(twice.points->levels.front().size(), 1200U * 35 / 40);
+  EXPECT_EQ(twice.moved, columns(0, 5));
+  EXPECT_TRUE(twice.is_disturbed()) << "12.5 %, what moved before included";
+}
+
+TEST(LocalMap, LeavesNothingOutOfOtherKeyframes) {
+  vo::LocalMap map{vo::MapOptions{}};
+  map.add(keyframe_of_tiles());
+  map.add(keyframe_of_tiles());
+  const std::shared_ptr<const vo::Keyframe> replaced = map.keyframes().front();
+  map.leave_out(*replaced, columns(0, 10));
+  EXPECT_EQ(replaced->points->levels.front().size(), 1200U) << "whoever holds it sees no change";
+  EXPECT_EQ(map.keyframes().back()->points->levels.front().size(), 1200U);
+  map.leave_out(*replaced, columns(0, 40));
+  EXPECT_EQ(map.keyframes().front()->points->levels.front().size(), 1200U * 30 / 40)
+      << "it is no longer in the map";
+}
+
 TEST(LocalMap, ForgetsTheOldest) {
   const vo::LocalMap map = map_of({.references = 2, .max_keyframes = 2}, {0, 0.1, 0.2});
   ASSERT_EQ(map.keyframes().size(), 2U);
