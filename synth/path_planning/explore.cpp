@@ -135,8 +135,10 @@ void ExploreOptions::validate() const {
     vo::require(value >= 0 && std::isfinite(value), "explore.", name, ": expected 0 or above, got ",
                 value);
   }
-  vo::require(turn_deg > 0 && std::isfinite(turn_deg), "explore.turn_deg: expected above 0, got ",
-              turn_deg);
+  constexpr double kSlowest = 0.01;  // deg/s
+  constexpr double kFastest = 1e4;   // deg/s
+  vo::require(turn_deg >= kSlowest && turn_deg <= kFastest, "explore.turn_deg: expected from ",
+              kSlowest, " to ", kFastest, " deg/s, got ", turn_deg);
 }
 
 ExploredPath explore(const SurfaceTracer& tracer, double duration_s,

@@ -18,9 +18,10 @@ void require_times(const char* name, double time_constant, double delay) {
 
 void AutoExposureOptions::validate() const {
   require_times("sensor.auto_exposure", time_constant, delay);
-  vo::require(max_exposure_time > 0,
-              "sensor.auto_exposure.max_exposure_time: expected above 0 s, got ",
-              max_exposure_time);
+  constexpr double kLongest = 60;  // s, as a shutter's own
+  vo::require(max_exposure_time > 0 && max_exposure_time <= kLongest,
+              "sensor.auto_exposure.max_exposure_time: expected above 0 and at most ", kLongest,
+              " s, got ", max_exposure_time);
 }
 
 void WhiteBalanceOptions::validate() const {

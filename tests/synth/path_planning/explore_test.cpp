@@ -97,6 +97,19 @@ TEST_F(Exploration, ChoosesByTheScenesScaleWhatIsNotGiven) {
   EXPECT_LT((large.path(4).translation() - 128 * found.path(4).translation()).norm(), 128e-4);
 }
 
+TEST_F(Exploration, TurnsAsSlowlyOrAsFastAsACameraCan) {
+  ExploreOptions options = kOptions;
+  options.turn_deg = 0.01;
+  const ExploredPath slow = explore(tracer, 0, options);
+  const double turned = (slow.path(0).inverse() * slow.path(4)).angle();
+  EXPECT_LE(turned, 4 * 0.01 * std::numbers::pi / 180 + 1e-9);
+  for (const double turn_deg : {0.0, 1e-300, 1e300, std::nan("")}) {
+    options.turn_deg = turn_deg;
+    EXPECT_THAT(support::error_text([&] { explore(tracer, 0, options); }),
+                HasSubstr("explore.turn_deg: expected from 0.01 to 10000 deg/s, got "));
+  }
+}
+
 TEST_F(Exploration, WithoutRoomThereIsAnError) {
   ExploreOptions wide = kOptions;
   wide.clearance = 1.6;

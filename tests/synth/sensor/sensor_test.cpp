@@ -182,5 +182,16 @@ TEST(SensorOptions, DepthLimitsMustBeInOrder) {
               HasSubstr("expected exposure at or above 0, got -1"));
 }
 
+TEST(SensorOptions, AnExposureEnds) {
+  SensorOptions options;
+  options.auto_exposure.max_exposure_time = 60;
+  EXPECT_NO_THROW(options.validate());
+  for (const double time : {0.0, 61.0, std::numeric_limits<double>::infinity(), std::nan("")}) {
+    options.auto_exposure.max_exposure_time = time;
+    EXPECT_THAT(error_text([&] { options.validate(); }),
+                HasSubstr("max_exposure_time: expected above 0 and at most 60 s, got "));
+  }
+}
+
 }  // namespace
 }  // namespace synth
