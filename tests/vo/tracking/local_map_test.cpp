@@ -168,6 +168,13 @@ vo::Keyframe keyframe_of_tiles() {
   return keyframe;
 }
 
+vo::LocalMap map_of_tiles() {
+  vo::LocalMap map{vo::MapOptions{}};
+  map.add(keyframe_of_tiles());
+  map.add(keyframe_of_tiles());
+  return map;
+}
+
 vo::TileMask columns(std::size_t first, std::size_t count) {
   vo::TileMask tiles;
   for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
@@ -179,9 +186,7 @@ vo::TileMask columns(std::size_t first, std::size_t count) {
 
 /// Each column of tiles is 2.5 % of the view.
 TEST(LocalMap, LeavesOutOfAKeyframeWhatMovedAndIsDisturbedByMuchOfIt) {
-  vo::LocalMap map{vo::MapOptions{}};
-  map.add(keyframe_of_tiles());
-  map.add(keyframe_of_tiles());
+  vo::LocalMap map = map_of_tiles();
   const std::shared_ptr<const vo::Keyframe> before = map.keyframes().front();
   map.leave_out(*before, columns(0, 4));
   const std::shared_ptr<const vo::Keyframe> once = map.keyframes().front();
@@ -198,9 +203,7 @@ TEST(LocalMap, LeavesOutOfAKeyframeWhatMovedAndIsDisturbedByMuchOfIt) {
 }
 
 TEST(LocalMap, LeavesNothingOutOfOtherKeyframes) {
-  vo::LocalMap map{vo::MapOptions{}};
-  map.add(keyframe_of_tiles());
-  map.add(keyframe_of_tiles());
+  vo::LocalMap map = map_of_tiles();
   const std::shared_ptr<const vo::Keyframe> replaced = map.keyframes().front();
   map.leave_out(*replaced, columns(0, 10));
   EXPECT_EQ(replaced->points->levels.front().size(), 1200U) << "whoever holds it sees no change";
