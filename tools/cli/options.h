@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <tbb/global_control.h>
 
+#include "tools/cli/interrupt.h"
 #include "tools/cli/progress_bar.h"
 #include "tools/colour/colour.h"
 #include "vo/core/error.h"
@@ -32,7 +33,7 @@ struct CommonOptions {
   Verbosity verbosity() const { return quiet ? Verbosity::quiet : Verbosity::normal; }
   vo::OutputPolicy output_policy() const {
     return {force ? vo::ExistingOutput::replace : vo::ExistingOutput::keep,
-            no_sync ? vo::Durability::unsynced : vo::Durability::synced};
+            no_sync ? vo::Durability::unsynced : vo::Durability::synced, throw_if_interrupted};
   }
 };
 

@@ -171,7 +171,8 @@ void complete(TestArguments& arguments) {
 
 vo::OutputPolicy policy_of(const TestArguments& arguments) {
   return {vo::ExistingOutput::replace,
-          arguments.no_sync ? vo::Durability::unsynced : vo::Durability::synced};
+          arguments.no_sync ? vo::Durability::unsynced : vo::Durability::synced,
+          throw_if_interrupted};
 }
 
 /// Writes a file that the user named; nothing if the name is empty.

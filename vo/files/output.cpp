@@ -9,37 +9,17 @@
 #include "vo/files/input.h"
 #include "vo/files/partial_file.h"
 #include "vo/files/system_failure.h"
+#include "vo/files/writable_stream.h"
 
 namespace vo {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Opens a device or pipe. Stdout is taken as it is: opening it anew would fail for a socket, and
-/// cut a file that it is appended to.
-int open_stream(const fs::path& path) {
-  if (path == kStdoutPath) {
-    return ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
-  }
-  return uninterrupted(
-      [&] { return ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_CREAT | O_TRUNC, 0666); });
-}
-
-/// Writes a device or pipe.
-void write_stream(const fs::path& path, std::string_view bytes) {
-  const int stream = open_stream(path);
-  if (stream < 0) {
-    fail_with(path, "cannot be written", errno);
-  }
-  try {
-    write_bytes(stream, bytes, path);
-  } catch (const Error&) {
-    ::close(stream);
-    throw;
-  }
-  if (::close(stream) != 0) {
-    fail_with(path, "cannot be written", errno);
-  }
+void write_stream(const fs::path& path, std::string_view bytes, const OutputPolicy& policy) {
+  WritableStream stream(path, policy.waiting);
+  stream.append(bytes);
+  stream.close();
 }
 
 }  // namespace
@@ -62,7 +42,7 @@ void require_no_conflict(const fs::path& path, std::string_view bytes, ExistingO
 
 void write_file(const fs::path& given, std::string_view bytes, const OutputPolicy& policy) {
   if (is_stream(given)) {
-    write_stream(given, bytes);
+    write_stream(given, bytes, policy);
     return;
   }
   const fs::path path = resolved_output(given);
@@ -73,7 +53,7 @@ void write_file(const fs::path& given, std::string_view bytes, const OutputPolic
     }
     require_no_conflict(given, bytes, policy.existing);
   }
-  PartialFile(path).commit(bytes, policy.durability);
+  PartialFile(path, {}, policy.waiting).commit(bytes, policy.durability);
 }
 
 void write_files(const fs::path& folder, const std::vector<NamedBytes>& files,

@@ -30,11 +30,14 @@ enum class Durability {
 struct OutputPolicy {
   // NOLINTNEXTLINE(google-explicit-constructor): what to do with an output there is all most say
   constexpr OutputPolicy(ExistingOutput what_is_there = ExistingOutput::keep,
-                         Durability how_durable = Durability::synced)
-      : existing(what_is_there), durability(how_durable) {}
+                         Durability how_durable = Durability::synced,
+                         void (*while_waiting)() = nullptr)
+      : existing(what_is_there), durability(how_durable), waiting(while_waiting) {}
 
   ExistingOutput existing;
   Durability durability;
+  void (*waiting)();  ///< called while others write the output or a pipe has no reader or room; may
+                      ///< throw to give up; nullptr is not called
 };
 
 /// The path of this process' stdout, which `write_file` writes as it is, without opening it anew.

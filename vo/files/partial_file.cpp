@@ -91,14 +91,15 @@ std::optional<PartialFile> PartialFile::try_open(const fs::path& path, const fs:
   }
 }
 
-PartialFile::PartialFile(const fs::path& path, const fs::path& extension)
+PartialFile::PartialFile(const fs::path& path, const fs::path& extension,
+                         const WaitObserver& waiting)
     : PartialFile([&] {
         constexpr int kLooks = 6000;
         for (int look = 0; look < kLooks; ++look) {
           if (std::optional<PartialFile> file = try_open(path, extension)) {
             return std::move(*file);
           }
-          pause_for_others({});
+          pause_for_others(waiting);
         }
         fail_as(ErrorKind::temporary, path.string(),
                 ": another process has been writing it for long");

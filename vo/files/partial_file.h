@@ -25,7 +25,8 @@ class PartialFile {
  public:
   /// Waits for others that write the same file. Throws Error, `temporary` when they take a minute.
   explicit PartialFile(const std::filesystem::path& path,
-                       const std::filesystem::path& extension = {});
+                       const std::filesystem::path& extension = {},
+                       const WaitObserver& waiting = {});
 
   /// Returns nothing when somebody else writes the file.
   static std::optional<PartialFile> try_open(const std::filesystem::path& path,

@@ -29,7 +29,10 @@ fs::path checked_place(const fs::path& path) {
 
 StreamedOutput::StreamedOutput(const fs::path& path, const OutputPolicy& policy,
                                const fs::path& extension)
-    : given_(path), path_(checked_place(path)), policy_(policy), file_(path_, extension) {}
+    : given_(path),
+      path_(checked_place(path)),
+      policy_(policy),
+      file_(path_, extension, policy.waiting) {}
 
 fs::path StreamedOutput::open_by_name() {
   append({});
