@@ -75,6 +75,19 @@ std::vector<SweptMetric> shown_metrics(const std::vector<Combination>& rows) {
   return shown;
 }
 
+/// Throws Error where the combinations of so many scenarios are more than a table can be read of.
+void require_countable(const std::vector<SweptOption>& options, std::size_t scenarios) {
+  constexpr double kMaxRows = 100'000;
+  double rows = static_cast<double>(scenarios);
+  for (const auto& [key, values] : options) {
+    rows *= static_cast<double>(values.size());
+  }
+  if (rows > kMaxRows) {
+    vo::fail_as(vo::ErrorKind::usage, "--set: the values have ", rows,
+                " combinations over all scenarios, expected at most ", kMaxRows);
+  }
+}
+
 /// Returns all combinations; the last option's values change fastest.
 std::vector<Assignments> combine(const std::vector<SweptOption>& options) {
   std::vector<Assignments> combinations(1);
@@ -272,6 +285,7 @@ void require_no_temporary_problem(const std::vector<Combination>& rows) {
 
 std::vector<LoadedScenario> swept_scenarios(const std::vector<fs::path>& files,
                                             const std::vector<SweptOption>& options) {
+  require_countable(options, files.size());
   const std::vector<Assignments> combinations = combine(options);
   std::vector<LoadedScenario> scenarios;
   for (const fs::path& file : files) {
