@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -22,15 +23,17 @@ namespace tools {
 namespace {
 
 constexpr const char* kStreamWord = "-";
+constexpr const char* kTakesStdin = "; - is stdin";  // in an option's help
 
 /// The options of one command line that have taken the streams; empty names where none has.
 struct TakenStreams {
   std::string input;
   std::string output;
+  std::uintmax_t max_input_bytes = vo::kMaxFileBytes;
 };
 
 /// Reads stdin to its end and puts a file of what came in its place.
-void hold_stdin() {
+void hold_stdin(std::uintmax_t max_bytes) {
   const int flags = ::fcntl(STDIN_FILENO, F_GETFL);
   vo::require(flags >= 0 && (flags & O_ACCMODE) != O_WRONLY, vo::kStdinPath,
               ": is closed or cannot be read, expected a file or pipe");
@@ -39,7 +42,7 @@ void hold_stdin() {
     vo::fail_with(vo::kStdinPath, "cannot be held", errno);
   }
   try {
-    vo::copy_stream(STDIN_FILENO, held, vo::kStdinPath, vo::kMaxFileBytes, throw_if_interrupted);
+    vo::copy_stream(STDIN_FILENO, held, vo::kStdinPath, max_bytes, throw_if_interrupted);
   } catch (const vo::Error&) {
     ::close(held);
     throw;
@@ -118,7 +121,15 @@ void take_streams(CLI::App& command, const FileArguments& files) {
   for (const std::string& name : files.inputs) {
     CLI::Option& option = *find_option(command, name);
     take_stream(option, vo::kStdinPath, [taken]() -> std::string& { return taken->input; });
-    add_to_help(option, "; - is stdin");
+    add_to_help(option, kTakesStdin);
+  }
+  for (const std::string& name : files.configurations) {
+    CLI::Option& option = *find_option(command, name);
+    take_stream(option, vo::kStdinPath, [taken]() -> std::string& {
+      taken->max_input_bytes = vo::kMaxConfigurationBytes;
+      return taken->input;
+    });
+    add_to_help(option, kTakesStdin);
   }
   for (const std::string& name : files.outputs) {
     CLI::Option& option = *find_option(command, name);
@@ -132,7 +143,7 @@ void take_streams(CLI::App& command, const FileArguments& files) {
     require_one_output(command, *taken);
     require_distinct_outputs(command, outputs);
     if (!taken->input.empty()) {
-      hold_stdin();
+      hold_stdin(taken->max_input_bytes);
     }
   });
 }

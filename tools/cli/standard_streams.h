@@ -13,9 +13,10 @@ namespace tools {
 
 /// The files and folders among a command's arguments, by the names of its options.
 struct FileArguments {
-  std::vector<std::string> inputs;   ///< files that are read whole: `-` is stdin
-  std::vector<std::string> outputs;  ///< files that are written whole: `-` is stdout
-  std::vector<std::string> others;   ///< folders and programs: `-` is an error
+  std::vector<std::string> inputs;          ///< files that are read whole: `-` is stdin
+  std::vector<std::string> configurations;  ///< inputs of at most `vo::kMaxConfigurationBytes`
+  std::vector<std::string> outputs;         ///< files that are written whole: `-` is stdout
+  std::vector<std::string> others;          ///< folders and programs: `-` is an error
 };
 
 /// Lets a command take `-` for stdin and stdout, at most once each, and says so in its help. What

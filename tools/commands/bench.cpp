@@ -135,7 +135,8 @@ void add_bench_command(CLI::App& program, Session& session) {
                    "also how preset default's time grows with points, levels and resolution");
   command.add_option("--out", arguments->out, "the result as JSON, also to this file");
   add_common_options(command, arguments->common);
-  take_streams(command, {.inputs = {"INPUT", "--camera"}, .outputs = {"--out"}});
+  take_streams(command,
+               {.inputs = {"INPUT"}, .configurations = {"--camera"}, .outputs = {"--out"}});
   command.callback([arguments, &session] { bench(*arguments, session); });
 }
 

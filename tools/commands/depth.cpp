@@ -185,7 +185,9 @@ void add_depth_command(CLI::App& program, Session& session) {
       ->check(CLI::NonNegativeNumber);
   add_topic_options(command, arguments->topics);
   add_common_options(command, arguments->common);
-  take_streams(command, {.inputs = {"--camera", "--depth-file"}, .others = {"SEQUENCE", "--out"}});
+  take_streams(command, {.inputs = {"--depth-file"},
+                         .configurations = {"--camera"},
+                         .others = {"SEQUENCE", "--out"}});
   command.callback([arguments, &session] { session.status = depth(*arguments, session); });
 }
 

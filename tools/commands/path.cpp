@@ -136,7 +136,8 @@ void add_path_command(CLI::App& program, Session& session) {
   add_actor_option(command, arguments->actors);
   add_field_options(command, vo::fields_of(arguments->limits, "limit."), "Limits, 0 = none");
   add_common_options(command, arguments->common);
-  take_streams(command, {.inputs = {"SCENE", "--trajectory", "--camera", "--actor"}});
+  take_streams(command,
+               {.inputs = {"SCENE", "--trajectory"}, .configurations = {"--camera", "--actor"}});
   command.callback([arguments, &session] { check(*arguments, session); });
 }
 

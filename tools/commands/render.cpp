@@ -367,9 +367,9 @@ void add_render_command(CLI::App& program, Session& session) {
   add_field_options(command, sensor_fields(arguments->job.recipe.sensor), "Sensor");
   add_live_options(command, arguments->live);
   add_common_options(command, arguments->common);
-  take_streams(command,
-               {.inputs = {"SCENE", "--trajectory", "--camera", "--rig", "--classes", "--actor"},
-                .others = {"--out"}});
+  take_streams(command, {.inputs = {"SCENE", "--trajectory"},
+                         .configurations = {"--camera", "--rig", "--classes", "--actor"},
+                         .others = {"--out"}});
   command.callback([arguments, &session] { render(*arguments, session); });
 }
 

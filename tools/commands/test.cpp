@@ -372,7 +372,8 @@ void add_test_command(CLI::App& program, Session& session) {
   add_share_options(command, arguments->shares);
   add_field_options(command, vo::fields_of(arguments->comparison), "Baseline");
   add_field_options(command, vo::fields_of(arguments->limits), "Limits of --tracker");
-  take_streams(command, {.inputs = {"PATHS", "--baseline"},
+  take_streams(command, {.inputs = {"--baseline"},
+                         .configurations = {"PATHS"},
                          .outputs = {"--junit", "--json", "--report"},
                          .others = {"--save-baseline", "--cache", "--trials", "--collect"}});
   command.callback([arguments, &session] { session.status = test(*arguments, session); });

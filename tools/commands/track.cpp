@@ -407,7 +407,8 @@ void add_track_command(CLI::App& program, Session& session) {
   add_topic_options(command, arguments->topics);
   add_live_options(command, arguments->live);
   add_common_options(command, arguments->common);
-  take_streams(command, {.inputs = {"--camera", "--config", "--depth-file"},
+  take_streams(command, {.inputs = {"--depth-file"},
+                         .configurations = {"--camera", "--config"},
                          .outputs = {"--out", "--frame-log", "--time-log"},
                          .others = {"SEQUENCE", "--save-map"}});
   command.callback([arguments, &session] { session.status = track(*arguments, session); });

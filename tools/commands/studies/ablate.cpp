@@ -202,7 +202,7 @@ void add_ablate_command(CLI::App& program, Session& /*session*/) {
   command.add_option("--max-error-deg", arguments->settings.max_error_deg,
                      "of an alignment that converged (levels, pairs), deg [0.15]");
   add_common_options(command, arguments->common);
-  take_streams(command, {.inputs = {"INPUT", "--camera"}, .others = {"--out"}});
+  take_streams(command, {.inputs = {"INPUT"}, .configurations = {"--camera"}, .others = {"--out"}});
   command.callback([arguments] { ablate(*arguments); });
 }
 

@@ -74,7 +74,7 @@ void add_basin_command(CLI::App& program, Session& /*session*/) {
       ->allow_extra_args(false);
   add_laboratory_options(command, arguments->lab);
   add_field_options(command, vo::fields_of(arguments->settings), "Map");
-  take_streams(command, {.inputs = {"SCENARIO"}, .others = {"--out", "--cache"}});
+  take_streams(command, {.configurations = {"SCENARIO"}, .others = {"--out", "--cache"}});
   command.callback([arguments] { basin(*arguments); });
 }
 

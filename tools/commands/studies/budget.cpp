@@ -67,7 +67,7 @@ void add_budget_command(CLI::App& program, Session& /*session*/) {
   command.add_option("--set", arguments->lab.assignments, "key=value of the scenario, repeatable")
       ->allow_extra_args(false);
   add_laboratory_options(command, arguments->lab);
-  take_streams(command, {.inputs = {"SCENARIO"}, .others = {"--out", "--cache"}});
+  take_streams(command, {.configurations = {"SCENARIO"}, .others = {"--out", "--cache"}});
   command.callback([arguments] { budget(*arguments); });
 }
 

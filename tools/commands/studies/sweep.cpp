@@ -154,8 +154,8 @@ void add_sweep_command(CLI::App& program, Session& session) {
   command.add_flag("--again", arguments->lab.run.trial.measure_again,
                    "measure what this program has measured before");
   add_share_options(command, arguments->shares);
-  take_streams(command,
-               {.inputs = {"SCENARIOS"}, .others = {"--out", "--cache", "--trials", "--collect"}});
+  take_streams(command, {.configurations = {"SCENARIOS"},
+                         .others = {"--out", "--cache", "--trials", "--collect"}});
   command.callback([arguments, &session] { session.status = run(*arguments, session); });
 }
 
