@@ -19,7 +19,6 @@ CameraPose eye_at(const CameraMotion& motion, double time) {
 }  // namespace
 
 void Shutter::validate() const {
-  constexpr double kLongest = 60;  // s
   vo::require(exposure_time >= 0 && exposure_time <= kLongest,
               "shutter: expected exposure_time from 0 to ", kLongest, " s, got ", exposure_time);
   vo::require(readout_time >= 0 && readout_time <= kLongest,

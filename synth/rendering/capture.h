@@ -19,6 +19,8 @@ namespace synth {
 /// The exposure and read-out timing of a picture, whose stamp is the middle of the exposure of its
 /// middle row, (height - 1) / 2.
 struct Shutter {
+  static constexpr double kLongest = 60;  ///< s, of exposures and of read-outs
+
   double exposure_time = 0;  ///< s in which each row collects light; 0 = an instant
   double readout_time = 0;   ///< s, read-out from top to bottom edge; 0 = global shutter
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "synth/rendering/capture.h"
 #include "vo/core/error.h"
 
 namespace synth {
@@ -18,10 +19,9 @@ void require_times(const char* name, double time_constant, double delay) {
 
 void AutoExposureOptions::validate() const {
   require_times("sensor.auto_exposure", time_constant, delay);
-  constexpr double kLongest = 60;  // s, as a shutter's own
-  vo::require(max_exposure_time > 0 && max_exposure_time <= kLongest,
-              "sensor.auto_exposure.max_exposure_time: expected above 0 and at most ", kLongest,
-              " s, got ", max_exposure_time);
+  vo::require(max_exposure_time > 0 && max_exposure_time <= Shutter::kLongest,
+              "sensor.auto_exposure.max_exposure_time: expected above 0 and at most ",
+              Shutter::kLongest, " s, got ", max_exposure_time);
 }
 
 void WhiteBalanceOptions::validate() const {
