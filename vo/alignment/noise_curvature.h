@@ -15,8 +15,9 @@ namespace vo {
 /// motion along which nothing changes, such as that of parallel stripes, has no other curvature.
 ///
 /// Gradients differ without noise, too, where the surface is inclined and the views have different
-/// directions: the image of a table's edge turns as one walks past. What a surface inclined by up
-/// to 72 deg explains is no part of D.
+/// directions: the image of a table's edge turns as one walks past. What the surface explains, with
+/// the normal that the current depth image has, is no part of D; nor is, where there is no depth,
+/// what any surface inclined by up to 72 deg explains.
 ///
 /// `terms` must have been computed from the view by Formulation::esm. The equations' b is 0.
 PointEquations noise_equations(const PointView& view, const PointTerms& terms);
