@@ -98,7 +98,7 @@ vo::SequenceSource small_source() {
     source.timestamps.push_back(timestamp);
     source.truth.push_back({timestamp, vo::SE3(Eigen::Quaterniond::Identity(), {timestamp, 0, 1})});
     source.imu.samples.push_back({timestamp, {0.1, 0.2, 0.3}, {0, 9.81, 0}});
-    source.imu.states.push_back({timestamp, source.truth.back().T_world_camera, {1, 2, 3}, {}, {}});
+    source.imu.states.push_back({timestamp, source.truth.back().T_world_camera, {1, 2, 3}});
   }
   source.imu.noise.rate = 200;
   return source;

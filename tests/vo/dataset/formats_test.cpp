@@ -67,7 +67,7 @@ TEST(Euroc, ReadsBackWithDepthPosesAndImu) {
   source.imu.samples = {{0, {1, 2, 3}, {4, 5, 6}}, {0.005, {1, 2, 3}, {4, 5, 7}}};
   source.imu.noise = {200, 1.7e-4, 1.9e-5, 2e-3, 3e-3};
   for (const vo::StampedPose& pose : source.truth) {
-    source.imu.states.push_back({pose.timestamp, pose.T_world_camera, {1, 2, 3}, {}, {}});
+    source.imu.states.push_back({pose.timestamp, pose.T_world_camera, {1, 2, 3}});
   }
   const TempFolder folder;
   for (std::size_t i = 0; i < kFrames; ++i) {
