@@ -78,7 +78,7 @@ std::vector<SweptMetric> shown_metrics(const std::vector<Combination>& rows) {
 /// Throws Error where the combinations of so many scenarios are more than a table can be read of.
 void require_countable(const std::vector<SweptOption>& options, std::size_t scenarios) {
   constexpr double kMaxRows = 100'000;
-  double rows = static_cast<double>(scenarios);
+  auto rows = static_cast<double>(scenarios);
   for (const auto& [key, values] : options) {
     rows *= static_cast<double>(values.size());
   }
