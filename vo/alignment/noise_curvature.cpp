@@ -52,8 +52,8 @@ EDVO_INLINE void place_points(const PassWarp& warp, Block& block) {
   }
 }
 
-/// What a surface adds to a difference of gradients without noise, for each unit of the part that
-/// the difference has along the ray to the point p, in lengths of p.
+/// A Parallax is the part across the ray of a difference of gradients without noise, for a part of
+/// the length |p| along the ray to the point p.
 struct Parallax {
   Eigen::Vector3f across;  ///< across the ray, m
   float uncertainty;       ///< length by which `across` may be wrong, m
