@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 #include <Eigen/Eigenvalues>
@@ -131,6 +132,11 @@ class LevelAlignment {
   SecantHessian hessian_;
 };
 
+double mean_depth(const EdgePointLevel& points) {
+  const double sum = std::accumulate(points.z_ref.begin(), points.z_ref.end(), 0.0);
+  return points.size() > 0 ? sum / static_cast<double>(points.size()) : 0;
+}
+
 void summarize(const JointSystem& system, const JointProblem& problem, AlignMemory& memory,
                AlignResult& result) {
   const PointEquations& first = system.parts.front();
@@ -151,7 +157,9 @@ void summarize(const JointSystem& system, const JointProblem& problem, AlignMemo
     result.loss_by_readout = scores.loss_by_readout;
     result.agreement = scores.agreement;
   }
-  result.correlation = correlation(problem.forward_view(0, result.T_cur_ref));
+  const PointView seen = problem.forward_view(0, result.T_cur_ref);
+  result.mean_depth = mean_depth(seen.points);
+  result.correlation = correlation(seen);
   result.depth_agreement = problem.depth_agreement(result.T_cur_ref);
 }
 

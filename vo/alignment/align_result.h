@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -49,6 +50,7 @@ struct AlignResult {
   double correlation = 0;       ///< correlation of reference and current intensity at seen points
   double depth_agreement = 1;   ///< share of the first reference's surfaces that are measured where
                                 ///< they would be seen; 1 where none are compared
+  double mean_depth = 0;        ///< m, of the first reference's finest points
   double cost = 0;              ///< robust loss per point of the finest level, in squared scales
   double conditioning = 0;      ///< least over greatest eigenvalue of the scaled normal equations;
                                 ///< near 0 a direction of motion is not determined
@@ -62,6 +64,12 @@ struct AlignResult {
   InplaceVector<ResidualModel, kMaxPairs> models;
   ViewAgreement agreement;        ///< of the first reference's points with the current image
   LossByReadout loss_by_readout;  ///< 0 where the camera's velocity is not known
+
+  /// Returns the standard deviation of the position relative to the first reference, over the depth
+  /// of its points.
+  double position_deviation() const {
+    return std::sqrt(covariance.topLeftCorner<3, 3>().trace()) / mean_depth;
+  }
 
   bool usable() const {
     return termination != Termination::too_few_points && termination != Termination::singular;

@@ -33,6 +33,11 @@ constexpr double kMostCovered = 0.3;
 constexpr double kMostNoise = 0.9;
 constexpr double kNoiseBeyondHalf = 0.1;
 
+/// Standard deviation of the position relative to the reference, over the depth of its points.
+/// Where depth is measured in much of the view it is above 0.003 in one frame of ten and above 0.01
+/// in one of a thousand.
+constexpr double kMostDeviation = 0.01;
+
 constexpr double kNewest = 0.2;  // weight of a frame in the means
 
 }  // namespace
@@ -84,8 +89,10 @@ TrackingReason Doubt::judge(const AlignResult& alignment, const ViewSurfaces& su
   if (depth_disagreement_.is_high) {
     return TrackingReason::depths_disagree;
   }
-  return alignment.noise_share > kMostNoise || noise_.is_high ? TrackingReason::undetermined
-                                                              : TrackingReason::none;
+  const bool is_vague = alignment.position_deviation() > kMostDeviation;
+  return alignment.noise_share > kMostNoise || noise_.is_high || is_vague
+             ? TrackingReason::undetermined
+             : TrackingReason::none;
 }
 
 }  // namespace vo

@@ -28,7 +28,7 @@ constexpr auto enum_names(TrackingStatus) {
 enum class TrackingReason {
   none,             ///< the frame is neither
   too_few_points,   ///< too few edge pixels with depth, or too few of them in view
-  undetermined,     ///< the points leave a direction of motion undetermined
+  undetermined,     ///< the points leave a direction of motion undetermined or determine it vaguely
   out_of_view,      ///< too small a share of the reference is in view
   images_disagree,  ///< the images do not look alike where they were brought to agree
   depths_disagree,  ///< the measured depths differ from those of the reference's surfaces

@@ -1,5 +1,7 @@
 #include "vo/tracking/doubt.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/plane_frames.h"
@@ -85,6 +87,19 @@ TEST(Doubt, OfAMotionAlongWhichImagesShareNothingAtOnceOrLittleForLong) {
   EXPECT_EQ(judged_with_noise(for_long, 0.3), TrackingReason::undetermined);
   judged_with_noise(for_long, 0.3);
   EXPECT_EQ(judged_with_noise(for_long, 0.3), TrackingReason::none);
+}
+
+TEST(Doubt, OfAPositionWhoseDeviationIsAHundredthOfTheDepth) {
+  vo::Doubt doubt;
+  vo::AlignResult alignment;
+  alignment.mean_depth = 2;
+  const double per_axis_m = 0.02 / std::sqrt(3.0);
+  alignment.covariance.diagonal().head<3>().setConstant(std::pow(0.99 * per_axis_m, 2));
+  EXPECT_EQ(doubt.judge(alignment, {}), TrackingReason::none);
+  alignment.covariance.diagonal().head<3>().setConstant(std::pow(1.01 * per_axis_m, 2));
+  EXPECT_EQ(doubt.judge(alignment, {}), TrackingReason::undetermined);
+  alignment.mean_depth = 3;
+  EXPECT_EQ(doubt.judge(alignment, {}), TrackingReason::none) << "farther away";
 }
 
 TEST(Doubt, OfAViewThatIsCovered) {
