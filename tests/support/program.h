@@ -1,5 +1,6 @@
 #pragma once
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -19,8 +20,11 @@ struct ProgramResult {
 };
 
 /// Runs the program with arguments as a shell reads them, in a shell that `before` has prepared
-/// (`ulimit -f 8; `).
+/// (`ulimit -f 8; `). Signals that the tests were started to ignore, as by nohup or in the
+/// background of a script, are not ignored by the program: some tests end it by SIGINT.
 inline ProgramResult run_program(const std::string& arguments, const std::string& before = "") {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGHUP, SIG_DFL);
   const TempFolder folder;
   const std::filesystem::path out = folder.write("out", "");
   const std::filesystem::path err = folder.write("err", "");
