@@ -22,6 +22,22 @@ void write_stream(const fs::path& path, std::string_view bytes, const OutputPoli
   stream.close();
 }
 
+/// Returns where a chain of symbolic links leads whose last target is not there yet.
+fs::path link_target(fs::path path) {
+  constexpr int kLinks = 40;  // as many as Linux follows
+  std::error_code error;
+  for (int link = 0;
+       link < kLinks && fs::is_symlink(fs::symlink_status(path, error)) && !fs::exists(path, error);
+       ++link) {
+    const fs::path target = fs::read_symlink(path, error);
+    if (error) {
+      break;
+    }
+    path = path.parent_path() / target;
+  }
+  return path;
+}
+
 }  // namespace
 
 bool is_stream(const fs::path& path) {
@@ -84,7 +100,7 @@ void require_writable(const fs::path& path) {
 
 fs::path resolved_output(const fs::path& path) {
   std::error_code error;
-  fs::path place = fs::weakly_canonical(fs::absolute(path), error);
+  fs::path place = fs::weakly_canonical(link_target(fs::absolute(path)), error);
   if (error) {
     fail_with(path, "cannot be written", error.value());
   }

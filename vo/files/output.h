@@ -67,7 +67,8 @@ void write_files(const std::filesystem::path& folder, const std::vector<NamedByt
 /// the work and not after it. Creates nothing.
 void require_writable(const std::filesystem::path& path);
 
-/// Returns the absolute path without dots, links or a slash at its end.
+/// Returns the absolute path without dots, links or a slash at its end; of a link to what is not
+/// there yet, its target.
 std::filesystem::path resolved_output(const std::filesystem::path& path);
 
 /// Throws Error of kind output_exists, which names `--force`.

@@ -104,6 +104,21 @@ TEST(WriteFile, WritesTheTargetOfALink) {
 }
 
 TEST(WriteFile, TakesOverWhatAKilledProcessLeft) {
+TEST(WriteFile, WritesTheTargetOfALinkThatIsNotThereYet) {
+  const TempFolder folder;
+  fs::create_symlink("real", folder.path() / "inner");
+  fs::create_symlink("inner", folder.path() / "link");
+  EXPECT_EQ(vo::resolved_output(folder.path() / "link"),
+            vo::resolved_output(folder.path() / "real"));
+  vo::write_file(folder.path() / "link", "new");
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "link"));
+  EXPECT_EQ(vo::read_file(folder.path() / "real"), "new");
+  fs::create_symlink("b", folder.path() / "a");
+  fs::create_symlink("a", folder.path() / "b");
+  EXPECT_THAT(error_text([&] { vo::resolved_output(folder.path() / "a"); }),
+              HasSubstr("cannot be written"));
+}
+
   const TempFolder folder;
   folder.write(".a.partial-edvo", "longer than what is written now");
   vo::write_file(folder.path() / "a", "new");
