@@ -1,12 +1,15 @@
 #include "tools/cli/standard_streams.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <functional>
 #include <iostream>
 #include <map>
 #include <memory>
+#include <string_view>
+#include <system_error>
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -97,19 +100,124 @@ void require_one_output(const CLI::App& command, const TakenStreams& taken) {
   }
 }
 
-/// Throws where two of the options name one file, in whatever way.
-void require_distinct_outputs(const CLI::App& command, const std::vector<std::string>& outputs) {
+/// Returns the files and folders that the options of these names were given.
+std::vector<NamedPlace> places_of(const CLI::App& command,
+                                  const std::vector<const std::vector<std::string>*>& groups) {
+  std::vector<NamedPlace> places;
+  for (const std::vector<std::string>* names : groups) {
+    for (const std::string& name : *names) {
+      for (const std::string& word : find_option(command, name)->results()) {
+        if (!word.empty()) {
+          places.push_back({name, word});
+        }
+      }
+    }
+  }
+  return places;
+}
+
+/// Returns all files and folders that are read and are there, streams left out. What is not there
+/// is a preset, or fails when it is read.
+std::vector<NamedPlace> read_places(const CLI::App& command, const FileArguments& files) {
+  std::vector<NamedPlace> places =
+      places_of(command, {&files.inputs, &files.configurations, &files.read});
+  for (const NamedPlace& place : files.defaults) {
+    if (find_option(command, place.name)->count() == 0) {
+      places.push_back(place);
+    }
+  }
+  std::erase_if(places, [](const NamedPlace& place) {
+    std::error_code ignored;
+    return !std::filesystem::exists(place.path, ignored) || vo::is_stream(place.path);
+  });
+  return places;
+}
+
+/// Returns all files and folders that are written, streams left out, and those first whose names
+/// the user did not give.
+std::vector<NamedPlace> written_places(const CLI::App& command, const FileArguments& files) {
+  std::vector<NamedPlace> places = files.derived ? files.derived() : std::vector<NamedPlace>();
+  const std::vector<NamedPlace> given = places_of(command, {&files.outputs, &files.written});
+  places.insert(places.end(), given.begin(), given.end());
+  std::erase_if(places, [](const NamedPlace& place) { return vo::is_stream(place.path); });
+  return places;
+}
+
+template <typename Value>
+bool is_one_of(const std::vector<Value>& values, const Value& value) {
+  return std::find(values.begin(), values.end(), value) != values.end();
+}
+
+/// What the folder of an input holds.
+enum class FolderContent { sequence, scenarios };
+
+/// Returns whether a sequence is read from a file of this name in its folder. Recordings are not
+/// meant: those beside a sequence are often made of it.
+bool is_read_from_sequence(const std::filesystem::path& file) {
+  static constexpr std::array<std::string_view, 9> kNames{
+      "rgb.txt",       "depth.txt", "groundtruth.txt", "associations.txt", "camera.toml",
+      "sequence.toml", "rig.toml",  "data.csv",        "pose_left.txt"};
+  static constexpr std::array<std::string_view, 4> kExtensions{".png", ".jpg", ".jpeg", ".yaml"};
+  return std::find(kNames.begin(), kNames.end(), file.filename()) != kNames.end() ||
+         std::find(kExtensions.begin(), kExtensions.end(), file.extension()) != kExtensions.end();
+}
+
+/// Returns whether writing the output would change what is read from the input, both resolved.
+bool is_read_with(const std::filesystem::path& output, const std::filesystem::path& input,
+                  FolderContent content) {
+  if (output == input) {
+    return true;
+  }
+  const std::filesystem::path within = output.lexically_relative(input);
+  if (within.empty() || *within.begin() == "..") {
+    return false;
+  }
+  return content == FolderContent::scenarios ? within.extension() == ".toml"
+                                             : is_read_from_sequence(within);
+}
+
+/// Throws where two outputs are one file, in whatever way they are named.
+void require_distinct_outputs(const std::vector<NamedPlace>& outputs) {
   std::map<std::filesystem::path, std::string> writers;
-  for (const std::string& name : outputs) {
-    for (const std::string& word : find_option(command, name)->results()) {
-      if (vo::is_stream(word)) {
-        continue;
+  for (const auto& [name, path] : outputs) {
+    const auto [first, is_new] = writers.try_emplace(vo::resolved_output(path), name);
+    if (!is_new && first->second != name) {
+      vo::fail_as(vo::ErrorKind::usage, name, ": ", path.string(), " is written by ", first->second,
+                  " already, expected another file");
+    }
+  }
+}
+
+/// Throws where an output would take the place of what is read, in whatever way it is named.
+void require_other_than_inputs(const std::vector<NamedPlace>& outputs,
+                               const std::vector<NamedPlace>& inputs, const FileArguments& files) {
+  for (const NamedPlace& input : inputs) {
+    const std::filesystem::path source = vo::resolved_output(input.path);
+    const FolderContent content = is_one_of(files.configurations, input.name)
+                                      ? FolderContent::scenarios
+                                      : FolderContent::sequence;
+    for (const auto& [name, path] : outputs) {
+      const bool is_allowed = is_one_of(files.in_place, std::pair(input.name, name));
+      if (!is_allowed && is_read_with(vo::resolved_output(path), source, content)) {
+        vo::fail_as(vo::ErrorKind::usage, name, ": ", path.string(), " is read by ", input.name,
+                    ", expected another file");
       }
-      const auto [first, is_new] = writers.try_emplace(vo::resolved_output(word), name);
-      if (!is_new && first->second != name) {
-        vo::fail_as(vo::ErrorKind::usage, name, ": ", word, " is written by ", first->second,
-                    " already, expected another file");
-      }
+    }
+  }
+}
+
+/// Throws where the command line names one file for two purposes of which one is to write it.
+void require_separate_files(const CLI::App& command, const FileArguments& files) {
+  const std::vector<NamedPlace> outputs = written_places(command, files);
+  require_distinct_outputs(outputs);
+  require_other_than_inputs(outputs, read_places(command, files), files);
+}
+
+/// Makes `-` an error of the options that name what no stream can be.
+void refuse_streams(CLI::App& command, const FileArguments& files) {
+  for (const auto* names : {&files.read, &files.written, &files.others}) {
+    for (const std::string& name : *names) {
+      refuse_stream(*find_option(command, name));
     }
   }
 }
@@ -136,12 +244,10 @@ void take_streams(CLI::App& command, const FileArguments& files) {
     take_stream(option, vo::kStdoutPath, [taken]() -> std::string& { return taken->output; });
     add_to_help(option, "; - is stdout");
   }
-  for (const std::string& name : files.others) {
-    refuse_stream(*find_option(command, name));
-  }
-  command.parse_complete_callback([&command, taken, outputs = files.outputs] {
+  refuse_streams(command, files);
+  command.parse_complete_callback([&command, taken, files] {
     require_one_output(command, *taken);
-    require_distinct_outputs(command, outputs);
+    require_separate_files(command, files);
     if (!taken->input.empty()) {
       hold_stdin(taken->max_input_bytes);
     }

@@ -180,7 +180,7 @@ void add_compare_command(CLI::App& program, Session& session) {
   command.add_flag("--power", arguments->power, "tell what growth of a metric is found");
   command.add_option("--metric", arguments->metric, "of --power [ate_rmse_m]");
   add_field_options(command, vo::fields_of(arguments->options), "Alarms");
-  take_streams(command, {.inputs = {"RESULTS"}, .others = {"--build-a", "--build-b"}});
+  take_streams(command, {.inputs = {"RESULTS"}, .read = {"--build-a", "--build-b"}});
   command.callback([arguments, &session] { session.status = compare(*arguments, session); });
 }
 

@@ -274,8 +274,9 @@ void add_convert_command(CLI::App& program, Session& session) {
                      "y-up | z-up: the axis of the world that is written (tum, euroc, colmap, "
                      "transforms-json) [euroc and transforms-json: z-up, others: as it is]");
   add_common_options(command, arguments->common);
-  take_streams(command,
-               {.inputs = {"--times"}, .configurations = {"--camera"}, .others = {"IN", "OUT"}});
+  take_streams(
+      command,
+      {.inputs = {"--times"}, .configurations = {"--camera"}, .read = {"IN"}, .written = {"OUT"}});
   command.callback([arguments, &session] {
     if (is_trajectory(*arguments)) {
       convert_trajectory(*arguments, session);

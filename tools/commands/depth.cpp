@@ -187,7 +187,8 @@ void add_depth_command(CLI::App& program, Session& session) {
   add_common_options(command, arguments->common);
   take_streams(command, {.inputs = {"--depth-file"},
                          .configurations = {"--camera"},
-                         .others = {"SEQUENCE", "--out"}});
+                         .read = {"SEQUENCE"},
+                         .written = {"--out"}});
   command.callback([arguments, &session] { session.status = depth(*arguments, session); });
 }
 

@@ -258,8 +258,9 @@ void add_evaluate_command(CLI::App& program, Session& session) {
       "--evo-ape", arguments->evo_ape,
       "ZIP with the absolute errors as evo_ape --save_results writes it, for evo_res");
   add_common_options(command, arguments->common);
-  take_streams(command,
-               {.inputs = {"TRUTH", "ESTIMATE", "--times"}, .others = {"--sequence", "--evo-ape"}});
+  take_streams(command, {.inputs = {"TRUTH", "ESTIMATE", "--times"},
+                         .read = {"--sequence"},
+                         .written = {"--evo-ape"}});
   command.callback([arguments, &session] { evaluate(*arguments, session); });
 }
 

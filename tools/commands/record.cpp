@@ -102,7 +102,7 @@ void add_record_command(CLI::App& program, Session& session) {
   command.add_option("--max-time-difference", arguments->max_time_difference,
                      "between the stamps of colour and depth, s [0.02]");
   add_common_options(command, arguments->common);
-  take_streams(command, {.configurations = {"--camera"}, .others = {"CAMERA", "OUT"}});
+  take_streams(command, {.configurations = {"--camera"}, .read = {"CAMERA"}, .written = {"OUT"}});
   command.callback([arguments, &session] { record(*arguments, session); });
 }
 

@@ -369,7 +369,7 @@ void add_render_command(CLI::App& program, Session& session) {
   add_common_options(command, arguments->common);
   take_streams(command, {.inputs = {"SCENE", "--trajectory"},
                          .configurations = {"--camera", "--rig", "--classes", "--actor"},
-                         .others = {"--out"}});
+                         .written = {"--out"}});
   command.callback([arguments, &session] { render(*arguments, session); });
 }
 

@@ -130,7 +130,7 @@ void add_run_command(CLI::App& program, Session& session) {
                    "times of each stage in report.html, which then differs from run to run");
   add_live_options(command, arguments->live);
   add_common_options(command, arguments->common);
-  take_streams(command, {.configurations = {"SCENARIO"}, .others = {"--out"}});
+  take_streams(command, {.configurations = {"SCENARIO"}, .written = {"--out"}});
   command.callback([arguments, &session] { session.status = run(*arguments, session); });
 }
 

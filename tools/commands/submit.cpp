@@ -360,7 +360,7 @@ void add_submit_command(CLI::App& program, Session& session) {
   command.add_flag("--resume", arguments->resume, "only the shares of which something is missing");
   add_batch_options(command, *arguments);
   add_trials_options(command, *arguments);
-  take_streams(command, {.others = {"SPEC", "--test", "--sweep", "--out", "--cache"}});
+  take_streams(command, {.read = {"SPEC", "--test", "--sweep"}, .others = {"--out", "--cache"}});
   command.callback([arguments, &command, &session] {
     refuse_ignored(command, arguments->chosen_engine());
     session.status = submit(*arguments);

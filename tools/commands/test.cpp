@@ -375,7 +375,10 @@ void add_test_command(CLI::App& program, Session& session) {
   take_streams(command, {.inputs = {"--baseline"},
                          .configurations = {"PATHS"},
                          .outputs = {"--junit", "--json", "--report"},
-                         .others = {"--save-baseline", "--cache", "--trials", "--collect"}});
+                         .written = {"--save-baseline"},
+                         .others = {"--cache", "--trials", "--collect"},
+                         .defaults = {{"PATHS", "scenarios"}},
+                         .in_place = {{"--baseline", "--save-baseline"}}});
   command.callback([arguments, &session] { session.status = test(*arguments, session); });
 }
 

@@ -110,7 +110,7 @@ Tracked tracked_rgbd(vo::SequenceResult result, vo::TrackerOptions& options) {
 void write_pictures(const TrackArguments& arguments, const vo::SequenceReader& sequence,
                     const vo::SequenceResult& result) {
   vo::write_file(
-      beside(arguments.out, "_trajectory.svg"),
+      beside(arguments.out, kPlotEnding),
       draw_trajectory(sequence.ground_truth(), result.trajectory, vo::TrajectoryAlignment::se3),
       arguments.common.output_policy());
 }
@@ -130,7 +130,7 @@ int track_rgbd(const TrackArguments& arguments, const std::optional<vo::RgbdCame
   const vo::SequenceReader sequence(arguments.sequence, camera, arguments.max_time_difference,
                                     vo::SequenceContent::colour_and_depth, arguments.topics);
   vo::TrackerOptions options = chosen.starting_from(sequence.camera());
-  PanelWriter panels(beside(arguments.out, "_panels"), arguments.debug_images,
+  PanelWriter panels(beside(arguments.out, kPanelsEnding), arguments.debug_images,
                      arguments.common.output_policy(), throw_if_interrupted);
   KeyframeCloud cloud;
   const vo::FrameObserver observer =
@@ -410,7 +410,10 @@ void add_track_command(CLI::App& program, Session& session) {
   take_streams(command, {.inputs = {"--depth-file"},
                          .configurations = {"--camera", "--config"},
                          .outputs = {"--out", "--frame-log", "--time-log"},
-                         .others = {"SEQUENCE", "--save-map"}});
+                         .read = {"SEQUENCE"},
+                         .written = {"--save-map"},
+                         .derived = [arguments] { return places_beside(*arguments); },
+                         .in_place = {{"--config", kOptionsBesideOut}}});
   command.callback([arguments, &session] { session.status = track(*arguments, session); });
 }
 

@@ -59,7 +59,19 @@ void write_config(const TrackArguments& arguments, const std::vector<vo::Field>&
       vo::concat("# edvo ", vo::version(), ": all that the trajectory was tracked with.\n",
                  "mode = ", vo::quoted_toml(arguments.mode), "\n",
                  "preset = ", vo::quoted_toml(arguments.preset), "\n", vo::format_toml(fields));
-  vo::write_file(beside(arguments.out, "_config.toml"), text, arguments.common.output_policy());
+  vo::write_file(beside(arguments.out, kConfigEnding), text, arguments.common.output_policy());
+}
+
+std::vector<NamedPlace> places_beside(const TrackArguments& arguments) {
+  if (vo::is_stream(arguments.out)) {
+    return {};
+  }
+  std::vector<NamedPlace> places{{kOptionsBesideOut, beside(arguments.out, kConfigEnding)}};
+  if (arguments.debug_images > 0) {
+    places.push_back({"--debug-images", beside(arguments.out, kPanelsEnding)});
+    places.push_back({"--debug-images", beside(arguments.out, kPlotEnding)});
+  }
+  return places;
 }
 
 std::filesystem::path beside(const std::filesystem::path& file, const std::string& suffix) {

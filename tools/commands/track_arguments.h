@@ -9,11 +9,20 @@
 
 #include "tools/cli/live_arguments.h"
 #include "tools/cli/options.h"
+#include "tools/cli/standard_streams.h"
 #include "tools/colour/colour.h"
 #include "vo/recordings/sequence_topics.h"
 #include "vo/text_files/toml_file.h"
 
 namespace tools {
+
+/// What errors call the file of all options beside `--out`, which `--config` may name.
+inline constexpr const char* kOptionsBesideOut = "the options beside --out";
+
+/// The endings of what `edvo track` writes beside `--out`.
+inline constexpr const char* kConfigEnding = "_config.toml";
+inline constexpr const char* kPanelsEnding = "_panels";
+inline constexpr const char* kPlotEnding = "_trajectory.svg";
 
 /// The odometry that tracks.
 enum class TrackMode { rgbd, mono };
@@ -60,6 +69,10 @@ void apply_arguments(const TrackArguments& arguments, std::vector<vo::Field>& fi
 void write_config(const TrackArguments& arguments, const std::vector<vo::Field>& fields);
 
 /// The path of a file with another ending: `a/e_panels` for `a/e.txt` and `_panels`.
+/// Returns the files and folders that are written beside `--out` without being named: the options,
+/// and where they are asked for the pictures and the plot.
+std::vector<NamedPlace> places_beside(const TrackArguments& arguments);
+
 std::filesystem::path beside(const std::filesystem::path& file, const std::string& suffix);
 
 }  // namespace tools

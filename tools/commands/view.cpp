@@ -112,7 +112,7 @@ void add_view_command(CLI::App& program, Session& session) {
   command.add_option("--time-log", arguments->time_log, "of the trajectory [e_times.csv]");
   command.add_option("--panels", arguments->panels, "folder of pictures [e_panels]");
   command.add_option("--port", arguments->live.port, "of the page; 0 is any that is free [0]");
-  take_streams(command, {.others = {"RESULT", "--frame-log", "--time-log", "--panels"}});
+  take_streams(command, {.read = {"RESULT", "--frame-log", "--time-log", "--panels"}});
   command.callback([arguments, &session] { view(*arguments, session); });
 }
 

@@ -90,6 +90,68 @@ TEST_F(Streams, TwoOutputsAreTwoFiles) {
   EXPECT_EQ(run_program("test --json F --junit G --report F").exit_code, 2);
 }
 
+TEST_F(Streams, AnOutputIsNoInput) {
+  write("z.toml", "why = \"mine\"");
+  std::filesystem::create_symlink("z.toml", file("link.toml"));
+  const std::string camera = path("sequence/camera.toml");
+  const std::string truth = path("sequence/groundtruth.txt");
+  std::vector<std::string> lines{
+      "test " + path("z.toml") + " --json " + path("link.toml"),
+      "test " + path("") + " --json " + path("z.toml"),
+      "test x.toml --save-baseline " + path("z.toml") + " --baseline " + path("z.toml") +
+          " --junit " + path("z.toml"),
+      track("--force --camera " + camera + " --out " + camera),
+      "evaluate " + truth + " " + path("e.txt") + " --force --evo-ape " + path("e.txt"),
+      "convert --force --format tum " + path("e.txt") + " " + path("e.txt")};
+  for (const std::string name : {"rgb.txt", "depth.txt", "groundtruth.txt", "sequence.toml"}) {
+    lines.push_back(track("--force --out " + path("sequence/" + name)));
+  }
+  const std::string estimate = read("e.txt");
+  for (const std::string& line : lines) {
+    const ProgramResult result = run_program(line);
+    EXPECT_EQ(result.exit_code, 2) << line << result.err;
+    EXPECT_THAT(result.err, HasSubstr(", expected another file")) << line;
+  }
+  EXPECT_EQ(read("z.toml"), "why = \"mine\"");
+  EXPECT_EQ(read("e.txt"), estimate);
+  EXPECT_THAT(read("sequence/rgb.txt"), HasSubstr(".png"));
+}
+
+TEST_F(Streams, AnOutputMayLieBesideASequencesFiles) {
+  EXPECT_EQ(run_program(track("--out " + path("sequence/e.txt"))).exit_code, 0);
+  const std::string again = track("--force --config " + path("sequence/e_config.toml") + " --out " +
+                                  path("sequence/e.txt"));
+  EXPECT_EQ(run_program(again).exit_code, 0) << "the options are what they were";
+  EXPECT_EQ(read("sequence/e.txt"), read("e.txt"));
+}
+
+TEST_F(Streams, WhatIsWrittenBesideAnOutputIsNoOtherOutput) {
+  for (const std::string& rest :
+       {"--frame-log " + path("new_config.toml"), "--time-log " + path("new_config.toml"),
+        "--debug-images 5 --frame-log " + path("new_panels"),
+        "--debug-images 5 --frame-log " + path("new_trajectory.svg"),
+        "--camera " + path("new_config.toml")}) {
+    write("new_config.toml", "");
+    const ProgramResult result =
+        run_program(track("--force --out " + path("new.txt") + " " + rest));
+    EXPECT_EQ(result.exit_code, 2) << rest << result.err;
+    EXPECT_FALSE(exists("new.txt")) << rest;
+  }
+  EXPECT_EQ(
+      run_program(track("--force --out " + path("new.txt") + " --frame-log " + path("new_panels")))
+          .exit_code,
+      0)
+      << "no pictures are asked for";
+}
+
+TEST_F(Streams, ALinkToAnOutputThatIsNotThereYetIsThatOutput) {
+  std::filesystem::create_symlink("new.txt", file("log.csv"));
+  const ProgramResult result =
+      run_program(track("--force --out " + path("new.txt") + " --frame-log " + path("log.csv")));
+  EXPECT_EQ(result.exit_code, 2) << result.err;
+  EXPECT_FALSE(exists("new.txt"));
+}
+
 TEST_F(Streams, AreRefusedWhereTheyMakeNoSense) {
   for (const std::string& arguments :
        {std::string("track - --out x"), std::string("render room.gltf --path still --out -"),
