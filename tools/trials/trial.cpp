@@ -15,6 +15,7 @@
 #include "tools/processes/readable_text.h"
 #include "tools/report/scenario_report.h"
 #include "tools/sequence_cache/sequence_cache.h"
+#include "tools/trials/trial_file.h"
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/dataset/sequence.h"
@@ -39,9 +40,9 @@ constexpr double kUnknownMetric = std::numeric_limits<double>::quiet_NaN();
 std::string kept_key(const Scenario& scenario, const std::string& sequence) {
   Scenario copy = scenario;
   const char* runs = scenario.expect.contains("repeat_difference_m") ? "twice" : "once";
-  return vo::content_hash(vo::concat(program_hash(), "\n", sequence, "\n",
-                                     vo::format_toml(vo::fields_of(copy.odometry)), "\n",
-                                     vo::format_toml(vo::fields_of(copy.score)), "\n", runs));
+  return vo::content_hash(vo::concat(
+      program_hash(), "\n", sequence, "\n", vo::format_toml(vo::fields_of(copy.odometry)), "\n",
+      vo::format_toml(vo::fields_of(copy.score)), "\n", runs, "\n", forest_models_hash(scenario)));
 }
 
 /// Returns the cached result of an earlier run; empty if there is no readable file.

@@ -61,10 +61,7 @@ std::string scenario_hash(const Scenario& scenario) {
                 [](const vo::Field& field) { return field.key == "why" || field.key == "slow"; });
   const synth::PathOptions path = scenario.resolved_path();
   std::string text = vo::concat(vo::format_toml(fields), "\n", file_hash(path.file), "\n",
-                                file_hash(path.file_times), "\n");
-  for (const vo::Field& field : fields) {
-    text += field.key.ends_with(".forest_model") ? file_hash(field.get()) + "\n" : "";
-  }
+                                file_hash(path.file_times), "\n", forest_models_hash(scenario));
   text += synth::format_actors(scenario.actors);
   for (const synth::ActorOptions& actor : scenario.actors) {
     text += scene_files_hash(actor.file) + "\n";
@@ -126,6 +123,15 @@ const std::string& TrialKeys::scene_hash(const fs::path& gltf) {
                                   [&](const auto& scene) { return scene.first == gltf; });
   return found != scenes_.end() ? found->second
                                 : scenes_.emplace_back(gltf, scene_files_hash(gltf)).second;
+}
+
+std::string forest_models_hash(const Scenario& scenario) {
+  Scenario copy = scenario;
+  std::string text;
+  for (const vo::Field& field : vo::fields_of(copy)) {
+    text += field.key.ends_with(".forest_model") ? file_hash(field.get()) + "\n" : "";
+  }
+  return text;
 }
 
 void write_trial(const fs::path& path, const TrialFile& file, vo::Durability durability) {

@@ -40,6 +40,10 @@ struct TrialFile {
   TrialResult trial;
 };
 
+/// Returns the hashes of the forest models that a scenario names, which its fields do not tell
+/// apart; of one that is missing, too. Empty where it names none.
+std::string forest_models_hash(const Scenario& scenario);
+
 /// Writes the file of a trial and the folder that it lies in, without a lock (`unlocked_file.h`).
 void write_trial(const std::filesystem::path& path, const TrialFile& file,
                  vo::Durability durability);

@@ -10,7 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/program_test.h"
+#include "tests/support/small_forest.h"
 #include "vo/files/output.h"
+#include "vo/structured_forest/structured_forest_file.h"
 
 namespace {
 
@@ -161,6 +163,24 @@ TEST_F(LabProgram, AChangeOfTheBaselineIsAViolation) {
   EXPECT_EQ(paper.exit_code, 4) << paper.out;
   EXPECT_THAT(paper.out, HasSubstr("good: ate_rmse_m was "));
   EXPECT_THAT(paper.out, HasSubstr("CHANGED"));
+}
+
+TEST_F(LabProgram, AForestModelIsPartOfWhatWasMeasured) {
+  write("forest.yml",
+        vo::structured_forest_yaml(support::small_forest(0, 0.5F, support::all_bins())));
+  const std::string name = fs::absolute(file("forest.yml")).string();
+  write("scenarios/good.toml", read("scenarios/good.toml") +
+                                   "\n[odometry]\ntracker.edges.detector = \"structured_forest\"\n"
+                                   "tracker.edges.forest_model = \"" +
+                                   name + "\"\n");
+  const std::string options = path("scenarios/good.toml") + " --bounds none";
+  const ProgramResult first = test(options);
+  ASSERT_EQ(first.exit_code, 0) << first.out << first.err;
+  EXPECT_EQ(test(options).exit_code, 0) << "it is kept";
+  fs::remove(file("forest.yml"));
+  const ProgramResult gone = test(options);
+  EXPECT_EQ(gone.exit_code, 3) << gone.out;
+  EXPECT_THAT(gone.out, HasSubstr("forest.yml"));
 }
 
 TEST_F(LabProgram, AnOutsideTrackerIsJudgedByTheSameBounds) {
