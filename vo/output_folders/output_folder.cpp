@@ -4,6 +4,8 @@
 #include <system_error>
 #include <vector>
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "vo/core/error.h"
@@ -44,7 +46,43 @@ void rename_to(const fs::path& from, const fs::path& path) {
   }
 }
 
+/// Removes what was replaced, as far as it can be.
+void remove_old_folder(const fs::path& old) {
+  try {
+    allow_removal(old);
+  } catch (const Error&) {  // whoever replaces a folder again is told of it
+  }
+  remove_tree(old);
+}
+
+/// Removes what was replaced earlier; throws Error where that cannot be done.
+void require_no_old_folder(const fs::path& path) {
+  const fs::path old = old_name(path);
+  remove_old_folder(old);
+  require(!fs::exists(fs::symlink_status(old)), path.string(),
+          ": cannot be replaced: an earlier result, ", old.string(),
+          ", cannot be removed; remove it");
+}
+
 }  // namespace
+
+void allow_removal(const fs::path& folder) {
+  struct stat status {};
+  if (::lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode)) {
+    return;
+  }
+  if ((status.st_mode & S_IRWXU) != S_IRWXU && status.st_uid == ::geteuid()) {
+    ::chmod(folder.c_str(), (status.st_mode & ~S_IFMT) | S_IRWXU);
+  }
+  if (::faccessat(AT_FDCWD, folder.c_str(), R_OK | W_OK | X_OK, AT_EACCESS) != 0) {
+    fail_with(folder, "cannot be replaced", errno);
+  }
+  for (const FolderEntry& entry : entries_of(folder)) {
+    if (entry.kind == EntryKind::folder) {
+      allow_removal(folder / entry.name);
+    }
+  }
+}
 
 void sync_tree(const fs::path& folder) {
   for (const FolderEntry& entry : entries_below(folder)) {
@@ -61,6 +99,8 @@ void put_folder_in_place(const fs::path& made, const fs::path& path, Durability 
   }
   const bool is_replaced = fs::exists(path);
   if (is_replaced) {
+    require_no_old_folder(path);
+    allow_removal(path);
     rename_to(path, old_name(path));
   }
   try {
@@ -82,7 +122,7 @@ void remove_leftovers(const fs::path& path) {
   if (fs::exists(old) && !fs::exists(path)) {
     rename_to(old, path);
   }
-  remove_tree(old);
+  remove_old_folder(old);
   remove_tree(partial_name(path));
 }
 

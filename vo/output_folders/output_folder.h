@@ -41,9 +41,13 @@ class OutputFolder {
 /// Waits until a folder and all that is below are on the disk. Throws Error where that fails.
 void sync_tree(const std::filesystem::path& folder);
 
+/// Gives the owner of a folder, and of all folders below it, the permission to remove what they
+/// hold. Throws Error where a folder is somebody else's and its content cannot be removed.
+void allow_removal(const std::filesystem::path& folder);
+
 /// Renames a folder to `path` and syncs both as the policy says; a folder that is there is removed,
-/// once the new one has its name. The caller holds the lock of `path` and has called
-/// `require_replaceable`.
+/// once the new one has its name. Throws Error before anything is renamed where it could not be.
+/// The caller holds the lock of `path` and has called `require_replaceable`.
 void put_folder_in_place(const std::filesystem::path& made, const std::filesystem::path& path,
                          Durability durability);
 

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
@@ -103,7 +104,6 @@ TEST(WriteFile, WritesTheTargetOfALink) {
   EXPECT_EQ(vo::read_file(folder.path() / "real"), "new");
 }
 
-TEST(WriteFile, TakesOverWhatAKilledProcessLeft) {
 TEST(WriteFile, WritesTheTargetOfALinkThatIsNotThereYet) {
   const TempFolder folder;
   fs::create_symlink("real", folder.path() / "inner");
@@ -119,6 +119,7 @@ TEST(WriteFile, WritesTheTargetOfALinkThatIsNotThereYet) {
               HasSubstr("cannot be written"));
 }
 
+TEST(WriteFile, TakesOverWhatAKilledProcessLeft) {
   const TempFolder folder;
   folder.write(".a.partial-edvo", "longer than what is written now");
   vo::write_file(folder.path() / "a", "new");
@@ -200,6 +201,70 @@ TEST(OutputFolder, AppearsOnlyWhenCommitted) {
   }
   EXPECT_EQ(vo::read_file(path / "marker"), "1");
   EXPECT_EQ(entries(folder.path()), 1U);
+}
+
+/// Acts as a user who is bound by permissions while it lives; does nothing for who is one already.
+class OrdinaryUser {
+ public:
+  OrdinaryUser() {
+    if (::geteuid() == 0) {
+      EXPECT_EQ(::seteuid(kNobody), 0);
+    }
+  }
+  ~OrdinaryUser() { EXPECT_EQ(::seteuid(::getuid()), 0); }
+  OrdinaryUser(const OrdinaryUser&) = delete;
+  OrdinaryUser& operator=(const OrdinaryUser&) = delete;
+  OrdinaryUser(OrdinaryUser&&) = delete;
+  OrdinaryUser& operator=(OrdinaryUser&&) = delete;
+
+  /// Gives a file or folder to this user, if it is another.
+  static void own(const fs::path& path) {
+    if (::geteuid() == 0) {
+      EXPECT_EQ(::chown(path.c_str(), kNobody, kNobody), 0);
+    }
+  }
+
+ private:
+  static constexpr uid_t kNobody = 65534;
+};
+
+void fill_deep(const fs::path& path, const std::string& content) {
+  vo::OutputFolder output(path, ExistingOutput::replace, {});
+  output.write({{"marker", content}, {"sub/file", content}});
+  output.commit();
+}
+
+TEST(OutputFolder, ReplacesAFolderOfOnesOwnThatIsReadOnly) {
+  const TempFolder folder;
+  OrdinaryUser::own(folder.path());
+  const OrdinaryUser user;
+  const fs::path path = folder.path() / "result";
+  for (const char* content : {"1", "2", "3"}) {
+    fill_deep(path, content);
+    EXPECT_EQ(vo::read_file(path / "marker"), content);
+    EXPECT_EQ(entries(folder.path()), 1U) << "nothing is left of what was replaced";
+    fs::permissions(path / "sub", fs::perms::owner_read | fs::perms::owner_exec);
+    fs::permissions(path, fs::perms::owner_read | fs::perms::owner_exec);
+  }
+  vo::allow_removal(path);
+}
+
+TEST(OutputFolder, LeavesWhatSomebodyElseMustRemoveInItsPlace) {
+  if (::geteuid() != 0) {
+    GTEST_SKIP() << "a folder of another user needs root";
+  }
+  const TempFolder folder;
+  OrdinaryUser::own(folder.path());
+  const fs::path path = folder.path() / "result";
+  fill_deep(path, "1");
+  {
+    const OrdinaryUser user;
+    EXPECT_THAT(error_text([&] { fill_deep(path, "2"); }), HasSubstr("cannot be replaced"));
+    EXPECT_EQ(vo::read_file(path / "marker"), "1");
+    EXPECT_EQ(entries(folder.path()), 1U);
+  }
+  fill_deep(path, "2");
+  EXPECT_EQ(vo::read_file(path / "marker"), "2");
 }
 
 TEST(OutputFolder, KeepsWhatDiffersUnlessToldToReplaceIt) {
