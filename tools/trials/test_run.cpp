@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
+#include <map>
+#include <string>
 #include <utility>
 
 #include <tbb/global_control.h>
@@ -44,6 +46,18 @@ std::vector<fs::path> scenarios_in(const fs::path& folder, SlowScenarios slow) {
   }
   vo::require(!files.empty(), folder.string(), ": has no scenario, expected .toml files");
   return files;
+}
+
+/// Throws where two scenarios have one name, by which their results would be mixed.
+void require_distinct_names(const std::vector<fs::path>& files) {
+  std::map<std::string, fs::path> named;
+  for (const fs::path& file : files) {
+    const auto [first, is_new] = named.try_emplace(file.stem().string(), file);
+    if (!is_new && !fs::equivalent(first->second, file)) {
+      vo::fail_as(vo::ErrorKind::usage, file.string(), ": has the name of ", first->second.string(),
+                  ", expected scenarios of different names");
+    }
+  }
 }
 
 LoadedScenario load(const fs::path& file, BoundsSource bounds) {
@@ -96,6 +110,7 @@ std::vector<fs::path> find_scenarios(const std::vector<fs::path>& paths, SlowSce
       files.push_back(path);
     }
   }
+  require_distinct_names(files);
   return files;
 }
 

@@ -24,7 +24,8 @@ struct RunSettings {
 enum class SlowScenarios { leave_out, include };
 
 /// Returns the scenario files that the paths name, and those of folders sorted by name, slow ones
-/// only if included. Throws vo::Error naming a missing path or a folder without scenarios.
+/// only if included. Throws vo::Error naming a missing path, a folder without scenarios or two
+/// different files of one name, which is a usage error.
 std::vector<std::filesystem::path> find_scenarios(const std::vector<std::filesystem::path>& paths,
                                                   SlowScenarios slow);
 

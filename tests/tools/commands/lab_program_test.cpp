@@ -183,6 +183,23 @@ TEST_F(LabProgram, AForestModelIsPartOfWhatWasMeasured) {
   EXPECT_THAT(gone.out, HasSubstr("forest.yml"));
 }
 
+TEST_F(LabProgram, ScenariosOfOneNameAreRefused) {
+  write("others/good.toml", read("scenarios/good.toml"));
+  const std::string scenarios = path("scenarios/good.toml") + " " + path("others/good.toml");
+  for (const std::string& line :
+       {"test " + scenarios, "sweep " + scenarios + " --set path.rate=5,6 --out " + path("s")}) {
+    const ProgramResult result = run_program(line);
+    EXPECT_EQ(result.exit_code, 2) << line << result.err;
+    EXPECT_THAT(result.err, HasSubstr("others/good.toml: has the name of "));
+    EXPECT_THAT(result.err, HasSubstr("scenarios/good.toml"));
+  }
+  EXPECT_FALSE(exists("s"));
+  EXPECT_EQ(
+      test(path("scenarios/good.toml") + " " + path("scenarios/../scenarios/good.toml")).exit_code,
+      0)
+      << "one file twice";
+}
+
 TEST_F(LabProgram, AnOutsideTrackerIsJudgedByTheSameBounds) {
   const ProgramResult same = test(path("scenarios/good.toml") + " --json " + path("own.json"));
   ASSERT_EQ(same.exit_code, 0);
