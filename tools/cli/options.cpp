@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <iostream>
 #include <utility>
+#include <set>
 
 #include <tbb/info.h>
 
@@ -101,8 +102,20 @@ void apply_assignment(const std::string& assignment, std::vector<vo::Field>& fie
               << current << " now\n";
   }
   try {
+void require_distinct_keys(const std::vector<std::string>& assignments) {
+  std::set<std::string> keys;
+  for (const std::string& assignment : assignments) {
+    const std::string key = vo::current_key(split_assignment(assignment).first);
+    if (!keys.insert(key).second) {
+      vo::fail_as(vo::ErrorKind::usage, "--set ", assignment, ": ", key,
+                  " is set twice, expected each key once");
+    }
+  }
+}
+
     vo::set_field(fields, key, value);
   } catch (const vo::Error& error) {
+  require_distinct_keys(assignments);
     vo::fail_as(vo::ErrorKind::usage, "--set ", assignment, ": ", error.what());
   }
 }

@@ -62,7 +62,11 @@ CLI::IsMember is_name_of() {
 /// Returns the two sides of `key=value`. Throws vo::Error of kind usage.
 std::pair<std::string, std::string> split_assignment(const std::string& assignment);
 
-/// Returns the two sides of each `key=value`. Throws vo::Error of kind usage.
+/// Throws vo::Error of kind usage where one of the assignments has the key of another.
+void require_distinct_keys(const std::vector<std::string>& assignments);
+
+/// Returns the two sides of each `key=value`. Throws vo::Error of kind usage, also where a key is
+/// there twice.
 std::vector<std::pair<std::string, std::string>> split_assignments(
     const std::vector<std::string>& assignments);
 

@@ -9,14 +9,28 @@
 namespace tools {
 namespace {
 
+/// Throws unless each bracket of an assignment that opens closes again.
+void require_closed_brackets(const std::string& assignment) {
+  int open = 0;
+  for (const char c : assignment) {
+    open += c == '[' ? 1 : c == ']' ? -1 : 0;
+    if (open < 0) {
+      break;
+    }
+  }
+  if (open != 0) {
+    vo::fail_as(vo::ErrorKind::usage, "--set ", assignment, ": expected a ] for each [");
+  }
+}
+
 /// Splits a list at commas outside of brackets; the brackets are removed from the values.
 std::vector<std::string> split_values(const std::string& list) {
   std::vector<std::string> values(list.empty() ? 0 : 1);
-  bool is_within = false;
+  int open = 0;
   for (const char c : list) {
     if (c == '[' || c == ']') {
-      is_within = c == '[';
-    } else if (c == ',' && !is_within) {
+      open += c == '[' ? 1 : -1;
+    } else if (c == ',' && open == 0) {
       values.emplace_back();
     } else {
       values.back() += c;
@@ -96,8 +110,10 @@ void print_notes(const std::vector<std::string>& notes, const Session& session) 
 
 std::vector<std::pair<std::string, std::vector<std::string>>> swept_options(
     const std::vector<std::string>& assignments) {
+  require_distinct_keys(assignments);
   std::vector<std::pair<std::string, std::vector<std::string>>> options;
   for (const std::string& assignment : assignments) {
+    require_closed_brackets(assignment);
     const auto [key, list] = split_assignment(assignment);
     options.emplace_back(key, split_values(list));
     if (options.back().second.empty()) {

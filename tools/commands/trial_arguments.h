@@ -52,7 +52,8 @@ int print_missing(const ShareArguments& arguments, const CollectedTrials& collec
 void print_notes(const std::vector<std::string>& notes, const Session& session);
 
 /// Returns the options and their values of assignments such as `key=a,b,c`; commas in brackets
-/// belong to a value. Throws vo::Error of kind usage for an assignment without a value.
+/// belong to a value. Throws vo::Error of kind usage for an assignment without a value, a bracket
+/// that is not closed and a key that is there twice.
 std::vector<std::pair<std::string, std::vector<std::string>>> swept_options(
     const std::vector<std::string>& assignments);
 

@@ -85,6 +85,18 @@ TEST_F(SweepShares, ThatContradictAreRefused) {
 
 TEST_F(SweepShares, OfAMissingSceneAreRefusedBeforeAnythingIsRun) {
   const std::string missing = " --set scene.gltf=room/room.gltf,room/none.gltf";
+TEST_F(SweepShares, OfValuesThatCannotBeAreRefused) {
+  for (const std::string set : {"path.rate=10 --set path.rate=5", "'path.rate=[10'",
+                                "'path.rate=10]]'", "'path.rate=]10['"}) {
+    const ProgramResult result = run_program("sweep --quiet " + path("scenarios") + " --set " +
+                                             set + " --out " + path("out"));
+    EXPECT_EQ(result.exit_code, 2) << set << result.err;
+    EXPECT_THAT(result.err, HasSubstr("--set path.rate=")) << set;
+  }
+  EXPECT_EQ(run_program("basin a.toml --set path.rate=1 --set path.rate=2 --out x").exit_code, 2);
+  EXPECT_FALSE(exists("out"));
+}
+
   for (const std::string& rest : {"--out " + path("out"), "--trials " + path("trials")}) {
     const ProgramResult result = sweep(rest + missing);
     EXPECT_EQ(result.exit_code, 3) << rest;
