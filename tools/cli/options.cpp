@@ -1,10 +1,11 @@
 #include "tools/cli/options.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <iostream>
-#include <utility>
 #include <set>
+#include <utility>
 
 #include <tbb/info.h>
 
@@ -51,6 +52,19 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
       ->check(CLI::NonNegativeNumber);
 }
 
+void add_time_difference_option(CLI::App& command, double& seconds, const std::string& what) {
+  command.add_option("--max-time-difference", seconds, "between " + what + ", s [0.02]")
+      ->check([](const std::string& text) -> std::string {
+        try {
+          const double value = vo::parse_real(text);
+          vo::require(std::isfinite(value) && value >= 0, "out of range");
+          return "";
+        } catch (const vo::Error&) {
+          return vo::concat("expected at least 0 s, got ", text);
+        }
+      });
+}
+
 void add_field_options(CLI::App& command, const std::vector<vo::Field>& fields,
                        const std::string& group) {
   for (const vo::Field& field : fields) {
@@ -79,8 +93,20 @@ std::pair<std::string, std::string> split_assignment(const std::string& assignme
   return {assignment.substr(0, equals), assignment.substr(equals + 1)};
 }
 
+void require_distinct_keys(const std::vector<std::string>& assignments) {
+  std::set<std::string> keys;
+  for (const std::string& assignment : assignments) {
+    const std::string key = vo::current_key(split_assignment(assignment).first);
+    if (!keys.insert(key).second) {
+      vo::fail_as(vo::ErrorKind::usage, "--set ", assignment, ": ", key,
+                  " is set twice, expected each key once");
+    }
+  }
+}
+
 std::vector<std::pair<std::string, std::string>> split_assignments(
     const std::vector<std::string>& assignments) {
+  require_distinct_keys(assignments);
   std::vector<std::pair<std::string, std::string>> split(assignments.size());
   std::transform(assignments.begin(), assignments.end(), split.begin(), split_assignment);
   return split;
@@ -102,20 +128,8 @@ void apply_assignment(const std::string& assignment, std::vector<vo::Field>& fie
               << current << " now\n";
   }
   try {
-void require_distinct_keys(const std::vector<std::string>& assignments) {
-  std::set<std::string> keys;
-  for (const std::string& assignment : assignments) {
-    const std::string key = vo::current_key(split_assignment(assignment).first);
-    if (!keys.insert(key).second) {
-      vo::fail_as(vo::ErrorKind::usage, "--set ", assignment, ": ", key,
-                  " is set twice, expected each key once");
-    }
-  }
-}
-
     vo::set_field(fields, key, value);
   } catch (const vo::Error& error) {
-  require_distinct_keys(assignments);
     vo::fail_as(vo::ErrorKind::usage, "--set ", assignment, ": ", error.what());
   }
 }

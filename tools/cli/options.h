@@ -48,6 +48,9 @@ void add_quiet_flag(CLI::App& command, bool& quiet);
 /// Adds the flag `--no-sync` alone; `add_common_options` has it, too.
 void add_no_sync_flag(CLI::App& command, bool& no_sync);
 
+/// Adds the option `--max-time-difference`, s: at least 0, between `what`.
+void add_time_difference_option(CLI::App& command, double& seconds, const std::string& what);
+
 /// Adds an option `--key value` for each field ('_' as '-'), with its help and default.
 void add_field_options(CLI::App& command, const std::vector<vo::Field>& fields,
                        const std::string& group);

@@ -177,8 +177,8 @@ void add_depth_command(CLI::App& program, Session& session) {
   add_camera_option(command, arguments->camera);
   command.add_option("--set", arguments->assignments, "key=value, may be repeated; keys below")
       ->allow_extra_args(false);
-  command.add_option("--max-time-difference", arguments->max_time_difference,
-                     "between the stamps of colour and depth, s [0.02]");
+  add_time_difference_option(command, arguments->max_time_difference,
+                             "the stamps of colour and depth");
   command
       .add_option("--depth-noise", arguments->depth_noise,
                   "of the sequence's depth, sigma / depth^2, 1/m: 0.0019 for a Kinect [0]")

@@ -246,8 +246,7 @@ void add_evaluate_command(CLI::App& program, Session& session) {
       ->check(is_name_of<vo::TrajectoryAlignment>());
   command.add_option("--interval", arguments->interval, "of the relative error: 1s, 30f, ... [1s]")
       ->each([arguments](const std::string&) { arguments->interval_is_chosen = true; });
-  command.add_option("--max-time-difference", arguments->options.max_time_difference,
-                     "between matched poses, s [0.02]");
+  add_time_difference_option(command, arguments->options.max_time_difference, "matched poses");
   command.add_option("--offset", arguments->options.time_offset,
                      "added to the estimate's stamps, s [0]");
   command.add_flag("--estimate-offset", arguments->estimate_offset,

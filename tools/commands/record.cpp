@@ -99,8 +99,8 @@ void add_record_command(CLI::App& program, Session& session) {
                      "preset or FILE.toml, in the place of what the device says of its lens");
   command.add_option("--size", arguments->size,
                      "WxH, px [openni2: the largest of at least 25 Hz; v4l2: that of --camera]");
-  command.add_option("--max-time-difference", arguments->max_time_difference,
-                     "between the stamps of colour and depth, s [0.02]");
+  add_time_difference_option(command, arguments->max_time_difference,
+                             "the stamps of colour and depth");
   add_common_options(command, arguments->common);
   take_streams(command, {.configurations = {"--camera"}, .read = {"CAMERA"}, .written = {"OUT"}});
   command.callback([arguments, &session] { record(*arguments, session); });

@@ -399,8 +399,8 @@ void add_track_command(CLI::App& program, Session& session) {
       .add_option("--debug-images", arguments->debug_images,
                   "a picture of every N-th frame and the trajectory, beside --out")
       ->check(CLI::PositiveNumber);
-  command.add_option("--max-time-difference", arguments->max_time_difference,
-                     "between the stamps of colour and depth, s [0.02]");
+  add_time_difference_option(command, arguments->max_time_difference,
+                             "the stamps of colour and depth");
   command.add_option("--frames", arguments->frames,
                      "of a camera: at most so many; 0 is until Ctrl-C [0]");
   command.add_option("--size", arguments->size, "of a camera: WxH, px, as of edvo record");

@@ -95,8 +95,8 @@ void EvaluationOptions::validate() const {
           "interval.length: expected a positive number, got ", interval.length);
   require(interval.unit != IntervalUnit::frames || interval.length == std::floor(interval.length),
           "interval.length: expected a whole number of frames, got ", interval.length);
-  require(max_time_difference > 0 && std::isfinite(max_time_difference),
-          "max_time_difference: expected a positive number of seconds, got ", max_time_difference);
+  require(max_time_difference >= 0 && std::isfinite(max_time_difference),
+          "max_time_difference: expected at least 0 s, got ", max_time_difference);
   require(std::isfinite(time_offset), "time_offset: expected a number of seconds, got ",
           time_offset);
 }

@@ -120,7 +120,7 @@ class ClosestPairs {
 
   void add(Node left, Node right) {
     const double difference = stamps_.stamp(right) - stamps_.stamp(left);
-    if (stamps_.is_a(left) != stamps_.is_a(right) && difference < max_difference_) {
+    if (stamps_.is_a(left) != stamps_.is_a(right) && difference <= max_difference_) {
       closest_.push({difference, left, right});
     }
   }

@@ -207,6 +207,18 @@ TEST_F(Program, AWrongCommandLineIsUsage) {
               HasSubstr("the nearest known key is keyframes.every"));
 }
 
+TEST_F(Program, ATimeDifferenceIsAtLeastZero) {
+  EXPECT_EQ(track("--max-time-difference 0 --out " + path("equal.txt")).exit_code, 0);
+  for (const std::string command :
+       {"track a --out b", "evaluate a b", "depth a --out b", "record openni2 b"}) {
+    for (const std::string value : {"nan", "-1", "inf", "x"}) {
+      const ProgramResult result = run_program(command + " --max-time-difference=" + value);
+      EXPECT_EQ(result.exit_code, 2) << command << value;
+      EXPECT_THAT(result.err, HasSubstr("--max-time-difference")) << command << value;
+    }
+  }
+}
+
 TEST_F(Program, UnusableInputIsNamed) {
   const std::string out = " --quiet --out " + path("never.txt");
   write("broken.toml", "widht = 64\n");
