@@ -76,6 +76,9 @@ Trajectory read_euroc(const TextFile& file, std::vector<std::string>& notes) {
     require(line.fields.size() >= 8, line.place(),
             ": expected at least 8 values (timestamp px py pz qw qx qy qz), got ",
             line.fields.size());
+    require(begins_as_euroc(line), line.place(),
+            ": expected a stamp in whole nanoseconds and a comma, as EuRoC has them, got ",
+            line.fields[0]);
     return parse_euroc_pose(line);
   });
 }

@@ -43,6 +43,10 @@ bool has_comma_behind_first(const TextLine& line) {
 
 }  // namespace
 
+bool begins_as_euroc(const TextLine& line) {
+  return is_whole(line.fields.at(0)) && has_comma_behind_first(line);
+}
+
 TrajectoryFormat recognise_trajectory(const TextFile& file) {
   const TextLine line = file.first_line();
   require(!line.fields.empty(), file.path().string(), ": holds no poses");
@@ -54,7 +58,7 @@ TrajectoryFormat recognise_trajectory(const TextFile& file) {
   if (count == kKittiValues && numbers == kKittiValues) {
     return TrajectoryFormat::kitti;
   }
-  if (count >= kTumValues && is_whole(line.fields[0]) && has_comma_behind_first(line)) {
+  if (count >= kTumValues && begins_as_euroc(line)) {
     return TrajectoryFormat::euroc;
   }
   require(count == kTumValues, line.place(),

@@ -6,6 +6,7 @@
 namespace vo {
 
 class TextFile;
+struct TextLine;
 
 /// The formats of trajectories that are read.
 enum class TrajectoryFormat {
@@ -27,6 +28,10 @@ constexpr auto enum_names(TrajectoryFormat) {
                     std::pair{TrajectoryFormat::mcap, "mcap"},
                     std::pair{TrajectoryFormat::bag, "bag"}};
 }
+
+/// Returns whether a line that has values begins with a whole number and a comma, as a stamp in ns
+/// does in EuRoC's files.
+bool begins_as_euroc(const TextLine& line);
 
 /// Returns the format of a trajectory's file by the first line that is neither empty nor a comment:
 /// 12 numbers are KITTI's, 9 numbers and a name COLMAP's, a whole number and more behind a comma

@@ -109,6 +109,16 @@ TEST_F(TrajectoryFormats, AFormatThatIsGivenCountsMoreThanTheContent) {
                        "got 8"));
 }
 
+TEST_F(TrajectoryFormats, EurocsStampsAreWholeAndHaveACommaBehindThem) {
+  const vo::TrajectoryReading euroc{.format = TrajectoryFormat::euroc, .times = {}};
+  EXPECT_EQ(read("100000000,0,0,0,1,0,0,0\n", euroc).trajectory.size(), 1U);
+  for (const std::string line :
+       {"1305031102.175304 0 0 0 0 0 0 1", "100000000 0 0 0 1 0 0 0", "1e9,0,0,0,1,0,0,0"}) {
+    EXPECT_THAT(error_of("# head\n" + line + "\n", euroc),
+                HasSubstr("t.txt:2: expected a stamp in whole nanoseconds and a comma"));
+  }
+}
+
 TEST_F(TrajectoryFormats, WhatIsOfNoFormatIsAnErrorThatNamesThemAll) {
   EXPECT_THAT(error_of("# x\n1 0 0 0 0 0 0\n"),
               HasSubstr("t.txt:2: expected the 8 values of a pose"));
