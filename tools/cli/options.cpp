@@ -12,14 +12,11 @@
 #include "vo/core/error.h"
 
 namespace tools {
-namespace {
 
 std::string option_name(std::string key) {
   std::replace(key.begin(), key.end(), '_', '-');
   return "--" + key;
 }
-
-}  // namespace
 
 std::size_t CommonOptions::max_threads() const {
   return static_cast<std::size_t>(threads > 0 ? threads : tbb::info::default_concurrency());

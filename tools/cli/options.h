@@ -51,6 +51,9 @@ void add_no_sync_flag(CLI::App& command, bool& no_sync);
 /// Adds the option `--max-time-difference`, s: at least 0, between `what`.
 void add_time_difference_option(CLI::App& command, double& seconds, const std::string& what);
 
+/// Returns the name of the option of a field by its key: `--time-limit` of `time_limit`.
+std::string option_name(std::string key);
+
 /// Adds an option `--key value` for each field ('_' as '-'), with its help and default.
 void add_field_options(CLI::App& command, const std::vector<vo::Field>& fields,
                        const std::string& group);

@@ -147,6 +147,22 @@ void check_shares(const TestArguments& arguments) {
   }
 }
 
+/// Throws where the command line names no tracker, but says that there is one.
+void check_tracker_options(const CLI::App& command, TestArguments& arguments) {
+  if (!arguments.tracker.empty()) {
+    return;
+  }
+  if (command.count("--tracker") > 0) {
+    vo::fail_as(vo::ErrorKind::usage, "--tracker: is empty, expected a command");
+  }
+  for (const vo::Field& field : vo::fields_of(arguments.limits)) {
+    const std::string option = option_name(field.key);
+    if (command.count(option) > 0) {
+      vo::fail_as(vo::ErrorKind::usage, option, ": expected --tracker CMD with it");
+    }
+  }
+}
+
 void complete(TestArguments& arguments) {
   check_shares(arguments);
   RunSettings& run = arguments.run;
@@ -379,7 +395,10 @@ void add_test_command(CLI::App& program, Session& session) {
                          .others = {"--cache", "--trials", "--collect"},
                          .defaults = {{"PATHS", "scenarios"}},
                          .in_place = {{"--baseline", "--save-baseline"}}});
-  command.callback([arguments, &session] { session.status = test(*arguments, session); });
+  command.callback([arguments, &command, &session] {
+    check_tracker_options(command, *arguments);
+    session.status = test(*arguments, session);
+  });
 }
 
 }  // namespace tools

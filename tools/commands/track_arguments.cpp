@@ -27,9 +27,25 @@ void take_key(std::vector<vo::TomlValue>& values, const std::string& key,
   values.erase(found);
 }
 
+/// Throws where an option is given that counts in another mode alone.
+void refuse_for_other_mode(bool is_given, const char* option, TrackMode mode, TrackMode expected) {
+  if (is_given && mode != expected) {
+    vo::fail_as(vo::ErrorKind::usage, option, ": --mode ", vo::to_string(mode),
+                " has no use for it, expected it with --mode ", vo::to_string(expected), " alone");
+  }
+}
+
+/// Returns the line of the preset, which only one of the modes has.
+std::string preset_line(const TrackArguments& arguments) {
+  return vo::parse_enum<TrackMode>(arguments.mode) == TrackMode::rgbd
+             ? vo::concat("preset = ", vo::quoted_toml(arguments.preset), "\n")
+             : "";
+}
+
 }  // namespace
 
 void read_config(TrackArguments& arguments) {
+  const bool is_preset_given = !arguments.preset.empty();
   if (!arguments.config.empty()) {
     arguments.config_keys = vo::read_toml(arguments.config);
   }
@@ -38,6 +54,10 @@ void read_config(TrackArguments& arguments) {
   if (arguments.mode.empty()) {
     arguments.mode = vo::to_string(TrackMode::rgbd);
   }
+  const TrackMode mode = vo::parse_enum<TrackMode>(arguments.mode);
+  refuse_for_other_mode(is_preset_given, "--preset", mode, TrackMode::rgbd);
+  refuse_for_other_mode(!arguments.bootstrap.empty(), "--bootstrap", mode, TrackMode::mono);
+  refuse_for_other_mode(!arguments.depth_file.empty(), "--depth-file", mode, TrackMode::mono);
   if (arguments.preset.empty()) {
     arguments.preset = vo::to_string(vo::TrackerPreset::best_measured);
   }
@@ -57,8 +77,8 @@ void write_config(const TrackArguments& arguments, const std::vector<vo::Field>&
   }
   const std::string text =
       vo::concat("# edvo ", vo::version(), ": all that the trajectory was tracked with.\n",
-                 "mode = ", vo::quoted_toml(arguments.mode), "\n",
-                 "preset = ", vo::quoted_toml(arguments.preset), "\n", vo::format_toml(fields));
+                 "mode = ", vo::quoted_toml(arguments.mode), "\n", preset_line(arguments),
+                 vo::format_toml(fields));
   vo::write_file(beside(arguments.out, kConfigEnding), text, arguments.common.output_policy());
 }
 

@@ -56,7 +56,8 @@ struct TrackArguments {
 };
 
 /// Reads the configuration file, if there is one: `mode` and `preset` count where the command line
-/// names none. Throws vo::Error with file:line.
+/// names none. Throws vo::Error with file:line, and of kind usage where the command line has
+/// options of the other mode.
 void read_config(TrackArguments& arguments);
 
 /// Sets the fields that the configuration and --set name, in this order; notes on stderr in these
@@ -68,11 +69,11 @@ void apply_arguments(const TrackArguments& arguments, std::vector<vo::Field>& fi
 /// `estimate_config.toml` for `estimate.txt`; nothing where the trajectory goes to stdout.
 void write_config(const TrackArguments& arguments, const std::vector<vo::Field>& fields);
 
-/// The path of a file with another ending: `a/e_panels` for `a/e.txt` and `_panels`.
 /// Returns the files and folders that are written beside `--out` without being named: the options,
 /// and where they are asked for the pictures and the plot.
 std::vector<NamedPlace> places_beside(const TrackArguments& arguments);
 
+/// The path of a file with another ending: `a/e_panels` for `a/e.txt` and `_panels`.
 std::filesystem::path beside(const std::filesystem::path& file, const std::string& suffix);
 
 }  // namespace tools

@@ -200,6 +200,14 @@ TEST_F(LabProgram, ScenariosOfOneNameAreRefused) {
       << "one file twice";
 }
 
+TEST_F(LabProgram, OptionsOfATrackerNeedOne) {
+  for (const std::string options : {"--tracker ''", "--time-limit 5"}) {
+    const ProgramResult result = test(path("scenarios/good.toml") + " " + options);
+    EXPECT_EQ(result.exit_code, 2) << options << result.out;
+    EXPECT_EQ(result.out, "") << options;
+  }
+}
+
 TEST_F(LabProgram, AnOutsideTrackerIsJudgedByTheSameBounds) {
   const ProgramResult same = test(path("scenarios/good.toml") + " --json " + path("own.json"));
   ASSERT_EQ(same.exit_code, 0);

@@ -219,6 +219,16 @@ TEST_F(Program, ATimeDifferenceIsAtLeastZero) {
   }
 }
 
+TEST_F(Program, OptionsOfTheOtherModeAreRefused) {
+  for (const std::string options :
+       {"--mode mono --preset authors", "--bootstrap auto", "--depth-file d.png"}) {
+    const ProgramResult result = track(options + " --out " + path("never.txt"));
+    EXPECT_EQ(result.exit_code, 2) << options << result.err;
+    EXPECT_THAT(result.err, HasSubstr("has no use for it")) << options;
+  }
+  EXPECT_FALSE(exists("never.txt"));
+}
+
 TEST_F(Program, UnusableInputIsNamed) {
   const std::string out = " --quiet --out " + path("never.txt");
   write("broken.toml", "widht = 64\n");
