@@ -41,7 +41,12 @@ std::string TextLine::place() const {
 }
 
 TextFile::TextFile(std::filesystem::path path)
-    : path_(std::move(path)), text_(read_file(path_, kMaxListBytes)) {}
+    : path_(std::move(path)), text_(read_file(path_, kMaxListBytes)) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text_.starts_with(kByteOrderMark)) {
+    text_.erase(0, kByteOrderMark.size());
+  }
+}
 
 std::size_t TextFile::line_count() const {
   return static_cast<std::size_t>(std::count(text_.begin(), text_.end(), '\n')) + 1;

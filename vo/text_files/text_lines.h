@@ -23,7 +23,7 @@ struct TextLine {
 /// than they need on disk.
 class TextFile {
  public:
-  /// Reads the file; throws Error as `read_file` does.
+  /// Reads the file, without a byte order mark at its begin; throws Error as `read_file` does.
   explicit TextFile(std::filesystem::path path);
 
   const std::filesystem::path& path() const { return path_; }

@@ -51,6 +51,21 @@ TEST(TextFile, KnowsItsFirstLineThatHoldsSomething) {
   EXPECT_TRUE(empty.first_line().fields.empty());
 }
 
+TEST(TextFile, SkipsAByteOrderMark) {
+  const TempFolder folder;
+  const vo::TextFile file(folder.write("list",
+                                       "\xEF\xBB\xBF"
+                                       "1 2\n\xEF\xBB\xBF"
+                                       "3\n"));
+  EXPECT_THAT(file.first_line().fields, ElementsAre("1", "2"));
+  std::vector<std::string> seen;
+  file.for_each_line([&](const vo::TextLine& line) { seen.emplace_back(line.text); });
+  EXPECT_THAT(seen, ElementsAre("1 2",
+                                "\xEF\xBB\xBF"
+                                "3"))
+      << "the begin alone has one";
+}
+
 TEST(TextFile, NamesTheLineOfAValueThatIsNoNumber) {
   const TempFolder folder;
   folder.write("list", "1\n\ntwo\n");
