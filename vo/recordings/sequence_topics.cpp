@@ -62,7 +62,8 @@ class TopicSurvey {
   const std::string& name_of(const ImageTopic& topic) const { return name_of(topic.index); }
   const std::string& name_of(std::uint32_t index) const { return recording_.topics()[index].name; }
 
-  /// Returns all topics with their types, an image's with its encoding and size, for errors.
+  /// Returns all topics with their types, an image's with its encoding and size, and what the file
+  /// lacks, for errors.
   std::string list() const {
     std::vector<std::string> lines;
     for (std::uint32_t i = 0; i < recording_.topics().size(); ++i) {
@@ -73,7 +74,11 @@ class TopicSurvey {
                              image == images_.end() ? "" : described(image->traits), ")"));
     }
     std::sort(lines.begin(), lines.end());
-    return joined(lines);
+    std::string text = joined(lines);
+    for (const std::string& note : recording_.notes()) {
+      text += "; " + note;
+    }
+    return text;
   }
 
   static std::string described(const ImageTraits& traits) {
