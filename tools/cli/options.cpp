@@ -62,6 +62,18 @@ void add_time_difference_option(CLI::App& command, double& seconds, const std::s
       });
 }
 
+CLI::Validator at_least_one() {
+  const auto check = [](std::string& text) -> std::string {
+    try {
+      vo::require(vo::parse_integer(text) >= 1, "out of range");
+      return "";
+    } catch (const vo::Error&) {
+      return vo::concat("expected at least 1, got ", text);
+    }
+  };
+  return {check, "POSITIVE", "at_least_one"};
+}
+
 void add_field_options(CLI::App& command, const std::vector<vo::Field>& fields,
                        const std::string& group) {
   for (const vo::Field& field : fields) {

@@ -51,6 +51,9 @@ void add_no_sync_flag(CLI::App& command, bool& no_sync);
 /// Adds the option `--max-time-difference`, s: at least 0, between `what`.
 void add_time_difference_option(CLI::App& command, double& seconds, const std::string& what);
 
+/// Returns a check that an option's text is a whole number of at least 1.
+CLI::Validator at_least_one();
+
 /// Returns the name of the option of a field by its key: `--time-limit` of `time_limit`.
 std::string option_name(std::string key);
 

@@ -119,11 +119,11 @@ void add_bench_command(CLI::App& program, Session& session) {
   command.add_option("INPUT", arguments->input, "sequence folder, or scenario .toml")->required();
   add_camera_option(command, arguments->camera);
   command.add_option("--frames", arguments->frames, "the first N; all are held in memory [100]")
-      ->check(CLI::PositiveNumber);
+      ->check(at_least_one());
   command
       .add_option("--repeat", arguments->race.repeats,
                   "of the whole; a frame's time is the median [3]")
-      ->check(CLI::PositiveNumber);
+      ->check(at_least_one());
   command.add_option("--peers", arguments->peers, "who runs, with commas between [all]")
       ->delimiter(',')
       ->check(CLI::IsMember(peer_names()));

@@ -172,9 +172,9 @@ void add_compare_command(CLI::App& program, Session& session) {
                      "two results, or with builds: scenarios, folders");
   command.add_option("--build-a", arguments->build_a, "an edvo program");
   command.add_option("--build-b", arguments->build_b, "another");
-  command.add_option("--seeds", arguments->seeds, "of the builds [1]")->check(CLI::PositiveNumber);
+  command.add_option("--seeds", arguments->seeds, "of the builds [1]")->check(at_least_one());
   command.add_option("--halves", arguments->halves, "compare one result with itself so often")
-      ->check(CLI::PositiveNumber);
+      ->check(at_least_one());
   add_json_flag(command, arguments->json);
   add_quiet_flag(command, arguments->quiet);
   command.add_flag("--power", arguments->power, "tell what growth of a metric is found");

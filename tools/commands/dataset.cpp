@@ -339,7 +339,7 @@ CLI::App& add_action(CLI::App& command, const std::shared_ptr<DatasetArguments>&
 
 void add_shards_option(CLI::App& sub, const std::shared_ptr<DatasetArguments>& arguments) {
   sub.add_option("--shards", arguments->shards, "number of shares that the work is cut into")
-      ->check(CLI::PositiveNumber);
+      ->check(at_least_one());
 }
 
 }  // namespace

@@ -173,7 +173,7 @@ void add_depth_command(CLI::App& program, Session& session) {
   command.add_option("--depth-file", arguments->depth_file,
                      "with --bootstrap file: depth of the first image");
   command.add_option("--every", arguments->every, "frames from picture to picture [20]")
-      ->check(CLI::PositiveNumber);
+      ->check(at_least_one());
   add_camera_option(command, arguments->camera);
   command.add_option("--set", arguments->assignments, "key=value, may be repeated; keys below")
       ->allow_extra_args(false);

@@ -88,7 +88,7 @@ void add_sensor_check_command(CLI::App& program, Session& /*session*/) {
   command.footer(kSensorCheckExamples);
   command.add_option("--out", arguments->out, "folder for the results")->required();
   command.add_option("--frames", arguments->frames, "noise images per depth and angle [20]")
-      ->check(CLI::PositiveNumber);
+      ->check(at_least_one());
   command.add_option("--scene", arguments->scene, "glTF file of the contact sheet")
       ->group("Contact sheet");
   command.add_option("--size", arguments->size, "WIDTHxHEIGHT, px [320x240]")

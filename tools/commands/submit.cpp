@@ -319,7 +319,7 @@ void add_trials_options(CLI::App& command, SubmitArguments& arguments) {
       ->needs("--sweep");
   command.get_option("--sweep")->needs("--set");
   command.add_option("--seeds", arguments.seeds, "with so many random numbers each [1]")
-      ->check(CLI::PositiveNumber);
+      ->check(at_least_one());
   command.add_option("--cache", arguments.cache, "folder of the cache, which all machines see");
   command.add_flag("--slow", arguments.slow, "with --test: also those marked slow")
       ->needs("--test");
@@ -350,11 +350,11 @@ void add_submit_command(CLI::App& program, Session& session) {
   command
       .add_option("--shards", arguments->shards,
                   "number of shares [so that each takes some minutes; with --resume as before]")
-      ->check(CLI::PositiveNumber);
+      ->check(at_least_one());
   command
       .add_option("--jobs,-j", arguments->jobs,
                   "slurm: CPUs of a task [1]; parallel: shares at a time, local: threads [cores]")
-      ->check(CLI::PositiveNumber);
+      ->check(at_least_one());
   command.add_flag("--dry-run", arguments->dry_run,
                    "print scripts and commands; write and submit nothing");
   command.add_flag("--resume", arguments->resume, "only the shares of which something is missing");

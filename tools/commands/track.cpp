@@ -398,7 +398,7 @@ void add_track_command(CLI::App& program, Session& session) {
   command
       .add_option("--debug-images", arguments->debug_images,
                   "a picture of every N-th frame and the trajectory, beside --out")
-      ->check(CLI::PositiveNumber);
+      ->check(at_least_one());
   add_time_difference_option(command, arguments->max_time_difference,
                              "the stamps of colour and depth");
   command.add_option("--frames", arguments->frames,

@@ -64,7 +64,7 @@ void add_share_options(CLI::App& command, ShareArguments& arguments) {
   command
       .add_option("--shards", arguments.shards,
                   "--shard K/N with K from SLURM_ARRAY_TASK_ID, SGE_TASK_ID, PBS_ARRAY_INDEX")
-      ->check(CLI::PositiveNumber)
+      ->check(at_least_one())
       ->group(kGroup);
   command.add_option("--collect", arguments.collect, "take all trials from this folder")
       ->group(kGroup);

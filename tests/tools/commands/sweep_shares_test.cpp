@@ -80,11 +80,11 @@ TEST_F(SweepShares, ThatContradictAreRefused) {
         trials + " --out " + path("out"), trials + " --collect x", trials + " --shard 3/2"}) {
     EXPECT_EQ(sweep(rest).exit_code, 2) << rest;
   }
+  EXPECT_THAT(sweep(trials + " --shards 0").err,
+              HasSubstr("--shards: expected at least 1, got 0"));
   EXPECT_FALSE(exists("trials"));
 }
 
-TEST_F(SweepShares, OfAMissingSceneAreRefusedBeforeAnythingIsRun) {
-  const std::string missing = " --set scene.gltf=room/room.gltf,room/none.gltf";
 TEST_F(SweepShares, OfValuesThatCannotBeAreRefused) {
   for (const std::string set : {"path.rate=10 --set path.rate=5", "'path.rate=[10'",
                                 "'path.rate=10]]'", "'path.rate=]10['"}) {
@@ -97,6 +97,8 @@ TEST_F(SweepShares, OfValuesThatCannotBeAreRefused) {
   EXPECT_FALSE(exists("out"));
 }
 
+TEST_F(SweepShares, OfAMissingSceneAreRefusedBeforeAnythingIsRun) {
+  const std::string missing = " --set scene.gltf=room/room.gltf,room/none.gltf";
   for (const std::string& rest : {"--out " + path("out"), "--trials " + path("trials")}) {
     const ProgramResult result = sweep(rest + missing);
     EXPECT_EQ(result.exit_code, 3) << rest;
