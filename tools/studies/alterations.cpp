@@ -188,6 +188,39 @@ void delay_depth(Clip& clip) {
   }
 }
 
+/// Bends depth by up to 6 % in upright stripes that wander, as the light of a second camera does.
+void stripe_depth(Clip& clip) {
+  constexpr double kMost = 0.06;   // share of the depth
+  constexpr double kStripes = 16;  // in the view's width
+  constexpr double kPeriod = 20;   // frames
+  for (std::size_t i = 0; i < clip.frames.size(); ++i) {
+    vo::DepthImage depth = clip.frames[i].depth.clone();
+    for (int u = 0; u < depth.cols; ++u) {
+      const double turns = kStripes * u / depth.cols + static_cast<double>(i) / kPeriod;
+      depth.col(u) *= 1 + kMost * std::sin(2 * std::numbers::pi * turns);
+    }
+    clip.frames[i].depth = depth;
+  }
+}
+
+/// Draws a dark mesh over the images, twelve wires to a row, as a fence before a camera whose depth
+/// is that of what lies behind.
+void fence_in(Clip& clip) {
+  constexpr int kWires = 12;
+  constexpr int kGrey = 20;
+  for (vo::RgbdFrame& frame : clip.frames) {
+    frame.image = frame.image.clone();
+    const int spacing = std::max(frame.image.cols / kWires, 1);
+    const int width = std::max(frame.image.cols / 100, 1);
+    for (int at = spacing / 2; at + width < frame.image.cols; at += spacing) {
+      frame.image.colRange(at, at + width).setTo(kGrey);
+    }
+    for (int at = spacing / 2; at + width < frame.image.rows; at += spacing) {
+      frame.image.rowRange(at, at + width).setTo(kGrey);
+    }
+  }
+}
+
 }  // namespace
 
 std::span<const Alteration> alterations() {
@@ -215,6 +248,8 @@ std::span<const Alteration> alterations() {
       Alteration{"depth_mirrored", "depth mirrored", mirror_depth},
       Alteration{"depth_fifth", "depth divided by five", divide_depth},
       Alteration{"depth_stale", "depth of 10 frames before", delay_depth},
+      Alteration{"depth_striped", "depth bent by 6 % in stripes", stripe_depth},
+      Alteration{"fence", "a fence before the image", fence_in},
   };
   return kAll;
 }

@@ -54,7 +54,8 @@ std::string covariance_titles(const std::string& name) {
 std::string frame_log_header() {
   std::string text =
       "timestamp,status,reason,keyframe,termination,iterations,points,visible_fraction,correlation,"
-      "depth_agreement,cost,conditioning,noise_share,readout_s,readout_axis,vignette_2,vignette_4,"
+      "depth_agreement,depth_deviation,cost,conditioning,noise_share,readout_s,readout_axis,"
+      "vignette_2,vignette_4,"
       "moving_fraction";
   return text + ",reference_timestamp" + covariance_titles("covariance") +
          covariance_titles("absolute_covariance") + "\n";
@@ -201,7 +202,8 @@ std::string format_frame_log(const std::vector<TrackingResult>& frames) {
                    ",", alignment.points);
     for (const double value :
          {alignment.visible_fraction, alignment.correlation, alignment.depth_agreement,
-          alignment.cost, alignment.conditioning, alignment.noise_share, frame.readout.seconds}) {
+          frame.depth_deviation, alignment.cost, alignment.conditioning, alignment.noise_share,
+          frame.readout.seconds}) {
       text += "," + format_real(value);
     }
     text += concat(",", to_string(frame.readout.axis));

@@ -17,6 +17,11 @@ constexpr double kMostMeanDisagreement = 0.07;
 /// Nine of ten frames of a rigid world have less than 0.05, one in a hundred 0.27.
 constexpr double kMostDepthDisagreement = 0.3;
 
+/// Difference of the depths from those of the reference, beyond noise, in one frame and as a mean.
+/// In a rigid world it is 0.02 and 0.01 at most, on real and on rendered sequences.
+constexpr double kMostDepthDeviation = 0.04;
+constexpr double kMostMeanDepthDeviation = 0.016;
+
 /// Area of the surfaces that move over that of the static ones, in one frame and as a mean, from
 /// which on it is not clear which of them is the world. Sequences of a rigid world have 0.3 at
 /// most, and 0.17 in the mean.
@@ -70,6 +75,7 @@ TrackingReason Doubt::judge(const AlignResult& alignment, const ViewSurfaces& su
   disagreement_.add(disagreement, kMostMeanDisagreement);
   depth_disagreement_.add(1 - alignment.depth_agreement, kMostDepthDisagreement);
   noise_.add(alignment.noise_share - 0.5, kNoiseBeyondHalf);
+  depth_deviation_.add(surfaces.depth_deviation, kMostMeanDepthDeviation);
   const bool motions_compete = motions_.add(surfaces.edged);
   if (image_is_repeated_) {
     return TrackingReason::image_repeated;
@@ -86,7 +92,8 @@ TrackingReason Doubt::judge(const AlignResult& alignment, const ViewSurfaces& su
   if (disagreement > kMostDisagreement || disagreement_.is_high) {
     return TrackingReason::parts_disagree;
   }
-  if (depth_disagreement_.is_high) {
+  if (depth_disagreement_.is_high || depth_deviation_.is_high ||
+      surfaces.depth_deviation > kMostDepthDeviation) {
     return TrackingReason::depths_disagree;
   }
   const bool is_vague = alignment.position_deviation() > kMostDeviation;

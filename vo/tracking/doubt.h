@@ -41,15 +41,18 @@ struct ViewSurfaces {
   SurfaceAreas edged;           ///< of the tiles with edge points, which tell motions apart
   double covered_fraction = 0;  ///< share of the view's tiles
   bool changed_motion = false;  ///< whether another motion was found to be the camera's
+  double depth_deviation = 0;   ///< from the first reference's depths; see depth_deviation()
 };
 
 /// Returns whether what the frame shows agrees with the map: nothing speaks against its pose, or
-/// only that noise determines it. Such a frame goes on as one that is sure, since no frame after it
-/// would see more of the direction that is missing.
+/// only that noise determines it, or that the map itself is uncertain. Such a frame goes on as one
+/// that is sure, since no frame after it would see more of the direction that is missing, or tell
+/// where the map lies.
 inline bool agrees_with_map(const TrackingResult& result) {
   return result.status == TrackingStatus::tracked ||
          (result.status == TrackingStatus::uncertain &&
-          result.reason == TrackingReason::undetermined);
+          (result.reason == TrackingReason::undetermined ||
+           result.reason == TrackingReason::map_uncertain));
 }
 
 /// Says whether a pose that was found is to be relied on. A driver that repeats images, a depth
@@ -74,6 +77,7 @@ class Doubt {
   RecentMean disagreement_;  ///< share of the points that disagree
   CompetingMotions motions_;
   RecentMean depth_disagreement_;  ///< share of the surfaces that disagree
+  RecentMean depth_deviation_;
 };
 
 }  // namespace vo

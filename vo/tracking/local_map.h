@@ -33,6 +33,8 @@ struct Keyframe {
   Matrix6d absolute_covariance =
       Matrix6d::Zero();  ///< of T_world_keyframe, as in TrackingResult; not adjusted by the window
 
+  bool is_uncertain = false;  ///< whether its pose must not be relied on
+
   /// Returns whether much of the view has moved: what it hid then is seen now. Of the keyframes of
   /// fr1/xyz, where nothing moves, less than that is taken to have moved.
   bool is_disturbed() const {

@@ -5,6 +5,7 @@
 
 #include "vo/core/error.h"
 #include "vo/geometry/readout.h"
+#include "vo/segmentation/depth_deviation.h"
 #include "vo/tracking/pose_search.h"
 
 namespace vo {
@@ -93,7 +94,7 @@ TrackingResult Tracker::track(const FramePyramid& current) {
   reference_points_ = attempt.references.points.front();
   attempt.result.moving_fraction = segmentation_.moving_fraction();
   if (attempt.result.status == TrackingStatus::tracked && options_.doubt) {
-    judge_pose(attempt.result);
+    judge_pose(current, attempt);
   }
   if (agrees_with_map(attempt.result)) {
     calibrate(current, attempt);
@@ -106,6 +107,7 @@ TrackingResult Tracker::track(const FramePyramid& current) {
     segmentation_.reset();
     if (begins_anew(current)) {
       map_.clear();
+      is_uncertain_ = false;
       absolute_covariance_.setZero();
       return begun(current);
     }
@@ -263,10 +265,32 @@ Tracker::Attempt Tracker::searched(const FramePyramid& current, Attempt first) {
   return best;
 }
 
+/// Returns by how much the frame's depths differ from those of the first reference, leaving out
+/// what moves; 0 where there are none.
+double Tracker::depth_deviation_of(const FramePyramid& current, const Attempt& attempt) const {
+  const std::size_t level = surface_level(current);
+  const PyramidLevel& reference = attempt.references.keyframes.front()->pyramid.levels[level];
+  if (reference.depth.empty() || current.levels[level].depth.empty()) {
+    return 0;
+  }
+  return depth_deviation({reference, current.levels[level], attempt.result.alignment.T_cur_ref},
+                         known_depth_noise(options_.points.depth_noise),
+                         grown(segmentation_.moving()));
+}
+
 /// Marks a pose as uncertain where something speaks against it. After a repeated image it is not
 /// known how the camera moves.
-void Tracker::judge_pose(TrackingResult& result) {
+void Tracker::judge_pose(const FramePyramid& current, Attempt& attempt) {
+  TrackingResult& result = attempt.result;
+  const LocalMap::References& keyframes = attempt.references.keyframes;
+  surfaces_.depth_deviation = depth_deviation_of(current, attempt);
+  result.depth_deviation = surfaces_.depth_deviation;
   result.reason = doubt_.judge(result.alignment, surfaces_);
+  const bool is_anchored = std::any_of(keyframes.begin(), keyframes.end(),
+                                       [](const auto& each) { return !each->is_uncertain; });
+  if (result.reason == TrackingReason::none && !is_anchored) {
+    result.reason = TrackingReason::map_uncertain;
+  }
   if (result.reason != TrackingReason::none) {
     result.status = TrackingStatus::uncertain;
   }
@@ -323,6 +347,8 @@ void Tracker::accept(const FramePyramid& current, const Attempt& attempt) {
   last_timestamp_ = current.timestamp;
   is_lost_ = attempt.result.reason == TrackingReason::image_repeated;
   is_sure_ = agrees_with_map(attempt.result);
+  is_uncertain_ = attempt.result.status == TrackingStatus::uncertain &&
+                  attempt.result.reason != TrackingReason::undetermined;
   was_sure_ = was_sure_ || is_sure_;
 }
 

@@ -141,7 +141,8 @@ class Tracker {
   void calibrate(const FramePyramid& current, const Attempt& attempt);
   std::vector<WindowFrame> window(const std::vector<std::size_t>& keyframes) const;
   void adjust_keyframes();
-  void judge_pose(TrackingResult& result);
+  double depth_deviation_of(const FramePyramid& current, const Attempt& attempt) const;
+  void judge_pose(const FramePyramid& current, Attempt& attempt);
   double correlation_of(const AlignResult& alignment, Start start) const;
   TrackingReason judge(const AlignResult& alignment, Start start) const;
   void accept(const FramePyramid& current, const Attempt& attempt);
@@ -170,6 +171,7 @@ class Tracker {
   int frames_since_keyframe_ = 0;
   bool is_lost_ = false;          ///< whether the last frame was lost
   bool is_sure_ = false;          ///< whether the last frame with a pose agreed with the map
+  bool is_uncertain_ = false;     ///< whether the last frame's pose must not be relied on
   bool was_sure_ = false;         ///< whether some frame agreed with the map
   int lost_at_beginning_ = 0;     ///< lost frames since the map began, while no pose was sure
   int patience_ = 5;              ///< lost frames after which such a map begins anew

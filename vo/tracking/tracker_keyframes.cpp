@@ -118,7 +118,8 @@ void Tracker::set_keyframe(const FramePyramid& keyframe, const SE3& T_world_keyf
     measured_depth = points->levels.front().z_ref;
   }
   map_.add({keyframe, std::move(points), T_world_keyframe, velocity_, std::move(surface),
-            std::move(measured_depth), readout(), segmentation_.moving(), absolute_covariance_});
+            std::move(measured_depth), readout(), segmentation_.moving(), absolute_covariance_,
+            is_uncertain_});
   frames_since_keyframe_ = 0;
   if (options_.window.adjust != WindowAdjustment::none) {
     adjust_keyframes();

@@ -37,6 +37,7 @@ enum class TrackingReason {
   parts_disagree,   ///< parts of the view show something else than the rest of it lets expect
   two_motions,      ///< two parts of the view move differently, and neither is clearly the world
   view_covered,     ///< much of the image is black where depths are measured
+  map_uncertain,    ///< all keyframes that the frame is aligned to are uncertain themselves
 };
 
 constexpr auto enum_names(TrackingReason) {
@@ -50,7 +51,8 @@ constexpr auto enum_names(TrackingReason) {
                     std::pair{TrackingReason::depth_repeated, "depth_repeated"},
                     std::pair{TrackingReason::parts_disagree, "parts_disagree"},
                     std::pair{TrackingReason::two_motions, "two_motions"},
-                    std::pair{TrackingReason::view_covered, "view_covered"}};
+                    std::pair{TrackingReason::view_covered, "view_covered"},
+                    std::pair{TrackingReason::map_uncertain, "map_uncertain"}};
 }
 
 struct TrackingResult {
@@ -71,6 +73,9 @@ struct TrackingResult {
   /// is no pose but the first.
   Matrix6d absolute_covariance = Matrix6d::Zero();
 
+  /// By how much the depths differ from those of the first reference, depth_deviation(); 0 where
+  /// poses are not doubted.
+  double depth_deviation = 0;
   double moving_fraction = 0;  ///< share of the view's tiles that move by themselves
 
   Readout readout;    ///< rolling shutter's read-out used for this frame

@@ -1,6 +1,7 @@
 #include "tools/studies/alterations.h"
 
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <string>
 
@@ -88,6 +89,29 @@ TEST(Alterations, FaultsChangeWhatTheySayAndLeaveTheRecordedClipAlone) {
   const Clip patch = altered(clip, "patch_25");
   const cv::Mat covered = patch.frames[4].depth == 0.6F;
   EXPECT_EQ(cv::countNonZero(covered), 48 * 32) << "a quarter of the pixels";
+}
+
+TEST(Alterations, StripesBendDepthBySixPercentAtMostAndWander) {
+  const Clip clip = swinging_clip(12);
+  const Clip striped = altered(clip, "depth_striped");
+  const cv::Mat first = striped.frames[0].depth / clip.frames[0].depth;
+  const cv::Mat later = striped.frames[10].depth / clip.frames[10].depth;
+  double least = 0;
+  double greatest = 0;
+  cv::minMaxLoc(first, &least, &greatest);
+  const double most = 0.06 * std::sin(std::numbers::pi / 3);  // a stripe is 6 px wide
+  EXPECT_NEAR(least, 1 - most, 1e-5);
+  EXPECT_NEAR(greatest, 1 + most, 1e-5);
+  EXPECT_LT(cv::norm(first + later - 2, cv::NORM_INF), 1e-5) << "half a period later";
+}
+
+TEST(Alterations, AFenceStaysInTheImageAndLeavesDepthAlone) {
+  const Clip clip = swinging_clip(3);
+  const Clip fenced = altered(clip, "fence");
+  EXPECT_EQ(cv::norm(fenced.frames[2].depth, clip.frames[2].depth), 0);
+  const cv::Mat wires = fenced.frames[2].image == 20;
+  EXPECT_GE(cv::countNonZero(wires), 12 * 64 + 8 * 96 - 12 * 8);
+  EXPECT_EQ(cv::countNonZero((fenced.frames[2].image != clip.frames[2].image) & ~wires), 0);
 }
 
 TEST(Alterations, HaveNamesOfTheirOwn) {

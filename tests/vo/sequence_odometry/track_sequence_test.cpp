@@ -51,7 +51,7 @@ TEST(TrackSequence, FrameLogHasAColumnForEveryTitle) {
   std::string row;
   std::getline(lines, header);
   std::getline(lines, row);
-  EXPECT_EQ(columns(header), 19 + 2 * 21) << "covariances: upper triangles of 6x6";
+  EXPECT_EQ(columns(header), 20 + 2 * 21) << "covariances: upper triangles of 6x6";
   EXPECT_EQ(columns(row), columns(header));
 }
 

@@ -102,6 +102,19 @@ TEST(Doubt, OfAPositionWhoseDeviationIsAHundredthOfTheDepth) {
   EXPECT_EQ(doubt.judge(alignment, {}), TrackingReason::none) << "farther away";
 }
 
+TEST(Doubt, OfDepthsThatDifferFromTheReferencesMuchAtOnceOrALittleForLong) {
+  vo::Doubt at_once;
+  EXPECT_EQ(at_once.judge({}, {.depth_deviation = 0.05}), TrackingReason::depths_disagree);
+  EXPECT_EQ(at_once.judge({}, {.depth_deviation = 0}), TrackingReason::none);
+
+  vo::Doubt for_long;
+  EXPECT_EQ(for_long.judge({}, {.depth_deviation = 0.025}), TrackingReason::none);
+  for (int i = 0; i < 10; ++i) {
+    for_long.judge({}, {.depth_deviation = 0.025});
+  }
+  EXPECT_EQ(for_long.judge({}, {.depth_deviation = 0.025}), TrackingReason::depths_disagree);
+}
+
 TEST(Doubt, OfAViewThatIsCovered) {
   vo::Doubt doubt;
   EXPECT_EQ(doubt.judge({}, {.edged = {}, .covered_fraction = 0.25}), TrackingReason::none);
@@ -219,6 +232,26 @@ TEST(Doubt, IsNotThePapers) {
     EXPECT_NE(odometry.track(plane_frame(small_camera(), sway(0), i)).status,
               TrackingStatus::uncertain);
   }
+}
+
+/// Returns what is made of the frame after one that repeats its image, where each frame becomes a
+/// keyframe.
+TrackingReason after_a_repeated_image(int references) {
+  vo::TrackerOptions options = vo::preset_options(vo::TrackerPreset::best_measured);
+  options.keyframes.every = 1;
+  options.map.references = references;
+  vo::RgbdOdometry odometry(small_camera(), options);
+  for (int i = 0; i < 6; ++i) {
+    odometry.track(plane_frame(small_camera(), sway(i), i));
+  }
+  EXPECT_EQ(odometry.track(plane_frame(small_camera(), sway(5), 6)).reason,
+            TrackingReason::image_repeated);
+  return odometry.track(plane_frame(small_camera(), sway(6), 7)).reason;
+}
+
+TEST(Doubt, GoesOnWhereNoKeyframeThatIsSureIsInView) {
+  EXPECT_EQ(after_a_repeated_image(1), TrackingReason::map_uncertain);
+  EXPECT_EQ(after_a_repeated_image(4), TrackingReason::none);
 }
 
 }  // namespace
