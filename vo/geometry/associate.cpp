@@ -120,7 +120,8 @@ class ClosestPairs {
 
   void add(Node left, Node right) {
     const double difference = stamps_.stamp(right) - stamps_.stamp(left);
-    if (stamps_.is_a(left) != stamps_.is_a(right) && difference <= max_difference_) {
+    const bool is_close = difference < max_difference_ || difference == 0;
+    if (stamps_.is_a(left) != stamps_.is_a(right) && is_close) {
       closest_.push({difference, left, right});
     }
   }
