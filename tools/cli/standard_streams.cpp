@@ -100,27 +100,25 @@ void require_one_output(const CLI::App& command, const TakenStreams& taken) {
   }
 }
 
-/// Returns the files and folders that the options of these names were given.
-std::vector<NamedPlace> places_of(const CLI::App& command,
-                                  const std::vector<const std::vector<std::string>*>& groups) {
-  std::vector<NamedPlace> places;
-  for (const std::vector<std::string>* names : groups) {
-    for (const std::string& name : *names) {
-      for (const std::string& word : find_option(command, name)->results()) {
-        if (!word.empty()) {
-          places.push_back({name, word});
-        }
+/// Adds the files and folders that the options of these names were given.
+void add_places_of(const CLI::App& command, const std::vector<std::string>& names,
+                   std::vector<NamedPlace>& places) {
+  for (const std::string& name : names) {
+    for (const std::string& word : find_option(command, name)->results()) {
+      if (!word.empty()) {
+        places.push_back({name, word});
       }
     }
   }
-  return places;
 }
 
 /// Returns all files and folders that are read and are there, streams left out. What is not there
 /// is a preset, or fails when it is read.
 std::vector<NamedPlace> read_places(const CLI::App& command, const FileArguments& files) {
-  std::vector<NamedPlace> places =
-      places_of(command, {&files.inputs, &files.configurations, &files.read});
+  std::vector<NamedPlace> places;
+  add_places_of(command, files.inputs, places);
+  add_places_of(command, files.configurations, places);
+  add_places_of(command, files.read, places);
   for (const NamedPlace& place : files.defaults) {
     if (find_option(command, place.name)->count() == 0) {
       places.push_back(place);
@@ -137,8 +135,8 @@ std::vector<NamedPlace> read_places(const CLI::App& command, const FileArguments
 /// the user did not give.
 std::vector<NamedPlace> written_places(const CLI::App& command, const FileArguments& files) {
   std::vector<NamedPlace> places = files.derived ? files.derived() : std::vector<NamedPlace>();
-  const std::vector<NamedPlace> given = places_of(command, {&files.outputs, &files.written});
-  places.insert(places.end(), given.begin(), given.end());
+  add_places_of(command, files.outputs, places);
+  add_places_of(command, files.written, places);
   std::erase_if(places, [](const NamedPlace& place) { return vo::is_stream(place.path); });
   return places;
 }

@@ -54,7 +54,7 @@ void read_config(TrackArguments& arguments) {
   if (arguments.mode.empty()) {
     arguments.mode = vo::to_string(TrackMode::rgbd);
   }
-  const TrackMode mode = vo::parse_enum<TrackMode>(arguments.mode);
+  const auto mode = vo::parse_enum<TrackMode>(arguments.mode);
   refuse_for_other_mode(is_preset_given, "--preset", mode, TrackMode::rgbd);
   refuse_for_other_mode(!arguments.bootstrap.empty(), "--bootstrap", mode, TrackMode::mono);
   refuse_for_other_mode(!arguments.depth_file.empty(), "--depth-file", mode, TrackMode::mono);
