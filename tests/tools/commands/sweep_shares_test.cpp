@@ -80,8 +80,7 @@ TEST_F(SweepShares, ThatContradictAreRefused) {
         trials + " --out " + path("out"), trials + " --collect x", trials + " --shard 3/2"}) {
     EXPECT_EQ(sweep(rest).exit_code, 2) << rest;
   }
-  EXPECT_THAT(sweep(trials + " --shards 0").err,
-              HasSubstr("--shards: expected at least 1, got 0"));
+  EXPECT_THAT(sweep(trials + " --shards 0").err, HasSubstr("--shards: expected at least 1, got 0"));
   EXPECT_FALSE(exists("trials"));
 }
 
