@@ -146,7 +146,7 @@ bool is_one_of(const std::vector<Value>& values, const Value& value) {
   return std::find(values.begin(), values.end(), value) != values.end();
 }
 
-/// What the folder of an input holds.
+/// Says what a command reads from the folder of an input.
 enum class FolderContent { sequence, scenarios };
 
 /// Returns whether a sequence is read from a file of this name in its folder. Recordings are not

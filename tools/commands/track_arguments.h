@@ -16,7 +16,7 @@
 
 namespace tools {
 
-/// What errors call the file of all options beside `--out`, which `--config` may name.
+/// Errors name the file of all options beside `--out` by these words; `--config` may be the same.
 inline constexpr const char* kOptionsBesideOut = "the options beside --out";
 
 /// The endings of what `edvo track` writes beside `--out`.

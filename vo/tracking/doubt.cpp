@@ -38,9 +38,9 @@ constexpr double kMostCovered = 0.3;
 constexpr double kMostNoise = 0.9;
 constexpr double kNoiseBeyondHalf = 0.1;
 
-/// Standard deviation of the position relative to the reference, over the depth of its points.
-/// Where depth is measured in much of the view it is above 0.003 in one frame of ten and above 0.01
-/// in one of a thousand.
+/// Standard deviation of the position relative to the reference, over the depth of its points. It
+/// is above 0.003 in one frame of ten and above 0.01 in one of a thousand where depth is measured
+/// in much of the view.
 constexpr double kMostDeviation = 0.01;
 
 constexpr double kNewest = 0.2;  // weight of a frame in the means

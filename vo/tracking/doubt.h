@@ -77,7 +77,7 @@ class Doubt {
   RecentMean disagreement_;  ///< share of the points that disagree
   CompetingMotions motions_;
   RecentMean depth_disagreement_;  ///< share of the surfaces that disagree
-  RecentMean depth_deviation_;
+  RecentMean depth_deviation_;     ///< difference of the depths beyond noise
 };
 
 }  // namespace vo

@@ -38,8 +38,7 @@ constexpr const char* kAblateHelp =
     "  mono       one change at a time of how a monocular depth map is kept (docs/mono.md)\n"
     "  pairs      random pairs of views of a glTF scene: accuracy and basin of convergence\n"
     "  stress     the sequence as recorded, turned, reversed, halved, and with faults: frozen,\n"
-    "             covered, a thing moving through, depth mirrored, stale or bent; and what is "
-    "said\n"
+    "             covered, a thing moving through, depth mirrored, stale or bent; what is said\n"
     "Writes DIR/STUDY.csv, .svg and .md and prints the table. Columns in ms differ from run to "
     "run:\n"
     "to measure again into the same DIR, --force.";
