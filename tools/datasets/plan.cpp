@@ -13,7 +13,9 @@
 #include "tools/sequence_cache/generator_hash.h"
 #include "tools/sequence_cache/scene_files_hash.h"
 #include "vo/core/error.h"
+#include "vo/files/folder.h"
 #include "vo/files/input.h"
+#include "vo/files/partial_file.h"
 #include "vo/files/result_files.h"
 #include "vo/files/unlocked_file.h"
 #include "vo/hashing/content_hash.h"
@@ -27,6 +29,21 @@ constexpr std::size_t kMaxSequenceFrames = 4000;  // files of one kind in one fo
 constexpr std::size_t kMaxParts = 1'000'000;
 
 using Identity = std::map<std::string, std::string>;
+
+/// Throws Error if the folder that a plan is to be written into holds files of somebody else.
+void require_own_folder(const fs::path& plan_file) {
+  const fs::path folder = plan_file.parent_path();
+  if (!path_exists(folder)) {
+    return;
+  }
+  const std::vector<vo::FolderEntry> entries = vo::entries_of(folder);
+  const bool is_empty =
+      std::all_of(entries.begin(), entries.end(),
+                  [](const vo::FolderEntry& entry) { return vo::is_partial_name(entry.name); });
+  vo::require(is_empty || path_exists(plan_file), folder.string(),
+              ": is no unfinished data set (it has no ", plan_file.filename().string(),
+              "), expected one or nothing; rename it, or write to another name");
+}
 
 /// Adds the hash of a file that a path is read from, if it is.
 void add_path_file(const DatasetSequence& sequence, const fs::path& file, Identity& identity) {
@@ -247,6 +264,7 @@ DatasetPlan begin_dataset(const DatasetSpec& spec, const fs::path& plan_file,
     plan.frames.resize(spec.sequences.size());
     return plan;
   }
+  require_own_folder(plan_file);
   DatasetPlan plan = make_plan(spec, progress);
   vo::make_folder(plan_file.parent_path());
   vo::write_unlocked(plan_file, format_plan(spec, plan), durability);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <tuple>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "vo/files/folder.h"
 #include "vo/files/input.h"
 #include "vo/files/output.h"
+#include "vo/files/partial_file.h"
 #include "vo/files/result_files.h"
 #include "vo/hashing/content_hash.h"
 #include "vo/output_folders/output_folder.h"
@@ -74,22 +76,34 @@ void remove_entry(const EntryPlaces& places) {
   vo::remove_tree(places.sequence);
 }
 
+/// Returns the key of an unfinished sequence by the name of a folder in the cache, `KEY.part` or
+/// the partial name of that or of `KEY`; nothing for the name of another folder.
+std::optional<std::string> unfinished_key(const fs::path& name) {
+  if (vo::is_partial_name(name)) {
+    return fs::path(name.stem().string().substr(1)).stem().string();
+  }
+  const bool is_staging = vo::StagedFolder::staging_of(name.stem()).filename() == name;
+  return is_staging ? std::optional(name.stem().string()) : std::nullopt;
+}
+
 /// Removes unfinished sequences of processes that were killed while rendering.
 void remove_unfinished(const fs::path& cache) {
-  std::vector<std::string> keys;
+  std::set<std::string> keys;
   if (fs::is_directory(cache / "sequences")) {
     for (const auto& [entry, kind] : vo::entries_of(cache / "sequences")) {
-      const fs::path name = entry;
-      if (kind == vo::EntryKind::folder &&
-          vo::StagedFolder::staging_of(name.stem()).filename() == name) {
-        keys.push_back(name.stem().string());
+      if (const auto key = unfinished_key(entry); key && kind == vo::EntryKind::folder) {
+        keys.insert(*key);
       }
     }
   }
   for (const std::string& key : keys) {
     const EntryPlaces places = places_of(cache, key);
     if (const auto lock = vo::FileLock::try_lock(places.lock, vo::LockKind::exclusive)) {
-      vo::remove_tree(vo::StagedFolder::staging_of(places.sequence));
+      const fs::path staging = vo::StagedFolder::staging_of(places.sequence);
+      for (const fs::path& left :
+           {staging, vo::partial_name(staging), vo::partial_name(places.sequence)}) {
+        vo::remove_tree(left);
+      }
     }
   }
 }
@@ -152,7 +166,9 @@ fs::path cache_folder(const fs::path& chosen) {
     return fs::path(cache) / "edvo";
   }
   const char* home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe)
-  vo::require(home != nullptr, "HOME is not set, expected it or XDG_CACHE_HOME or --cache DIR");
+  vo::require(home != nullptr && fs::path(home).is_absolute(), "HOME is ",
+              home == nullptr ? "not set" : vo::concat("\"", home, "\""),
+              ", expected a folder's full path, or XDG_CACHE_HOME or --cache DIR");
   return fs::path(home) / ".cache" / "edvo";
 }
 

@@ -74,6 +74,7 @@ StagedFolder::StagedFolder(const fs::path& path, const StagedContent& content,
                            const OutputPolicy& policy, WaitObserver waiting)
     : path_(resolved_output(path)),
       staging_(staging_of(path)),
+      complete_(partial_name(path_)),
       content_(content),
       policy_(policy),
       waiting_(std::move(waiting)) {
@@ -90,8 +91,12 @@ fs::path StagedFolder::staging_of(const fs::path& path) {
   return resolved_output(path).string() + ".part";
 }
 
+bool StagedFolder::is_unfinished() const {
+  return fs::is_directory(staging_ / part_record_name(""));
+}
+
 bool StagedFolder::is_joined() const {
-  return holds_marker(staging_, content_.marker);
+  return is_unfinished() && holds_marker(staging_, content_.marker);
 }
 
 bool StagedFolder::is_finished() const {
@@ -106,7 +111,8 @@ bool StagedFolder::is_finished() const {
   });
 }
 
-/// Makes the folder with its marker and the list of what is planned in it from the start.
+/// Makes the folder with its marker, the folder of its records and, from the start, the list of
+/// what is planned in it.
 void StagedFolder::begin() const {
   const fs::path fresh = partial_name(staging_);
   remove_folder(fresh);
@@ -115,7 +121,10 @@ void StagedFolder::begin() const {
                 {content_.marker, {std::string(kFileList), format_records(planned(content_))}},
                 kWithinStaging);
     std::error_code error;
-    fs::rename(fresh, staging_, error);
+    fs::create_directory(fresh / part_record_name(""), error);
+    if (!error) {
+      fs::rename(fresh, staging_, error);
+    }
     if (error) {
       fail_with(staging_, "cannot be made", error.value());
     }
@@ -125,13 +134,38 @@ void StagedFolder::begin() const {
   }
 }
 
+/// Makes a complete folder that a killed run left without its final name one to be filled again.
+void StagedFolder::take_back_complete() const {
+  if (!holds_marker(complete_, content_.marker) || fs::exists(staging_)) {
+    return;
+  }
+  std::error_code error;
+  fs::create_directory(complete_ / part_record_name(""), error);
+  if (!error) {
+    fs::rename(complete_, staging_, error);
+  }
+  if (error) {
+    fail_with(staging_, "cannot be taken up again", error.value());
+  }
+}
+
+/// Throws Error unless the folder's name is free, or is that of an unfinished folder.
+void StagedFolder::require_free_staging() const {
+  const bool is_free = !fs::exists(staging_) || is_unfinished() ||
+                       (fs::is_directory(staging_) && fs::is_empty(staging_));
+  require(is_free, staging_.string(), ": is no unfinished result of ", path_.filename().string(),
+          ", which needs that name until it is finished; rename it, or write to another name");
+}
+
 /// Puts the place in order, alone: returns whether there is a folder to fill or a finished one.
 bool StagedFolder::begin_or_join_alone() {
+  take_back_complete();
   remove_leftovers(path_);
   if (is_finished()) {
     return true;
   }
   require_replaceable(path_, policy_.existing);
+  require_free_staging();
   if (fs::exists(staging_) && !is_joined()) {
     require_replaceable(staging_, policy_.existing);
     remove_folder(staging_);
@@ -243,10 +277,22 @@ std::vector<std::size_t> StagedFolder::finish() {
     records[list.name] = record_of(list.bytes);
   }
   write_files(staging_, {{std::string(kFileList), format_records(records)}}, kWithinStaging);
-  remove_folder(staging_ / part_record_name(""));
   require_replaceable(path_, policy_.existing);
-  put_folder_in_place(staging_, path_, policy_.durability);
+  put_in_place();
   return {};
+}
+
+/// Gives the folder its final name. It loses its records, by which it would be known as
+/// unfinished, under a name that no user's folder has.
+void StagedFolder::put_in_place() const {
+  remove_folder(complete_);
+  std::error_code error;
+  fs::rename(staging_, complete_, error);
+  if (error) {
+    fail_with(path_, "cannot be written", error.value());
+  }
+  remove_folder(complete_ / part_record_name(""));
+  put_folder_in_place(complete_, path_, policy_.durability);
 }
 
 }  // namespace vo

@@ -32,12 +32,15 @@ struct StagedContent {
 /// `<name>.part` beside its final name until `finish`, and stays there when a run ends early. Only
 /// runs with equal markers share it. Each part is made by one process at a time, and recorded with
 /// size and hash of its files when it is done; `finish` lets nothing pass that is not as recorded.
+/// The folder of those records is what tells an unfinished folder from a finished one that has
+/// `<name>.part` as its own name: that one is never joined, and never replaced.
 class StagedFolder {
  public:
   /// Makes the folder, or joins one with an equal marker, and removes what killed processes left
   /// beside it. One with another marker is begun anew with `replace`; with `keep` it is an Error of
-  /// kind output_exists, and while others fill it one of kind temporary. `content` must outlive the
-  /// object.
+  /// kind output_exists, and while others fill it one of kind temporary. A folder `<name>.part`
+  /// that holds something and is not unfinished is an Error of kind input. `content` must outlive
+  /// the object.
   StagedFolder(const std::filesystem::path& path, const StagedContent& content,
                const OutputPolicy& policy, WaitObserver waiting);
 
@@ -68,11 +71,16 @@ class StagedFolder {
   void join();
   bool begin_or_join_alone();
   bool is_joined() const;
+  bool is_unfinished() const;
   void begin() const;
+  void take_back_complete() const;
+  void require_free_staging() const;
+  void put_in_place() const;
   std::vector<std::size_t> remove_damaged(FileRecords& records) const;
 
   std::filesystem::path path_;
   std::filesystem::path staging_;
+  std::filesystem::path complete_;  ///< name of the folder from its last file to its final name
   const StagedContent& content_;
   OutputPolicy policy_;
   WaitObserver waiting_;

@@ -360,11 +360,11 @@ def check_merges():
                               stdout=subprocess.DEVNULL) for _ in range(4)]
     assert [run.wait() for run in crowd] == [0, 0, 0, 0]
     require_same("one", "crowd")
-    left = SCRATCH / "crowd.part/parts/000/box_orbit_plain_0-000"
-    left.mkdir(parents=True)
-    (left / "part.json").write_text("{}")
+    (SCRATCH / ".crowd.part.partial-edvo/parts/000/box_orbit_plain_0-000").mkdir(parents=True)
+    (SCRATCH / "crowd.part/parts").mkdir(parents=True)
+    shutil.copy(SCRATCH / "crowd/dataset.json", SCRATCH / "crowd.part/plan.json")
     assert "there already" in edvo("merge", "small.toml", "--out", "crowd")
-    assert not (SCRATCH / "crowd.part").exists() and not list(SCRATCH.glob(".*lock*"))
+    assert not (SCRATCH / "crowd.part").exists() and not list(SCRATCH.glob(".crowd*"))
     require_same("one", "crowd")
     shutil.rmtree(SCRATCH / "crowd")
 
@@ -407,12 +407,29 @@ def check_bad_input():
     edvo("verify", "begun.part", code=3)
 
 
+def check_own_folders():
+    """A folder that has the name of an unfinished data set is not removed, nor written into, unless it is one."""
+    mine = SCRATCH / "own.part"
+    mine.mkdir()
+    (mine / "mine").write_text("precious")
+    assert "own.part: is no unfinished data set" in edvo("render", "small.toml", "--out", "own", code=3)
+    assert [entry.name for entry in mine.iterdir()] == ["mine"]
+    mine.rename(SCRATCH / "elsewhere")
+    edvo("render", "small.toml", "--out", "own")
+    edvo("merge", "small.toml", "--out", "own")
+    assert not mine.exists()
+    (SCRATCH / "elsewhere").rename(mine)
+    edvo("merge", "small.toml", "--out", "own")
+    assert (mine / "mine").read_text() == "precious"
+
+
 def main():
     shutil.rmtree(SCRATCH, ignore_errors=True)
     SCRATCH.mkdir(parents=True)
     for check in (check_shares, check_checksums, check_index, check_as_rendered, check_damage, check_kills, check_merges,
                   check_full_disk, check_node_without_opengl, check_archives,
-                  check_formats_and_channels, check_filter, check_actors, check_environment, check_bad_input):
+                  check_formats_and_channels, check_filter, check_actors, check_environment, check_bad_input,
+                  check_own_folders):
         check()
         print(check.__name__, "ok", flush=True)
     shutil.rmtree(SCRATCH)

@@ -8,6 +8,7 @@
 #include "tests/support/temp_folder.h"
 #include "vo/core/error.h"
 #include "vo/files/input.h"
+#include "vo/files/partial_file.h"
 #include "vo/output_folders/file_records.h"
 
 namespace {
@@ -114,21 +115,44 @@ TEST_F(StagedFolderTest, MakesDamagedFilesAgain) {
 }
 
 TEST_F(StagedFolderTest, GoesOnWhereARunWasKilledWhileItFinished) {
-  vo::FileRecords records;
   {
-    const StagedFolder staged = join();
+    StagedFolder staged = join();
     put(staged, content_.parts[0]);
     put(staged, content_.parts[1]);
+    EXPECT_THAT(staged.finish(), IsEmpty());
   }
-  for (const char* name : {"a/0", "a/1", "b/0", "b/1"}) {
-    records[name] = vo::record_of(vo::read_file(StagedFolder::staging_of(path_) / name));
+  fs::rename(path_, vo::partial_name(path_));
+  folder_.write(".result.partial-edvo/edvo-done/1.txt", "");
+  folder_.write(".result.old-edvo/mine", "what was about to be replaced");
+  EXPECT_EQ(error_kind([&] { join(); }), ErrorKind::output_exists);
+  EXPECT_EQ(vo::read_file(path_ / "mine"), "what was about to be replaced");
+  fs::remove_all(path_);
+  {
+    StagedFolder staged = join();
+    EXPECT_TRUE(staged.has(content_.parts[0]) && staged.has(content_.parts[1]));
+    EXPECT_THAT(staged.finish(), IsEmpty());
   }
-  folder_.write("result.part/.edvo-files", vo::format_records(records));
-  fs::remove_all(StagedFolder::staging_of(path_) / "edvo-done");
-  StagedFolder staged = join();
-  EXPECT_TRUE(staged.has(content_.parts[0]) && staged.has(content_.parts[1]));
-  EXPECT_THAT(staged.finish(), IsEmpty());
   EXPECT_EQ(vo::read_file(path_ / "list.txt"), "0 and 1");
+  EXPECT_FALSE(fs::exists(path_ / "edvo-done"));
+  EXPECT_EQ(entries_beside(), 1U);
+}
+
+TEST_F(StagedFolderTest, LeavesAFinishedFolderOfItsUnfinishedNameAlone) {
+  const fs::path finished = StagedFolder::staging_of(path_);
+  {
+    StagedFolder staged(finished, content_, ExistingOutput::keep, {});
+    put(staged, content_.parts[0]);
+    put(staged, content_.parts[1]);
+    EXPECT_THAT(staged.finish(), IsEmpty());
+  }
+  const auto before = contents(finished);
+  for (const ExistingOutput existing : {ExistingOutput::keep, ExistingOutput::replace}) {
+    EXPECT_EQ(error_kind([&] { join(existing); }), ErrorKind::input);
+    EXPECT_THAT(error_text([&] { join(existing); }),
+                HasSubstr("result.part: is no unfinished result of result"));
+  }
+  EXPECT_EQ(contents(finished), before);
+  EXPECT_EQ(entries_beside(), 1U);
 }
 
 TEST_F(StagedFolderTest, IsBegunAnewForAnotherResultOnlyWhenToldToReplaceIt) {

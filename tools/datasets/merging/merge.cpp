@@ -38,6 +38,17 @@ void rename_to(const fs::path& from, const fs::path& to) {
   }
 }
 
+/// Removes what a data set was made in. As it is known by its plan, it gets a name first that
+/// nobody else's folder has, under which one that a killed process left is removed, too.
+void remove_staging(const DatasetLayout& layout) {
+  const fs::path doomed = vo::partial_name(layout.staging);
+  vo::remove_tree(doomed);
+  if (fs::exists(layout.plan())) {
+    rename_to(layout.staging, doomed);
+    vo::remove_tree(doomed);
+  }
+}
+
 /// A data set while it is merged: files move from the parts' folders into one.
 class Merge {
  public:
@@ -99,7 +110,7 @@ class Merge {
     if (durability_ == vo::Durability::synced) {
       vo::sync_to_disk(layout_.out.parent_path());
     }
-    vo::remove_tree(layout_.staging);
+    remove_staging(layout_);
   }
 
  private:
@@ -227,7 +238,7 @@ MergeOutcome merge_dataset(const DatasetSpec& spec, const DatasetPlan& plan,
                            const DatasetLayout& layout, vo::Durability durability,
                            const vo::Progress& progress) {
   if (is_merged(spec, plan, layout)) {
-    vo::remove_tree(layout.staging);
+    remove_staging(layout);
     return {.was_there = true};
   }
   MergeOutcome outcome{.missing = missing_parts(spec, plan, layout)};
