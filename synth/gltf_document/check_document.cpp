@@ -56,8 +56,17 @@ void check_asset(const JsonObject& root) {
   require(version.compare(0, 2, "2.") == 0, asset.place(), ": version is ", version,
           ", expected 2.0");
   const std::string least = asset.text("minVersion").value_or("2.0");
-  require(least.compare(0, 2, "2.") == 0, asset.place(), ": minVersion is ", least,
-          ", expected 2.0");
+  require(least == "2.0", asset.place(), ": minVersion is ", least, ", expected 2.0");
+}
+
+/// Throws vo::Error if an array of the document has more elements than their readers, which need up
+/// to 2 KB for each of a few bytes, shall take memory for.
+void check_array_lengths(const nlohmann::json& document, const JsonObject& root) {
+  constexpr std::size_t kMost = 500'000;
+  for (const auto& [key, array] : document.items()) {
+    require(!array.is_array() || array.size() <= kMost, root.place(), ": ", key, " has ",
+            array.size(), " elements, expected at most ", kMost);
+  }
 }
 
 void check_extensions(const JsonObject& root) {
@@ -254,6 +263,7 @@ bool is_supported_extension(const std::string& name) {
 void check_document(const GltfFile& file, Notes& notes) {
   const JsonObject root(file.json, file.path.string());
   check_asset(root);
+  check_array_lengths(file.json, root);
   check_extensions(root);
   check_uris(root, file.path.parent_path());
   check_buffers(root, notes);

@@ -173,6 +173,7 @@ tinygltf::Model parse_structure(nlohmann::json document, const std::string& plac
     }
   }
   const std::string text = document.dump();
+  document = nullptr;  // the parser makes a document of its own
   require(text.size() <= std::numeric_limits<unsigned>::max(), place, ": its JSON has ",
           text.size(), " bytes, expected at most 4 GB");
   tinygltf::TinyGLTF parser;

@@ -114,6 +114,14 @@ void require_moments_within_world(const std::vector<FlatMesh>& moments, const Fl
   }
 }
 
+/// Throws unless the lamps are within the world, which an animation may leave.
+void require_lights_within_world(const Scene& scene) {
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    require_within_world(Eigen::AlignedBox3d(scene.lights[i].position),
+                         vo::concat("scene: light ", i));
+  }
+}
+
 void add_moments(const std::vector<Scene>& scenes, FlatMesh& world) {
   std::vector<FlatMesh> moments;
   for (const Scene& scene : scenes) {
@@ -149,6 +157,8 @@ void share_meshes(const std::vector<Scene>& moments, WorldGeometry& world) {
 WorldGeometry flatten(const Scene& scene, const std::vector<Scene>& moments) {
   WorldGeometry world;
   world.scene = &scene;
+  require_lights_within_world(scene);
+  std::for_each(moments.begin(), moments.end(), require_lights_within_world);
   Eigen::AlignedBox3d box;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const int mesh = scene.instances[i].mesh;

@@ -94,6 +94,21 @@ TEST(BadGltf, DocumentOfVersionOne) {
   EXPECT_THAT(error_with("/asset/version", "1.0"), HasSubstr("asset: version is 1.0"));
 }
 
+TEST(BadGltf, DocumentThatNeedsANewerReader) {
+  EXPECT_THAT(error_with("/asset/minVersion", "2.9"),
+              HasSubstr("asset: minVersion is 2.9, expected 2.0"));
+}
+
+TEST(BadGltf, MoreElementsThanMemoryIsTakenFor) {
+  const TempFolder folder;
+  std::string text = R"({"asset":{"version":"2.0"},"nodes":[{})";
+  for (int i = 0; i < 500'000; ++i) {
+    text += ",{}";
+  }
+  EXPECT_THAT(error_of(folder.write("scene.gltf", text + "]}")),
+              HasSubstr("nodes has 500001 elements, expected at most 500000"));
+}
+
 TEST(BadGltf, MissingBuffer) {
   EXPECT_THAT(error_with_buffer_uri("other.bin"),
               AllOf(HasSubstr("buffers[0]"), HasSubstr("other.bin does not exist")));

@@ -51,6 +51,17 @@ TEST(Flatten, NothingMovesOutOfTheWorld) {
       "scene: instance 0, which moves: reaches 1e+19 m from the origin, expected at most 1e+09");
 }
 
+TEST(Flatten, NoLampMovesOutOfTheWorld) {
+  Scene scene;
+  add(scene, square_at(2, 1), diffuse({1, 1, 1}));
+  scene.lights.emplace_back().position = {0, 0, 9e8};
+  SceneDuring during{.now = scene, .moments = {scene, scene}, .end = 1};
+  EXPECT_NO_THROW(flatten(during));
+  during.moments[1].lights[0].position.y() = -1e10;
+  EXPECT_EQ(support::error_text([&] { flatten(during); }),
+            "scene: light 0: reaches 1e+10 m from the origin, expected at most 1e+09");
+}
+
 TEST(DepthOfPlane, IsTheClosedForm) {
   Scene scene;
   add(scene, quad({-4, -4, 1}, {8, 0, 4}, {0, 8, 0}), unlit({1, 1, 1}));  // z = 3 + x / 2
