@@ -24,7 +24,8 @@ Similarity fit_rigid(std::span<const Eigen::Vector3d> source,
                      std::span<const Eigen::Vector3d> target);
 
 /// Returns the similarity of least squares: as `fit_rigid` with the scale fitted too, which stays 1
-/// when all source points coincide.
+/// when all source points coincide, and when all target points do: a scale of 0 would hide any
+/// error.
 Similarity fit_similarity(std::span<const Eigen::Vector3d> source,
                           std::span<const Eigen::Vector3d> target);
 

@@ -130,6 +130,16 @@ TEST(Umeyama, FitsPointsThatCoincide) {
   EXPECT_LT(squared_error(found, source, target), kUmeyamaTolerance * kUmeyamaTolerance);
 }
 
+TEST(Umeyama, KeepsTheScaleOfAMovingSourceWithAStandingTarget) {
+  const Points source{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}};
+  const Points target(4, Eigen::Vector3d(4, 5, 6));
+  const Similarity found = fit_similarity(source, target);
+  EXPECT_TRUE(is_proper_rotation(found.rotation));
+  EXPECT_EQ(found.scale, 1);
+  const double spread = (1 + 4 + 9) * 0.75;  // of the source about its mean
+  EXPECT_NEAR(squared_error(found, source, target), spread, 1e-12);
+}
+
 TEST(Umeyama, KeepsTheScaleOfAStandingSourceWithAMovingTarget) {
   const Points source(20, Eigen::Vector3d(0.1, 0.2, 0.3));
   const Similarity found = fit_similarity(source, random_points(20, 7));
