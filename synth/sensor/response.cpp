@@ -15,7 +15,11 @@ namespace {
 
 std::vector<double> parse_table(const std::string& text) {
   const auto commas = static_cast<std::size_t>(std::count(text.begin(), text.end(), ','));
-  return vo::parse_reals(text, commas + 1);
+  try {
+    return vo::parse_reals(text, commas + 1);
+  } catch (const vo::Error& error) {
+    vo::fail("sensor.response.table: ", error.what());
+  }
 }
 
 /// Returns the light, 0..1, at which a rising table reaches a brightness.

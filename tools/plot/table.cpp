@@ -42,9 +42,25 @@ bool is_number_column(const Table& table, std::size_t column) {
                      [&](const std::vector<TableCell>& row) { return is_number(row[column]); });
 }
 
-/// Returns the text in quotes if it has a comma.
+/// Returns the text as a field of CSV (RFC 4180): in quotes, its own doubled, where it must be.
 std::string csv_text(const std::string& text) {
-  return text.find(',') == std::string::npos ? text : "\"" + text + "\"";
+  if (text.find_first_of(",\"\r\n") == std::string::npos) {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char c : text) {
+    quoted += c == '"' ? "\"\"" : std::string(1, c);
+  }
+  return quoted + "\"";
+}
+
+/// Returns the text as a cell of a Markdown table, which ends at `|` and at the line's end.
+std::string markdown_cell(const std::string& text) {
+  std::string cell;
+  for (const char c : text) {
+    cell += c == '|' ? "\\|" : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
+  }
+  return cell;
 }
 
 std::string csv_cell(const TableCell& cell) {
@@ -96,7 +112,7 @@ std::string as_markdown(const Table& table) {
   for (std::size_t l = 0; l < lines.size(); ++l) {
     text += "|";
     for (const std::string& cell : lines[l]) {
-      text += " " + cell + " |";
+      text += " " + markdown_cell(cell) + " |";
     }
     text += l == 0 ? "\n" + rule + "\n" : "\n";
   }

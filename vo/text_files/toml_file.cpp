@@ -33,6 +33,8 @@ class ValueReader {
       return make(format_real(value->get()), FieldType::real);
     }
     if (const auto* value = node.as_string()) {
+      require(value->get().find('\0') == std::string::npos, place_, ": ", key_,
+              ": holds the character U+0000, expected a text without it");
       return make(value->get(), FieldType::text);
     }
     if (const auto* array = node.as_array()) {

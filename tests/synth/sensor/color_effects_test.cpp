@@ -149,6 +149,7 @@ TEST(Response, ExpectsARisingTable) {
     return error_text(
         [&] { ResponseOptions{.curve = ResponseCurve::table, .table = text}.validate(); });
   };
+  EXPECT_THAT(message(""), HasSubstr("sensor.response.table: expected 1 numbers"));
   EXPECT_THAT(message("0, 0.7, 0.6, 1"), HasSubstr("expected rising numbers, got 0.6 after 0.7"));
   EXPECT_THAT(message("0, 0.7"), HasSubstr("expected at least two numbers from 0 to 1"));
 }

@@ -23,6 +23,13 @@ TEST(AblateTable, CsvHasEveryDigitAndQuotesCommas) {
             "what,error_mm,count\n\"edges, few\",0.3333333333333333,12\nall,,307200\n");
 }
 
+TEST(AblateTable, TextOfAnyCharactersIsOneCell) {
+  tools::Table table{.columns = {{"what"}, {"n"}}};
+  table.add_row({"a \"b\"\nc|d", 1.0});
+  EXPECT_EQ(tools::as_csv(table), "what,n\n\"a \"\"b\"\"\nc|d\",1\n");
+  EXPECT_EQ(tools::as_markdown(table), "| what | n |\n|---|---:|\n| a \"b\" c\\|d | 1 |\n");
+}
+
 TEST(AblateTable, MarkdownAndTextRoundForPeople) {
   EXPECT_EQ(tools::as_markdown(small_table()),
             "| what | error_mm | count |\n|---|---:|---:|\n| edges, few | 0.33 | 12 |\n"

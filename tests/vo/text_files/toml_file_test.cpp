@@ -104,6 +104,9 @@ TEST(TomlFile, ErrorsNameFileLineAndNearestKey) {
               EndsWith("s.toml:2: top.count: expected a whole number, got 1.5"));
   EXPECT_THAT(error_of("[top]\nname = 3\n"),
               EndsWith("s.toml:2: top.name: expected a text in quotes, got 3"));
+  EXPECT_THAT(
+      error_of("[top]\nname = \"a\\u0000b\"\n"),
+      EndsWith("s.toml:2: top.name: holds the character U+0000, expected a text without it"));
   EXPECT_THAT(error_of("[top]\ncentre = [1, 'a', 2]\n"),
               EndsWith("s.toml:2: top.centre: expected an array of numbers"));
 }
