@@ -17,6 +17,7 @@
 
 #include "tools/cli/exit_code.h"
 #include "tools/cli/interrupt.h"
+#include "tools/cli/options.h"
 #include "tools/cli/session.h"
 #include "tools/cli/spelling.h"
 #include "tools/cli/standard_streams.h"
@@ -94,6 +95,7 @@ int run(std::vector<std::string> words, tools::Session& session) {
   tools::add_completion_command(program, session);
   tools::add_manual_command(program, session);
   tools::add_colour_option(program);
+  tools::refuse_empty_values(program);
   program.failure_message([&](const CLI::App* app, const CLI::Error& error) {
     return tools::error_text(session.err, CLI::FailureMessage::simple(app, error));
   });

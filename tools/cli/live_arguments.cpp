@@ -20,7 +20,7 @@ int LiveArguments::chosen_port() const {
     vo::require(number >= 0 && number <= kLast, "out of range");
     return static_cast<int>(number);
   } catch (const vo::Error&) {
-    vo::fail_as(vo::ErrorKind::usage, "--live=", port, ": expected a port, 0 to ", kLast,
+    vo::fail_as(vo::ErrorKind::usage, port_option, port, ": expected a port, 0 to ", kLast,
                 "; 0 is any that is free");
   }
 }

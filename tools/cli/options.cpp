@@ -62,6 +62,19 @@ void add_time_difference_option(CLI::App& command, double& seconds, const std::s
       });
 }
 
+void refuse_empty_values(CLI::App& program) {
+  for (CLI::Option* option : program.get_options()) {
+    if (option->get_items_expected_min() > 0) {
+      option->check([](const std::string& text) {
+        return std::string(text.empty() ? "is empty, expected a value or no such option" : "");
+      });
+    }
+  }
+  for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    refuse_empty_values(*command);
+  }
+}
+
 CLI::Validator at_least_one() {
   const auto check = [](std::string& text) -> std::string {
     try {

@@ -1,6 +1,7 @@
 #include "tools/cli/session.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include <unistd.h>
 
@@ -27,6 +28,23 @@ ColourChoice colour_choice(const std::vector<std::string>& words) {
   return is_known ? vo::parse_enum<ColourChoice>(chosen) : ColourChoice::automatic;
 }
 
+/// Returns the text with its control characters but tabs and newlines as `\x1B`, so that a name
+/// from a file cannot move the cursor of the terminal that shows it.
+std::string printable(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  constexpr unsigned char kDelete = 0x7F;
+  std::string shown;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= ' ' ? byte != kDelete : c == '\t' || c == '\n') {
+      shown += c;
+    } else {
+      shown += {'\\', 'x', kDigits[byte / 16U], kDigits[byte % 16U]};
+    }
+  }
+  return shown;
+}
+
 }  // namespace
 
 Session start_session(const std::vector<std::string>& words) {
@@ -50,12 +68,13 @@ void add_colour_option(CLI::App& program) {
 }
 
 std::string error_text(const Colours& colours, const std::string& message) {
-  const std::size_t end = std::min(message.find('\n'), message.size());
-  return colours.paint(Tone::bad, message.substr(0, end)) + message.substr(end);
+  const std::string shown = printable(message);
+  const std::size_t end = std::min(shown.find('\n'), shown.size());
+  return colours.paint(Tone::bad, shown.substr(0, end)) + shown.substr(end);
 }
 
 std::string error_line(const Colours& colours, const std::string& text) {
-  return colours.paint(Tone::bad, "edvo:") + " " + text + "\n";
+  return colours.paint(Tone::bad, "edvo:") + " " + printable(text) + "\n";
 }
 
 }  // namespace tools

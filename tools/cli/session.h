@@ -24,10 +24,12 @@ Session start_session(const std::vector<std::string>& words);
 /// Adds `--color` to a program and to all its commands. `start_session` has what it says.
 void add_colour_option(CLI::App& program);
 
-/// Returns the message of the parser of the command line with its first line in the tone of errors.
+/// Returns the message of the parser of the command line with its first line in the tone of errors,
+/// and control characters, as of a file's name, as `\x1B`.
 std::string error_text(const Colours& colours, const std::string& message);
 
-/// Returns an error as stderr has it, with its newline: `edvo: TEXT`, the program in its tone.
+/// Returns an error as stderr has it, with its newline: `edvo: TEXT`, the program in its tone,
+/// and control characters as `\x1B`.
 std::string error_line(const Colours& colours, const std::string& text);
 
 }  // namespace tools

@@ -1,5 +1,6 @@
 #include "tools/cli/trajectory_arguments.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "tools/cli/options.h"
@@ -54,6 +55,17 @@ vo::TrajectoryReading chosen_reading(const TrajectoryArguments& arguments, std::
     }
   });
   return reading;
+}
+
+void require_times_used(const std::string& times,
+                        const std::vector<vo::TrajectoryFormat>& formats) {
+  const bool is_used = std::any_of(formats.begin(), formats.end(), [](vo::TrajectoryFormat format) {
+    return format == vo::TrajectoryFormat::kitti || format == vo::TrajectoryFormat::colmap;
+  });
+  if (!times.empty() && !is_used) {
+    vo::fail_as(vo::ErrorKind::usage, "--times: expected a trajectory without stamps (kitti, ",
+                "colmap), got one in the format ", vo::to_string(formats.at(0)));
+  }
 }
 
 std::string trajectory_formats() {

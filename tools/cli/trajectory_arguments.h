@@ -24,6 +24,10 @@ void add_trajectory_options(CLI::App& command, TrajectoryArguments& arguments,
 vo::TrajectoryReading chosen_reading(const TrajectoryArguments& arguments, std::size_t index = 0,
                                      std::size_t count = 1);
 
+/// Throws vo::Error of kind usage if a list of stamps was given and all trajectories, which have
+/// these formats, have stamps of their own.
+void require_times_used(const std::string& times, const std::vector<vo::TrajectoryFormat>& formats);
+
 /// Returns the names of the formats for help: `tum | euroc | ...`.
 std::string trajectory_formats();
 

@@ -203,13 +203,10 @@ void print(const ConvertArguments& arguments, const vo::TrajectoryFile& file,
 
 void convert_trajectory(const ConvertArguments& arguments, const Session& session) {
   const WrittenTrajectory format = chosen_trajectory_format(arguments);
-  if (!arguments.world.empty()) {
-    vo::fail_as(vo::ErrorKind::usage, "--world: expected a sequence, got a trajectory, ",
-                arguments.in);
-  }
   vo::require_writable(arguments.out);
   const vo::TrajectoryFile file = vo::read_trajectory_file(
       arguments.in, chosen_reading({.format = arguments.from, .times = arguments.times}));
+  require_times_used(arguments.times, {file.format});
   const std::vector<vo::NamedBytes> files =
       encode_trajectory(arguments.out, format, file.trajectory);
   const vo::OutputPolicy policy = arguments.common.output_policy();
@@ -230,6 +227,28 @@ void convert_sequence(const ConvertArguments& arguments, const Session& session)
       vo::convert_sequence(job, arguments.common.output_policy(), bar.callback());
   bar.erase();
   print(arguments, outcome, session.out);
+}
+
+/// Throws where an option is given that what is converted has no use for.
+void refuse_ignored(const CLI::App& command, const ConvertArguments& arguments,
+                    bool is_trajectory) {
+  const auto refuse = [&](const std::vector<const char*>& options, const std::string& expected) {
+    for (const char* option : options) {
+      if (command.count(option) > 0) {
+        vo::fail_as(vo::ErrorKind::usage, option, ": expected ", expected);
+      }
+    }
+  };
+  if (is_trajectory) {
+    refuse({"--world", "--camera", "--points", "--compression", "--rgb-topic", "--depth-topic",
+            "--camera-topic", "--truth-topic"},
+           "a sequence, got a trajectory, " + arguments.in);
+  } else {
+    refuse({"--times"}, "a trajectory, got a sequence, " + arguments.in);
+  }
+  if (arguments.format != vo::to_string(vo::WrittenSequence::mcap)) {
+    refuse({"--points", "--compression"}, "--format mcap, got " + arguments.format);
+  }
 }
 
 /// Returns whether IN is a trajectory: a file that is no video, but of recordings those of which a
@@ -277,8 +296,10 @@ void add_convert_command(CLI::App& program, Session& session) {
   take_streams(
       command,
       {.inputs = {"--times"}, .configurations = {"--camera"}, .read = {"IN"}, .written = {"OUT"}});
-  command.callback([arguments, &session] {
-    if (is_trajectory(*arguments)) {
+  command.callback([arguments, &command, &session] {
+    const bool has_poses_alone = is_trajectory(*arguments);
+    refuse_ignored(command, *arguments, has_poses_alone);
+    if (has_poses_alone) {
       convert_trajectory(*arguments, session);
     } else {
       convert_sequence(*arguments, session);

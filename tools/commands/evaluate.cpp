@@ -208,6 +208,7 @@ void evaluate(EvaluateArguments& arguments, const Session& session) {
   Report report;
   const vo::Trajectory truth = read(arguments, 0, report);
   const vo::Trajectory estimate = read(arguments, 1, report);
+  require_times_used(arguments.reading.times, {report.truth_format, report.estimate_format});
   report.errors = vo::evaluate(truth, estimate, arguments.options);
   vo::require(report.errors.rpe.pairs > 0 || !arguments.interval_is_chosen, arguments.estimate,
               ": no two of its ", estimate.size(), " poses lie --interval ", arguments.interval,

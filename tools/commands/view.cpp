@@ -103,6 +103,7 @@ void view(const ViewArguments& arguments, Session& session) {
 void add_view_command(CLI::App& program, Session& session) {
   CLI::App& command = *program.add_subcommand("view", kViewHelp);
   const auto arguments = std::make_shared<ViewArguments>();
+  arguments->live.port_option = "--port ";
   command.footer(kViewExamples);
   command
       .add_option("RESULT", arguments->result,

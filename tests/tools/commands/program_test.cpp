@@ -71,6 +71,57 @@ TEST_F(Program, EvaluatePrintsItsContract) {
   EXPECT_EQ(errors["tracked_fraction"], 1.0);
 }
 
+TEST_F(Program, AnEmptyValueIsNotTheDefault) {
+  for (const char* option : {"--camera", "--depth-topic", "--out"}) {
+    const ProgramResult result = track(std::string(option) + " ''");
+    EXPECT_EQ(result.exit_code, 2) << option;
+    EXPECT_THAT(result.err, HasSubstr(std::string(option) + ": is empty")) << option;
+  }
+  const ProgramResult homeless = run_program("cache list", "HOME= XDG_CACHE_HOME= ");
+  EXPECT_EQ(homeless.exit_code, 3);
+  EXPECT_THAT(homeless.err, HasSubstr("HOME is \"\", expected a folder's full path"));
+}
+
+TEST_F(Program, OptionsThatNothingUsesAreRefused) {
+  write("poses.txt", "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n");
+  write("stamps.txt", "0\n1\n");
+  const std::string poses = path("poses.txt");
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"evaluate " + poses + " " + poses + " --times " + path("stamps.txt"),
+       "--times: expected a trajectory without stamps"},
+      {"convert " + poses + " " + path("out") + " --format kitti --times " + path("stamps.txt"),
+       "--times: expected a trajectory without stamps"},
+      {"convert " + poses + " " + path("out") + " --format tum --world y-up",
+       "--world: expected a sequence, got a trajectory"},
+      {"convert " + path("sequence") + " " + path("out") + " --format tum --points",
+       "--points: expected --format mcap, got tum"},
+      {"convert " + path("sequence") + " " + path("out") + " --format euroc --compression lz4",
+       "--compression: expected --format mcap, got euroc"},
+      {"convert " + path("sequence") + " " + path("out") + " --format tum --times " +
+           path("stamps.txt"),
+       "--times: expected a trajectory, got a sequence"}};
+  for (const auto& [arguments, message] : cases) {
+    const ProgramResult result = run_program(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_THAT(result.err, HasSubstr(message)) << arguments;
+    EXPECT_FALSE(exists("out")) << arguments;
+  }
+}
+
+TEST_F(Program, ErrorsHaveNoControlCharacters) {
+  const ProgramResult result = run_program("inspect \"$(printf 'a\\033[2Jb\\177')\"");
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("a\\x1B[2Jb\\x7F"));
+}
+
+TEST_F(Program, APortIsNamedByTheOptionThatItIsOf) {
+  write("page.txt", "0 0 0 0 0 0 0 1\n");
+  EXPECT_THAT(run_program("view " + path("page.txt") + " --port 99999").err,
+              HasSubstr("--port 99999: expected a port"));
+  EXPECT_THAT(track("--out " + path("live.txt") + " --live=99999").err,
+              HasSubstr("--live=99999: expected a port"));
+}
+
 TEST_F(Program, TwoRunsGiveTheSameBytesOnAnyNumberOfThreads) {
   ASSERT_EQ(track("--threads 1 --out " + path("one.txt")).exit_code, 0);
   ASSERT_EQ(track("--threads 2 --out " + path("two.txt")).exit_code, 0);
