@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -101,6 +102,12 @@ int remove_tree(const fs::path& path) noexcept {
   const int result = ::nftw(path.c_str(), remove_visited, kOpenFolders, FTW_DEPTH | FTW_PHYS);
   const int error = result < 0 ? errno : result;
   return error == ENOENT ? 0 : error;
+}
+
+void rename_entry(const fs::path& from, const fs::path& to) {
+  if (uninterrupted([&] { return ::rename(from.c_str(), to.c_str()); }) != 0) {
+    fail_with(to, "cannot be written", errno);
+  }
 }
 
 }  // namespace vo

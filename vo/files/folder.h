@@ -27,4 +27,8 @@ std::vector<FolderEntry> entries_below(const std::filesystem::path& folder);
 /// `errno` of what cannot be removed.
 int remove_tree(const std::filesystem::path& path) noexcept;
 
+/// Gives a file or folder another name, in place of a file, or of an empty folder, that has it.
+/// Throws Error naming `to` where that fails.
+void rename_entry(const std::filesystem::path& from, const std::filesystem::path& to);
+
 }  // namespace vo

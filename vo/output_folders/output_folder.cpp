@@ -40,12 +40,6 @@ void require_elsewhere(const fs::path& path) {
           path.string(), ": is the current folder or one above it, expected another to write");
 }
 
-void rename_to(const fs::path& from, const fs::path& path) {
-  if (uninterrupted([&] { return ::rename(from.c_str(), path.c_str()); }) != 0) {
-    fail_with(path, "cannot be written", errno);
-  }
-}
-
 /// Removes what was replaced, as far as it can be.
 void remove_old_folder(const fs::path& old) {
   try {
@@ -101,10 +95,10 @@ void put_folder_in_place(const fs::path& made, const fs::path& path, Durability 
   if (is_replaced) {
     require_no_old_folder(path);
     allow_removal(path);
-    rename_to(path, old_name(path));
+    rename_entry(path, old_name(path));
   }
   try {
-    rename_to(made, path);
+    rename_entry(made, path);
   } catch (const Error&) {
     remove_leftovers(path);  // gives back the old folder's name
     throw;
@@ -120,7 +114,7 @@ void put_folder_in_place(const fs::path& made, const fs::path& path, Durability 
 void remove_leftovers(const fs::path& path) {
   const fs::path old = old_name(path);
   if (fs::exists(old) && !fs::exists(path)) {
-    rename_to(old, path);
+    rename_entry(old, path);
   }
   remove_old_folder(old);
   remove_tree(partial_name(path));

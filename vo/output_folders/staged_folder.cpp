@@ -1,12 +1,12 @@
 #include "vo/output_folders/staged_folder.h"
 
 #include <algorithm>
-#include <system_error>
 #include <utility>
 
 #include "vo/core/error.h"
 #include "vo/files/folder.h"
 #include "vo/files/input.h"
+#include "vo/files/result_files.h"
 #include "vo/files/system_failure.h"
 #include "vo/output_folders/file_records.h"
 #include "vo/output_folders/output_folder.h"
@@ -120,14 +120,8 @@ void StagedFolder::begin() const {
     write_files(fresh,
                 {content_.marker, {std::string(kFileList), format_records(planned(content_))}},
                 kWithinStaging);
-    std::error_code error;
-    fs::create_directory(fresh / part_record_name(""), error);
-    if (!error) {
-      fs::rename(fresh, staging_, error);
-    }
-    if (error) {
-      fail_with(staging_, "cannot be made", error.value());
-    }
+    make_folder(fresh / part_record_name(""));
+    rename_entry(fresh, staging_);
   } catch (const Error&) {
     remove_tree(fresh);
     throw;
@@ -139,14 +133,8 @@ void StagedFolder::take_back_complete() const {
   if (!holds_marker(complete_, content_.marker) || fs::exists(staging_)) {
     return;
   }
-  std::error_code error;
-  fs::create_directory(complete_ / part_record_name(""), error);
-  if (!error) {
-    fs::rename(complete_, staging_, error);
-  }
-  if (error) {
-    fail_with(staging_, "cannot be taken up again", error.value());
-  }
+  make_folder(complete_ / part_record_name(""));
+  rename_entry(complete_, staging_);
 }
 
 /// Throws Error unless the folder's name is free, or is that of an unfinished folder.
@@ -205,11 +193,7 @@ bool StagedFolder::has(const FolderPart& part) const {
 
 std::optional<PartialFile> StagedFolder::claim(const FolderPart& part) const {
   const fs::path record = staging_ / part_record_name(part.name);
-  std::error_code error;
-  fs::create_directories(record.parent_path(), error);
-  if (error) {
-    fail_with(record, "cannot be made", error.value());
-  }
+  make_folder(record.parent_path());
   std::optional<PartialFile> claim = PartialFile::try_open(record);
   if (claim && has(part)) {
     claim.reset();
@@ -286,11 +270,7 @@ std::vector<std::size_t> StagedFolder::finish() {
 /// unfinished, under a name that no user's folder has.
 void StagedFolder::put_in_place() const {
   remove_folder(complete_);
-  std::error_code error;
-  fs::rename(staging_, complete_, error);
-  if (error) {
-    fail_with(path_, "cannot be written", error.value());
-  }
+  rename_entry(staging_, complete_);
   remove_folder(complete_ / part_record_name(""));
   put_folder_in_place(complete_, path_, policy_.durability);
 }

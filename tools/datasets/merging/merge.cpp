@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <mutex>
 #include <set>
-#include <system_error>
 #include <utility>
 
 #include <tbb/parallel_for.h>
@@ -22,7 +21,6 @@
 #include "vo/files/input.h"
 #include "vo/files/partial_file.h"
 #include "vo/files/result_files.h"
-#include "vo/files/system_failure.h"
 #include "vo/output_folders/file_records.h"
 
 namespace tools {
@@ -32,19 +30,13 @@ namespace fs = std::filesystem;
 
 constexpr const char* kPlanCopy = "dataset.json";  // in the data set, by which it is recognised
 
-void rename_to(const fs::path& from, const fs::path& to) {
-  if (vo::uninterrupted([&] { return ::rename(from.c_str(), to.c_str()); }) != 0) {
-    vo::fail_with(to, "cannot be written", errno);
-  }
-}
-
 /// Removes what a data set was made in. As it is known by its plan, it gets a name first that
 /// nobody else's folder has, under which one that a killed process left is removed, too.
 void remove_staging(const DatasetLayout& layout) {
   const fs::path doomed = vo::partial_name(layout.staging);
   vo::remove_tree(doomed);
   if (fs::exists(layout.plan())) {
-    rename_to(layout.staging, doomed);
+    vo::rename_entry(layout.staging, doomed);
     vo::remove_tree(doomed);
   }
 }
@@ -91,7 +83,7 @@ class Merge {
         vo::sync_to_disk(index.partial() / file);
       }
       vo::make_folder((layout_.merged() / file).parent_path());
-      rename_to(index.partial() / file, layout_.merged() / file);
+      vo::rename_entry(index.partial() / file, layout_.merged() / file);
     }
   }
 
@@ -106,7 +98,7 @@ class Merge {
       }
       vo::sync_to_disk(layout_.merged());
     }
-    rename_to(layout_.merged(), layout_.out);
+    vo::rename_entry(layout_.merged(), layout_.out);
     if (durability_ == vo::Durability::synced) {
       vo::sync_to_disk(layout_.out.parent_path());
     }
@@ -156,7 +148,7 @@ class Merge {
         vo::make_folder(to.parent_path());
       }
       if (path_exists(from)) {
-        rename_to(from, to);
+        vo::rename_entry(from, to);
       }
       checksums += file.sha256 + "  " + scene_folder(sequence) + file.name + "\n";
       outcome.bytes += file.bytes;
