@@ -4,14 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <limits>
 #include <optional>
-
-#include <tiny_gltf.h>
 
 #include "vo/core/error.h"
 #include "vo/image_files/jpeg_codec.h"
+#include "vo/image_files/png.h"
 
 namespace synth {
 namespace {
@@ -84,41 +81,14 @@ ImageSize checked_size(const Bytes& encoded, const std::string& place) {
   return size;
 }
 
-/// Copies the four channels of each texel, 16-bit ones rounded to 8 bits.
-cv::Mat_<cv::Vec4b> to_rgba8(const tinygltf::Image& image) {
-  cv::Mat_<cv::Vec4b> rgba(image.height, image.width);
-  if (image.bits == 8) {
-    std::memcpy(rgba.data, image.image.data(), rgba.total() * sizeof(cv::Vec4b));
-    return rgba;
-  }
-  for (std::size_t i = 0; i < rgba.total() * 4; ++i) {
-    std::uint16_t value = 0;
-    std::memcpy(&value, image.image.data() + i * sizeof(value), sizeof(value));
-    rgba.data[i] = static_cast<std::uint8_t>((value + 128U) / 257U);
-  }
-  return rgba;
+cv::Mat_<cv::Vec4b> decode_png(const Bytes& encoded) {
+  return vo::decode_png_rgba({reinterpret_cast<const char*>(encoded.data()), encoded.size()},
+                             "PNG");
 }
 
-cv::Mat_<cv::Vec4b> decode_png(const Bytes& encoded, ImageSize size, const std::string& place) {
-  tinygltf::Image image;
-  std::string error;
-  const bool decoded = tinygltf::LoadImageData(
-      &image, 0, &error, nullptr, static_cast<int>(size.width), static_cast<int>(size.height),
-      encoded.data(), static_cast<int>(encoded.size()), nullptr);
-  const std::size_t expected = size.width * size.height * 4 * static_cast<unsigned>(image.bits) / 8;
-  require(decoded && image.image.size() == expected, place,
-          ": cannot be decoded, expected an undamaged PNG");
-  return to_rgba8(image);
-}
-
-/// Decodes a JPEG by libjpeg-turbo, as tinygltf's decoder writes out of bounds on damaged files.
-cv::Mat_<cv::Vec4b> decode_opaque(const Bytes& encoded, ImageSize size, const std::string& place) {
-  vo::ColorImage bgr;
-  try {
-    bgr = vo::decode_jpeg(encoded, {static_cast<int>(size.width), static_cast<int>(size.height)});
-  } catch (const vo::Error& error) {
-    vo::fail(place, ": cannot be decoded, expected an undamaged JPEG (", error.what(), ")");
-  }
+cv::Mat_<cv::Vec4b> decode_jpeg(const Bytes& encoded, ImageSize size) {
+  const vo::ColorImage bgr =
+      vo::decode_jpeg(encoded, {static_cast<int>(size.width), static_cast<int>(size.height)});
   cv::Mat_<cv::Vec4b> rgba(bgr.size());
   std::transform(bgr.begin(), bgr.end(), rgba.begin(), [](const cv::Vec3b& texel) {
     return cv::Vec4b(texel[2], texel[1], texel[0], 255);
@@ -135,9 +105,15 @@ std::size_t texels_in(const Bytes& encoded, const std::string& place) {
 
 cv::Mat_<cv::Vec4b> decode_image(const Bytes& encoded, const std::string& place) {
   const ImageSize size = checked_size(encoded, place);
-  require(encoded.size() <= std::numeric_limits<int>::max(), place, ": has ", encoded.size(),
-          " bytes, expected less than 2 GB");
-  return is_png(encoded) ? decode_png(encoded, size, place) : decode_opaque(encoded, size, place);
+  try {
+    return is_png(encoded) ? decode_png(encoded) : decode_jpeg(encoded, size);
+  } catch (const vo::Error& error) {
+    if (error.kind() != vo::ErrorKind::input) {
+      vo::fail_as(error.kind(), place, ": ", error.what());
+    }
+    vo::fail(place, ": cannot be decoded, expected an undamaged ", is_png(encoded) ? "PNG" : "JPEG",
+             " (", error.what(), ")");
+  }
 }
 
 }  // namespace synth

@@ -1,5 +1,6 @@
 #include "vo/image_files/png.h"
 
+#include <algorithm>
 #include <array>
 #include <csetjmp>
 #include <cstdlib>
@@ -125,14 +126,8 @@ class PngWriteState {
   png_infop info_;
 };
 
-/// Reads the header and asks libpng for CV_8UC1, CV_8UC3 or CV_16UC1 pixels; false on error.
-bool read_header(png_structp png, png_infop info, ByteSource* source) {
-  if (setjmp(png_jmpbuf(png)) != 0) {  // NOLINT(cert-err52-cpp)
-    return false;
-  }
-  png_set_read_fn(png, source, read_bytes);
-  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, kAllAncillaryChunks);
-  png_read_info(png, info);
+/// Asks libpng for CV_8UC1, CV_8UC3 or CV_16UC1 pixels.
+void ask_for_measurements(png_structp png, png_infop info) {
   const bool is_gray = (png_get_color_type(png, info) & PNG_COLOR_MASK_COLOR) == 0;
   if (png_get_bit_depth(png, info) == 16 && is_gray) {
     png_set_swap(png);
@@ -142,6 +137,28 @@ bool read_header(png_structp png, png_infop info, ByteSource* source) {
   png_set_expand(png);
   png_set_strip_alpha(png);
   png_set_bgr(png);
+}
+
+/// Asks libpng for CV_8UC4 pixels, red first.
+void ask_for_rgba(png_structp png, png_infop /*info*/) {
+  constexpr png_uint_32 kOpaque = 255;
+  png_set_scale_16(png);
+  png_set_expand(png);
+  png_set_gray_to_rgb(png);
+  png_set_add_alpha(png, kOpaque, PNG_FILLER_AFTER);
+}
+
+using PixelRequest = void (*)(png_structp, png_infop);
+
+/// Reads the header and asks libpng for pixels; false on error.
+bool read_header(png_structp png, png_infop info, ByteSource* source, PixelRequest ask) {
+  if (setjmp(png_jmpbuf(png)) != 0) {  // NOLINT(cert-err52-cpp)
+    return false;
+  }
+  png_set_read_fn(png, source, read_bytes);
+  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, kAllAncillaryChunks);
+  png_read_info(png, info);
+  ask(png, info);
   png_set_interlace_handling(png);
   png_read_update_info(png, info);
   return true;
@@ -187,22 +204,69 @@ std::vector<png_bytep> row_pointers(const cv::Mat& image) {
 }
 
 int image_type(png_structp png, png_infop info) {
-  if (png_get_channels(png, info) == 3) {
-    return CV_8UC3;
+  if (const png_byte channels = png_get_channels(png, info); channels >= 3) {
+    return CV_8UC(channels);
   }
   return png_get_bit_depth(png, info) == 16 ? CV_16UC1 : CV_8UC1;
 }
 
 /// Throws Error if the file is shorter than its pixels can be compressed to: deflate makes at most
-/// 1032 bytes of one, a palette's bit three bytes.
+/// 1032 bytes of one, a palette's bit four bytes.
 void require_long_enough(const PngReadState& state, std::size_t bytes,
                          const std::filesystem::path& path) {
-  constexpr std::size_t kMostExpansion = 1032 * 8 * 3;
+  constexpr std::size_t kMostExpansion = 1032 * 8 * 4;
   const png_uint_32 width = png_get_image_width(state.png(), state.info());
   const png_uint_32 height = png_get_image_height(state.png(), state.info());
   const std::size_t pixel_bytes = png_get_rowbytes(state.png(), state.info()) * height;
   require(bytes >= pixel_bytes / kMostExpansion, path.string(), ": cannot be decoded: it has ",
           bytes, " bytes, too few for ", width, "x", height, " px");
+}
+
+/// Returns how many bytes the file has of compressed pixels.
+std::size_t compressed_bytes(std::string_view bytes) {
+  constexpr std::size_t kHead = 8;  // bytes: length, name
+  constexpr std::size_t kChecksum = 4;
+  std::size_t total = 0;
+  for (std::size_t at = kSignatureBytes; at + kHead <= bytes.size();) {
+    const std::string_view chunk = bytes.substr(at);
+    const std::size_t length = png_get_uint_32(reinterpret_cast<png_const_bytep>(chunk.data()));
+    if (chunk.substr(4, 4) == "IDAT") {
+      total += std::min(length, chunk.size() - kHead);
+    }
+    at += kHead + length + kChecksum;
+  }
+  return total;
+}
+
+/// Throws Error if the file has far more compressed bytes than its pixels can need, which libpng
+/// would decompress all the same: deflate makes at most a few bytes more of what has no pattern.
+void require_short_enough(const PngReadState& state, std::string_view bytes,
+                          const std::filesystem::path& path) {
+  constexpr std::size_t kLeastLimit = 1U << 16U;
+  const png_uint_32 width = png_get_image_width(state.png(), state.info());
+  const png_uint_32 height = png_get_image_height(state.png(), state.info());
+  constexpr std::size_t kMostPixelBytes = 8;
+  const std::size_t limit = std::size_t{2} * kMostPixelBytes * width * height + kLeastLimit;
+  const std::size_t compressed = compressed_bytes(bytes);
+  require(compressed <= limit, path.string(), ": cannot be decoded: it has ", compressed,
+          " bytes of pixels, too many for ", width, "x", height, " px");
+}
+
+cv::Mat decode(std::string_view bytes, const std::filesystem::path& path, PixelRequest ask) {
+  require(is_png(bytes), path.string(), ": is not a PNG image");
+  PngError error;
+  const PngReadState state(error);
+  ByteSource source{bytes};
+  require_decoded(!error.is_out_of_memory && read_header(state.png(), state.info(), &source, ask),
+                  error, path);
+  require_long_enough(state, bytes.size(), path);
+  require_short_enough(state, bytes, path);
+  cv::Mat image = new_image({static_cast<int>(png_get_image_width(state.png(), state.info())),
+                             static_cast<int>(png_get_image_height(state.png(), state.info()))},
+                            image_type(state.png(), state.info()), path);
+  std::vector<png_bytep> rows = row_pointers(image);
+  require_decoded(read_rows(state.png(), rows.data()), error, path);
+  return image;
 }
 
 }  // namespace
@@ -217,19 +281,11 @@ cv::Mat read_png(const std::filesystem::path& path) {
 }
 
 cv::Mat decode_png(std::string_view bytes, const std::filesystem::path& path) {
-  require(is_png(bytes), path.string(), ": is not a PNG image");
-  PngError error;
-  const PngReadState state(error);
-  ByteSource source{bytes};
-  require_decoded(!error.is_out_of_memory && read_header(state.png(), state.info(), &source), error,
-                  path);
-  require_long_enough(state, bytes.size(), path);
-  cv::Mat image = new_image({static_cast<int>(png_get_image_width(state.png(), state.info())),
-                             static_cast<int>(png_get_image_height(state.png(), state.info()))},
-                            image_type(state.png(), state.info()), path);
-  std::vector<png_bytep> rows = row_pointers(image);
-  require_decoded(read_rows(state.png(), rows.data()), error, path);
-  return image;
+  return decode(bytes, path, ask_for_measurements);
+}
+
+cv::Mat_<cv::Vec4b> decode_png_rgba(std::string_view bytes, const std::filesystem::path& path) {
+  return decode(bytes, path, ask_for_rgba);
 }
 
 std::string encode_png(const cv::Mat& image) {

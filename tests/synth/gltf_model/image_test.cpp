@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/error_text.h"
 #include "vo/core/error.h"
 #include "vo/image_files/jpeg_codec.h"
+#include "vo/image_files/png.h"
 
 namespace {
 
@@ -54,6 +57,18 @@ TEST(JpegCodec, DamagedHuffmanTablesAreAnError) {
   ASSERT_NE(table, bytes.end());
   std::fill_n(table + 5, 16, std::uint8_t{0xFF});
   EXPECT_THROW(synth::decode_image(bytes, "a.jpg"), vo::Error);
+}
+
+/// stb_image asked for 2 GB, as the header of a chunk of pixels states, whatever the file holds.
+TEST(PngTexture, WithAnAbsurdChunkIsAnError) {
+  const std::string png = vo::encode_png(smooth_picture());
+  std::vector<std::uint8_t> bytes(png.begin(), png.end());
+  constexpr std::array<std::uint8_t, 4> kPixels{'I', 'D', 'A', 'T'};
+  const auto chunk = std::search(bytes.begin(), bytes.end(), kPixels.begin(), kPixels.end());
+  ASSERT_NE(chunk, bytes.end());
+  std::fill_n(chunk - 4, 4, std::uint8_t{0x3F});
+  EXPECT_THAT(support::error_text([&] { synth::decode_image(bytes, "a.png"); }),
+              testing::StartsWith("a.png: cannot be decoded, expected an undamaged PNG (PNG: "));
 }
 
 }  // namespace
