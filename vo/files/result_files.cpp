@@ -2,6 +2,8 @@
 
 #include <system_error>
 
+#include <unistd.h>
+
 #include "vo/files/system_failure.h"
 
 namespace vo {
@@ -19,6 +21,22 @@ void make_folder(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder, error);
   if (error) {
     fail_with(folder, "cannot be made", error.value());
+  }
+}
+
+FolderForResults::FolderForResults(const std::filesystem::path& folder) {
+  std::error_code error;
+  for (std::filesystem::path place = std::filesystem::absolute(folder).lexically_normal();
+       !std::filesystem::exists(place, error) && place.has_relative_path();
+       place = place.parent_path()) {
+    made_.push_back(place);
+  }
+  make_folder(folder);
+}
+
+FolderForResults::~FolderForResults() {
+  for (const std::filesystem::path& folder : made_) {
+    ::rmdir(folder.c_str());  // does nothing to one that holds something
   }
 }
 

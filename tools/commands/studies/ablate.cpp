@@ -165,7 +165,7 @@ void ablate(AblateArguments& arguments) {
   const auto* study = std::find_if(kStudies.begin(), kStudies.end(), [&](const auto& known) {
     return known.first == arguments.study;
   });
-  vo::make_folder(arguments.out);
+  const vo::FolderForResults folder(arguments.out);
   const Clip clip = load(arguments);
   ProgressBar bar(arguments.study, arguments.common.verbosity());
   bar.announce();

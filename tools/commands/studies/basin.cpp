@@ -49,7 +49,7 @@ void basin(BasinArguments& arguments) {
   arguments.settings.tracker = scenario.odometry.tracker;
   arguments.settings.jobs = arguments.lab.run.jobs;
   check_usage([&] { arguments.settings.validate(); });
-  vo::make_folder(arguments.lab.out);
+  const vo::FolderForResults folder(arguments.lab.out);
   ProgressBar rendering("rendering", arguments.lab.common.verbosity());
   rendering.announce();
   ProgressBar reading("reading", Verbosity::quiet);

@@ -44,7 +44,7 @@ void budget(BudgetArguments& arguments) {
   check_usage([&] { arguments.settings.validate(); });
   const Scenario scenario =
       load_scenario(arguments.scenario, split_assignments(arguments.lab.assignments));
-  vo::make_folder(arguments.lab.out);
+  const vo::FolderForResults folder(arguments.lab.out);
   ProgressBar bar("measuring", arguments.lab.common.verbosity());
   bar.announce();
   const StudyReport report =

@@ -113,7 +113,7 @@ int collect_sweep(const SweepArguments& arguments, const std::vector<LoadedScena
 
 int sweep_all(const SweepArguments& arguments, const std::vector<LoadedScenario>& scenarios,
               const SweepSettings& settings) {
-  vo::make_folder(arguments.lab.out);
+  const vo::FolderForResults folder(arguments.lab.out);
   ProgressBar bar("measuring", arguments.lab.common.verbosity());
   bar.announce();
   const std::vector<TrialResult> trials =
