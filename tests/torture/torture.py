@@ -11,7 +11,8 @@ usage: torture.py EDVO SHIM ASSETS [--only kills,faults,processes] [--commands N
 A round chooses a command and a moment by the seed and its own number, so `--first N --rounds 1` repeats round N. After
 kills and faults the same command runs again, undisturbed: all files must be those of an undisturbed run, and no others.
 A file that differs between two undisturbed runs (it holds times) is compared by its name alone. Exit code 1 if
-anything was lost, different or left behind, or a command ended otherwise than documented.
+anything was lost, different or left behind, or a command ended otherwise than documented; 2 if one cannot be run
+undisturbed.
 """
 
 import argparse
@@ -261,7 +262,11 @@ def main():
     with tempfile.TemporaryDirectory(prefix="torture-") as name:
         work = pathlib.Path(name)
         torture = Torture(arguments.edvo.resolve(), arguments.shim.resolve(), arguments.assets.resolve(), work)
-        torture.prepare(chosen)
+        try:
+            torture.prepare(chosen)
+        except Failure as failure:
+            print(f"no round can be run: {failure}", file=sys.stderr)
+            return 2
         for command in chosen:
             if varying := torture.undisturbed[command.name]["varying"]:
                 print(f"{command.name}: compared by name alone: {', '.join(sorted(varying))}")

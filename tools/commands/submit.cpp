@@ -21,6 +21,7 @@
 #include "tools/trials/test_run.h"
 #include "vo/core/error.h"
 #include "vo/files/output_lock.h"
+#include "vo/output_folders/output_folder.h"
 
 namespace tools {
 namespace {
@@ -266,11 +267,14 @@ bool is_made(const SubmitArguments& arguments) {
 
 int submit(SubmitArguments& arguments) {
   complete_submit(arguments);
+  const fs::path folder = submission_folder(arguments.out);
+  if (!arguments.dry_run) {
+    vo::tidy_up_beside(folder);
+  }
   if (is_made(arguments)) {
     std::cout << arguments.out << ": is there, nothing is missing\n";
     return exit_code::kOk;
   }
-  const fs::path folder = submission_folder(arguments.out);
   const bool is_slurm = arguments.chosen_engine() == SubmitEngine::slurm;
   std::optional<SlurmQueue> queue;
   if (is_slurm && (!arguments.dry_run || is_in_path("sbatch"))) {

@@ -1,17 +1,16 @@
 #include "tools/datasets/part_folder.h"
 
 #include <cerrno>
-#include <csignal>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "tools/datasets/host_name.h"
 #include "vo/core/error.h"
-#include "vo/core/fields.h"
+#include "vo/core/process_name.h"
 #include "vo/files/folder.h"
 #include "vo/files/partial_file.h"
 #include "vo/files/result_files.h"
@@ -23,29 +22,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the beginning of the names that this machine's processes give what they write of `path`.
+/// Returns the beginning of the names that processes give what they write of `path`.
 std::string partial_prefix(const fs::path& path) {
-  return "." + path.filename().string() + "." + host_name() + "-";
+  return "." + path.filename().string() + ".";
 }
 
 fs::path own_partial(const fs::path& path) {
-  return path.parent_path() / (partial_prefix(path) + std::to_string(::getpid()));
-}
-
-bool is_alive(const std::string& process) {
-  try {
-    const auto id = static_cast<pid_t>(vo::parse_integer(process));
-    return ::kill(id, 0) == 0 || errno != ESRCH;
-  } catch (const vo::Error&) {  // no number: not of a process
-    return true;
-  }
+  return path.parent_path() / (partial_prefix(path) + vo::process_name());
 }
 
 /// Removes what killed processes of this machine left of `path`.
 void remove_abandoned_folders(const fs::path& path) {
   const std::string prefix = partial_prefix(path);
   for (const vo::FolderEntry& entry : vo::entries_of(path.parent_path())) {
-    if (entry.name.starts_with(prefix) && !is_alive(entry.name.substr(prefix.size()))) {
+    if (entry.name.starts_with(prefix) &&
+        vo::is_of_ended_process(std::string_view(entry.name).substr(prefix.size()))) {
       vo::remove_tree(path.parent_path() / entry.name);
     }
   }

@@ -11,6 +11,7 @@
 #include "tools/report/scenario_report.h"
 #include "tools/trials/trial_file.h"
 #include "vo/core/error.h"
+#include "vo/files/unlocked_file.h"
 
 namespace tools {
 namespace {
@@ -172,6 +173,11 @@ ShareOutcome run_share(const std::vector<LoadedScenario>& scenarios, const Trial
                        const vo::WaitObserver& waiting, const TrialObserver& observe) {
   TrialKeys keys(settings.trial);
   ShareWork work;
+  for (const fs::path& folder : scenario_folders(scenarios)) {
+    if (fs::is_directory(task.folder.path / folder)) {
+      vo::remove_abandoned_unlocked(task.folder.path / folder);
+    }
+  }
   for (const PlannedTrial& planned : plan_trials(scenarios, task.folder.path, settings.seeds)) {
     if (task.share.takes(planned.number)) {
       add_trial(planned, scenarios[planned.scenario], settings.trial.measure_again, keys, work);

@@ -1,12 +1,13 @@
 #include "vo/files/unlocked_file.h"
 
-#include <array>
 #include <chrono>
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include "vo/core/error.h"
+#include "vo/core/process_name.h"
+#include "vo/files/folder.h"
 #include "vo/files/partial_file.h"
 #include "vo/files/system_failure.h"
 
@@ -17,15 +18,18 @@ namespace fs = std::filesystem;
 
 constexpr const char* kOutputFails = "cannot be written";
 
-/// Returns a name that no other writer has: by machine and thread, whose numbers come again, and
+/// Returns a name that no other writer has: by process and thread, whose numbers come again, and
 /// time.
 fs::path own_partial_name(const fs::path& path) {
-  std::array<char, 256> machine{};
-  if (::gethostname(machine.data(), machine.size() - 1) != 0) {
-    machine.fill('\0');
-  }
   const auto now = std::chrono::system_clock::now().time_since_epoch().count();
-  return partial_name(concat(path.string(), ".", machine.data(), "-", ::gettid(), "-", now));
+  return partial_name(concat(path.string(), ".", process_name(), "-", ::gettid(), "-", now));
+}
+
+/// Returns whether a file has a name that `own_partial_name` gave in a process that has ended.
+bool is_abandoned(const std::string& name) {
+  const std::size_t process = name.rfind("." + host_name() + "-");
+  return is_partial_name(name) && process != std::string::npos &&
+         is_of_ended_process(std::string_view(name).substr(process + 1));
 }
 
 /// A file that is removed unless it was renamed.
@@ -89,6 +93,14 @@ void write_unlocked(const fs::path& path, std::string_view bytes, Durability dur
   OwnFile file(path);
   file.write(bytes);
   file.rename(durability);
+}
+
+void remove_abandoned_unlocked(const fs::path& folder) {
+  for (const FolderEntry& entry : entries_of(folder)) {
+    if (entry.kind == EntryKind::file && is_abandoned(entry.name)) {
+      ::unlink((folder / entry.name).c_str());
+    }
+  }
 }
 
 }  // namespace vo

@@ -15,4 +15,8 @@ namespace vo {
 void write_unlocked(const std::filesystem::path& path, std::string_view bytes,
                     Durability durability);
 
+/// Removes what processes of this machine that were killed in `write_unlocked` left in a folder.
+/// Throws Error where the folder cannot be read.
+void remove_abandoned_unlocked(const std::filesystem::path& folder);
+
 }  // namespace vo

@@ -6,9 +6,13 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
+#include "vo/core/error.h"
+#include "vo/core/process_name.h"
 #include "vo/files/folder.h"
 #include "vo/files/input.h"
 
@@ -44,6 +48,27 @@ TEST(UnlockedFile, HasTheBytesOfOneOfItsWritersAtEveryMoment) {
     writer.join();
   }
   EXPECT_EQ(vo::entries_of(folder.path()).size(), 1U);
+}
+
+TEST(UnlockedFile, WhatAKilledProcessLeftIsRemoved) {
+  const support::TempFolder folder;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::_exit(0);
+  }
+  ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+  const auto left = [&](const std::string& process) {
+    return folder.write("." + ("a.txt." + process) + "-7-1700000000.partial-edvo", "half");
+  };
+  const auto of_ended = left(vo::concat(vo::host_name(), "-", child));
+  const auto of_this = left(vo::process_name());
+  const auto of_another_machine = left(vo::concat("no-", vo::host_name(), "-", child));
+  const auto of_a_user = folder.write("a.txt", "whole");
+  vo::remove_abandoned_unlocked(folder.path());
+  EXPECT_FALSE(std::filesystem::exists(of_ended));
+  EXPECT_TRUE(std::filesystem::exists(of_this));
+  EXPECT_TRUE(std::filesystem::exists(of_another_machine));
+  EXPECT_TRUE(std::filesystem::exists(of_a_user));
 }
 
 TEST(UnlockedFile, AFolderThatIsNotThereIsNamed) {

@@ -13,7 +13,6 @@
 #include <tbb/task_arena.h>
 
 #include "synth/rig/rig_files.h"
-#include "tools/datasets/host_name.h"
 #include "tools/datasets/part_folder.h"
 #include "tools/datasets/part_record.h"
 #include "tools/datasets/parts/archive_names.h"
@@ -22,6 +21,7 @@
 #include "tools/pictures/webp.h"
 #include "vo/archives/tar.h"
 #include "vo/core/error.h"
+#include "vo/core/process_name.h"
 #include "vo/core/processor_time.h"
 #include "vo/exports/convert_sequence.h"
 #include "vo/files/input.h"
@@ -244,8 +244,8 @@ void PartMaker::make(std::size_t index, const vo::Progress& progress) {
   }
   folder.write({{kPartFrames, writer.csv()}});
   const double processor_s = kSecondsPerMs * (vo::processor_ms() - start_ms);
-  folder.write({{kPartRecord,
-                 format_part_record({part_name(spec_, part), host_name(), processor_s, made})}});
+  folder.write({{kPartRecord, format_part_record(
+                                  {part_name(spec_, part), vo::host_name(), processor_s, made})}});
   folder.commit(durability_);
 }
 
