@@ -11,6 +11,8 @@ namespace vo {
 namespace {
 
 constexpr int kTightRows = 0;
+/// A progressive JPEG is decoded up to its 500th scan, each of which takes as long as the image.
+constexpr int kDecoding = TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS;
 
 struct ReleaseCodec {
   void operator()(void* codec) const { tjDestroy(codec); }
@@ -94,7 +96,7 @@ ColorImage decode_jpeg(std::span<const std::uint8_t> bytes, cv::Size size) {
           ", expected ", size.width, " x ", size.height);
   ColorImage image(size);
   require_done(tjDecompress2(decoder.get(), bytes.data(), bytes.size(), image.data, size.width,
-                             kTightRows, size.height, TJPF_BGR, TJFLAG_ACCURATEDCT),
+                             kTightRows, size.height, TJPF_BGR, kDecoding),
                decoder);
   return image;
 }
@@ -113,7 +115,7 @@ cv::Mat decode_jpeg(std::string_view bytes, const std::filesystem::path& path) {
     cv::Mat image = new_image(header.size, is_gray ? CV_8UC1 : CV_8UC3, path);
     require_done(
         tjDecompress2(decoder.get(), data, bytes.size(), image.data, image.cols, kTightRows,
-                      image.rows, is_gray ? TJPF_GRAY : TJPF_BGR, TJFLAG_ACCURATEDCT),
+                      image.rows, is_gray ? TJPF_GRAY : TJPF_BGR, kDecoding),
         decoder);
     require_whole(decoder);
     return image;

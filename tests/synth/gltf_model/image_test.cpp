@@ -48,6 +48,38 @@ TEST(JpegCodec, TexturesAreItsPixelsWithRedFirst) {
   EXPECT_EQ(texture(30, 20), cv::Vec4b(bgr[2], bgr[1], bgr[0], 255));
 }
 
+std::string segment(char marker, const std::string& data) {
+  const std::size_t length = data.size() + 2;
+  const std::string head{'\xFF', marker, static_cast<char>(length >> 8U),
+                         static_cast<char>(length & 0xFFU)};
+  return head + data;
+}
+
+/// Returns a progressive JPEG (ITU T.81, G) of one grey block: a scan of its mean, and scans that
+/// say each that nothing else is in it.
+std::vector<std::uint8_t> of_scans(int number) {
+  const auto table = [](char place, char symbol) {  // of one code, 0
+    return segment('\xC4', std::string(1, place) + '\1' + std::string(15, '\0') + symbol);
+  };
+  const std::string size{8, 0, 8, 0, 8, 1, 1, 0x11, 0};
+  std::string jpeg = "\xFF\xD8" + segment('\xDB', std::string(1, '\0') + std::string(64, '\1')) +
+                     segment('\xC2', size) + table('\x00', '\0') + table('\x10', '\0') +
+                     segment('\xDA', {1, 1, 0, 0, 0, 0}) + '\x7F';
+  for (int scan = 1; scan < number; ++scan) {
+    jpeg += segment('\xDA', {1, 1, 0, 1, 63, 0}) + '\x7F';
+  }
+  jpeg += "\xFF\xD9";
+  return {jpeg.begin(), jpeg.end()};
+}
+
+TEST(JpegCodec, ScansWithoutEndAreAnError) {
+  EXPECT_EQ(vo::decode_jpeg(of_scans(500), {8, 8})(4, 4), cv::Vec3b(128, 128, 128));
+  EXPECT_THAT(support::error_text([] {
+                vo::decode_jpeg(of_scans(501), {8, 8});
+              }),
+              testing::HasSubstr("500 scans"));
+}
+
 /// Huffman tables that claim more codes than there can be: stb_image wrote beyond its own.
 TEST(JpegCodec, DamagedHuffmanTablesAreAnError) {
   std::vector<std::uint8_t> bytes = encoded();
