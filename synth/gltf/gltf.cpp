@@ -17,9 +17,12 @@ namespace synth {
 namespace {
 
 void note_what_is_newer(const nlohmann::json& document, Notes& notes) {
-  const std::string version = document.at("asset").at("version");
-  if (version != "2.0") {
-    add_note(notes, "the file is of glTF " + version + " and read as 2.0");
+  const nlohmann::json& asset = document.at("asset");
+  for (const char* key : {"version", "minVersion"}) {
+    const std::string version = asset.value(key, "2.0");
+    if (version != "2.0") {
+      add_note(notes, "the file is of glTF " + version + " and read as 2.0");
+    }
   }
   for (const std::string& name : document.value("extensionsUsed", std::vector<std::string>())) {
     if (!is_supported_extension(name)) {

@@ -56,7 +56,8 @@ void check_asset(const JsonObject& root) {
   require(version.compare(0, 2, "2.") == 0, asset.place(), ": version is ", version,
           ", expected 2.0");
   const std::string least = asset.text("minVersion").value_or("2.0");
-  require(least == "2.0", asset.place(), ": minVersion is ", least, ", expected 2.0");
+  require(least.compare(0, 2, "2.") == 0, asset.place(), ": minVersion is ", least,
+          ", expected 2.0");
 }
 
 /// Throws vo::Error if an array of the document has more elements than their readers, which need up

@@ -94,11 +94,6 @@ TEST(BadGltf, DocumentOfVersionOne) {
   EXPECT_THAT(error_with("/asset/version", "1.0"), HasSubstr("asset: version is 1.0"));
 }
 
-TEST(BadGltf, DocumentThatNeedsANewerReader) {
-  EXPECT_THAT(error_with("/asset/minVersion", "2.9"),
-              HasSubstr("asset: minVersion is 2.9, expected 2.0"));
-}
-
 TEST(BadGltf, MoreElementsThanMemoryIsTakenFor) {
   const TempFolder folder;
   std::string text = R"({"asset":{"version":"2.0"},"nodes":[{})";
