@@ -20,6 +20,7 @@
 #include "vo/files/output.h"
 #include "vo/files/partial_file.h"
 #include "vo/files/result_files.h"
+#include "vo/files/system_failure.h"
 #include "vo/hashing/content_hash.h"
 #include "vo/output_folders/output_folder.h"
 #include "vo/output_folders/staged_folder.h"
@@ -71,19 +72,31 @@ std::string problem_of(const EntryPlaces& places) {
   return find_difference(places.sequence, vo::read_file(places.files));
 }
 
+/// Returns whether a name is that of an entry, 32 hexadecimal digits: nothing else in the folder is
+/// ever removed.
+bool is_key(const std::string& name) {
+  return name.size() == vo::content_hash("").size() &&
+         name.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+/// Throws vo::Error naming the entry where it cannot be removed.
 void remove_entry(const EntryPlaces& places) {
-  vo::remove_tree(places.files);
-  vo::remove_tree(places.sequence);
+  for (const fs::path& path : {places.files, places.sequence}) {
+    if (const int error = vo::remove_tree(path); error != 0) {
+      vo::fail_with(path, "cannot be removed", error);
+    }
+  }
 }
 
 /// Returns the key of an unfinished sequence by the name of a folder in the cache, `KEY.part` or
 /// the partial name of that or of `KEY`; nothing for the name of another folder.
 std::optional<std::string> unfinished_key(const fs::path& name) {
-  if (vo::is_partial_name(name)) {
-    return fs::path(name.stem().string().substr(1)).stem().string();
-  }
-  const bool is_staging = vo::StagedFolder::staging_of(name.stem()).filename() == name;
-  return is_staging ? std::optional(name.stem().string()) : std::nullopt;
+  const bool is_partial = vo::is_partial_name(name);
+  const fs::path shown = is_partial ? fs::path(name.stem().string().substr(1)) : name;
+  const std::string key = shown.stem().string();
+  const bool is_staging = vo::StagedFolder::staging_of(key).filename() == shown;
+  const bool is_unfinished = is_key(key) && (is_staging || (is_partial && shown == key));
+  return is_unfinished ? std::optional(key) : std::nullopt;
 }
 
 /// Removes unfinished sequences of processes that were killed while rendering.
@@ -147,7 +160,7 @@ std::vector<std::string> keys_in(const fs::path& cache) {
   std::vector<std::string> keys;
   if (fs::is_directory(cache / "sequences")) {
     for (const auto& [name, kind] : vo::entries_of(cache / "sequences")) {
-      if (kind == vo::EntryKind::folder && !fs::path(name).has_extension()) {
+      if (kind == vo::EntryKind::folder && is_key(name)) {
         keys.push_back(name);
       }
     }

@@ -18,7 +18,7 @@ namespace tools {
 ///     sequences/<key>.part/    the sequence while it is rendered
 ///     sequences/<key>.files    size and hash of each file of the sequence
 ///     locks/<key>              lock while the sequence is rendered or used; time of its last use
-///     results/<key>.json       metrics of edvo's own tracker on a sequence (`trial.h`)
+///     results/<key>.jsonl      metrics of edvo's own tracker on a sequence (`trial_file.h`)
 struct CachedSequence {
   std::filesystem::path folder;
   std::string content;  ///< hash of the sequence's files

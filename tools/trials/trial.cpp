@@ -9,9 +9,6 @@
 #include <string>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
-#include "tools/laboratory/results_json.h"
 #include "tools/processes/readable_text.h"
 #include "tools/report/scenario_report.h"
 #include "tools/sequence_cache/sequence_cache.h"
@@ -20,11 +17,8 @@
 #include "vo/core/fields.h"
 #include "vo/dataset/sequence.h"
 #include "vo/files/input.h"
-#include "vo/files/output.h"
-#include "vo/files/result_files.h"
 #include "vo/files/system_failure.h"
 #include "vo/hashing/content_hash.h"
-#include "vo/text_files/json_limits.h"
 #include "vo/text_files/toml_file.h"
 
 namespace tools {
@@ -45,17 +39,20 @@ std::string kept_key(const Scenario& scenario, const std::string& sequence) {
       vo::format_toml(vo::fields_of(copy.score)), "\n", runs, "\n", forest_models_hash(scenario)));
 }
 
-/// Returns the cached result of an earlier run; empty if there is no readable file.
-std::optional<TrialResult> read_kept(const fs::path& file) {
+/// Returns the key of a kept result as its file states it.
+TrialKey key_of_kept(const std::string& key) {
+  return {{"run", key}};
+}
+
+/// Returns the cached result of an earlier run; empty where there is no file, or one that is
+/// damaged or of another run.
+std::optional<TrialResult> read_kept(const fs::path& file, const std::string& key) {
   if (!fs::exists(file)) {
     return {};
   }
   try {
-    const std::string text = vo::read_file(file, vo::kMaxDocumentBytes);
-    vo::require_json_within_limits(text, file.string());
-    return trial_from_json(nlohmann::ordered_json::parse(text));
-  } catch (const nlohmann::json::exception&) {
-    return {};
+    TrialFile kept = read_trial(file);
+    return kept.key == key_of_kept(key) ? std::optional(std::move(kept.trial)) : std::nullopt;
   } catch (const vo::Error&) {
     return {};
   }
@@ -126,10 +123,10 @@ void measure_trial(const Scenario& scenario, const TrialSettings& settings,
     return;
   }
   const std::string key = kept_key(scenario, cached.content);
-  const fs::path file = settings.cache / "results" / (key + ".json");
+  const fs::path file = settings.cache / "results" / (key + ".jsonl");
   const vo::FileLock lock(settings.cache / "locks" / key, vo::LockKind::exclusive, waiting);
   const bool again = settings.measure_again || is_reported(settings, trial);
-  const std::optional<TrialResult> kept = again ? std::nullopt : read_kept(file);
+  const std::optional<TrialResult> kept = again ? std::nullopt : read_kept(file, key);
   if (kept) {
     trial.metrics = kept->metrics;
     trial.was_kept = true;
@@ -138,9 +135,7 @@ void measure_trial(const Scenario& scenario, const TrialSettings& settings,
   trial.metrics = is_reported(settings, trial)
                       ? reported(scenario, sequence, *settings.pictures, progress, trial)
                       : track_scenario(scenario, sequence, {}, progress).metrics;
-  vo::make_folder(file.parent_path());
-  vo::write_file(file, trial_json(trial).dump(2) + "\n",
-                 {vo::ExistingOutput::replace, vo::Durability::unsynced});
+  write_trial(file, {key_of_kept(key), trial}, vo::Durability::unsynced);
 }
 
 }  // namespace
