@@ -67,6 +67,7 @@ struct SubmitArguments {
   int jobs = 0;            ///< 0 = not given
   bool dry_run = false;
   bool resume = false;
+  bool force = false;
   std::vector<std::string> sbatch_options;
   BatchOptions batch;
   int seeds = 1;
@@ -195,7 +196,8 @@ OpenWork open_trials(const SubmitArguments& arguments, const std::optional<JobRe
                 .folder = fs::current_path(),
                 .options = trials_options(arguments),
                 .task_jobs = arguments.batch.cpus,
-                .local_jobs = arguments.jobs};
+                .local_jobs = arguments.jobs,
+                .force = arguments.force};
   for (const std::string& scenario : arguments.scenarios()) {
     job.scenarios.push_back(fs::absolute(scenario));
   }
@@ -329,7 +331,11 @@ void add_trials_options(CLI::App& command, SubmitArguments& arguments) {
       ->needs("--test");
   command.add_option("--tracker", arguments.tracker, "with --test: test this program")
       ->needs("--test");
-  for (const char* name : {"--set", "--seeds", "--cache", "--slow", "--tracker"}) {
+  command
+      .add_flag("--force", arguments.force,
+                "with --sweep: replace a table that is there and differs")
+      ->needs("--sweep");
+  for (const char* name : {"--set", "--seeds", "--cache", "--slow", "--tracker", "--force"}) {
     command.get_option(name)->group(group);
   }
   for (const char* name : {"--seeds", "--cache"}) {

@@ -29,7 +29,10 @@ Words trial_words(const TrialsJob& job, const Words& others) {
 /// Returns the options that write the results, after `before`.
 Words with_results(Words before, const TrialsJob& job) {
   if (job.command == TrialsCommand::sweep) {
-    before.insert(before.end(), {"--force", "--out", job.out.string()});
+    before.insert(before.end(), {"--out", job.out.string()});
+    if (job.force) {
+      before.emplace_back("--force");
+    }
     return before;
   }
   for (const auto& [option, file] : {std::pair{"--json", "results.json"},

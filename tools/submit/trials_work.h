@@ -23,6 +23,7 @@ struct TrialsJob {
   std::vector<std::string> options;  ///< further ones, of every call of the command
   int task_jobs = 1;
   int local_jobs = 0;  ///< of the engine `local`; 0 = as many as there are cores
+  bool force = false;  ///< whether a table of another sweep is replaced
 };
 
 SharedWork trials_work(const TrialsJob& job, std::size_t shares);

@@ -44,6 +44,15 @@ TEST_F(SubmittedSweep, IsMadeByAnyEngineAsByOneProcess) {
   }
 }
 
+TEST_F(SubmittedSweep, ReplacesAnotherTableOnlyWhenToldTo) {
+  write("rates/sweep.csv", "mine");
+  const std::string local = "--engine local --out " + path("rates");
+  EXPECT_EQ(submit(local).exit_code, 6);
+  EXPECT_EQ(read("rates/sweep.csv"), "mine");
+  EXPECT_EQ(submit(local + " --force").exit_code, 0);
+  EXPECT_THAT(read("rates/sweep.csv"), HasSubstr("scenario,"));
+}
+
 TEST_F(SubmittedSweep, IsResumedWhereATrialIsMissing) {
   const StandIns programs;
   programs.add_slurm();
