@@ -40,6 +40,15 @@ void require_elsewhere(const fs::path& path) {
           path.string(), ": is the current folder or one above it, expected another to write");
 }
 
+/// Throws Error if a file system is mounted at `path`, whose name no other folder can get.
+void require_no_mount_point(const fs::path& path) {
+  struct statx status {};
+  const bool is_known = ::statx(AT_FDCWD, path.c_str(), 0, STATX_BASIC_STATS, &status) == 0 &&
+                        (status.stx_attributes_mask & STATX_ATTR_MOUNT_ROOT) != 0;
+  require(!is_known || (status.stx_attributes & STATX_ATTR_MOUNT_ROOT) == 0, path.string(),
+          ": is a mount point, which a finished folder cannot replace, expected a name within it");
+}
+
 /// Removes what was replaced, as far as it can be.
 void remove_old_folder(const fs::path& old) {
   try {
@@ -80,7 +89,7 @@ void allow_removal(const fs::path& folder) {
 
 void sync_tree(const fs::path& folder) {
   for (const FolderEntry& entry : entries_below(folder)) {
-    if (entry.kind != EntryKind::link) {
+    if (entry.kind == EntryKind::file || entry.kind == EntryKind::folder) {
       sync_to_disk(folder / entry.name);
     }
   }
@@ -131,6 +140,7 @@ void tidy_up_beside(const fs::path& path) {
 
 void prepare_place(const fs::path& path) {
   require_elsewhere(path);
+  require_no_mount_point(path);
   std::error_code error;
   fs::create_directories(path.parent_path(), error);
   if (error) {

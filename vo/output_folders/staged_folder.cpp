@@ -78,6 +78,7 @@ StagedFolder::StagedFolder(const fs::path& path, const StagedContent& content,
       content_(content),
       policy_(policy),
       waiting_(std::move(waiting)) {
+  look_for_damage();
   if (is_finished()) {
     tidy_up_beside(path_);
   } else {
@@ -107,8 +108,29 @@ bool StagedFolder::is_finished() const {
   const FileRecords names = planned(content_);
   return std::all_of(names.begin(), names.end(), [&](const auto& name) {
     const auto found = records.find(name.first);
-    return found != records.end() && has_size(path_, name.first, found->second);
+    return found != records.end() && (was_damaged_ ? is_intact(path_, name.first, found->second)
+                                                   : has_size(path_, name.first, found->second));
   });
+}
+
+/// Reads a finished folder, and remembers whether its files have the bytes that were written.
+void StagedFolder::look_for_damage() {
+  if (!is_finished()) {
+    return;
+  }
+  const FileRecords records = read_list(path_);
+  const auto damaged = std::find_if(records.begin(), records.end(), [&](const auto& file) {
+    return !is_intact(path_, file.first, file.second);
+  });
+  if (damaged == records.end()) {
+    return;
+  }
+  if (policy_.existing == ExistingOutput::keep) {
+    fail_as(ErrorKind::output_exists, (path_ / damaged->first).string(),
+            ": has other bytes than were written; --force makes ", path_.filename().string(),
+            " again");
+  }
+  was_damaged_ = true;
 }
 
 /// Makes the folder with its marker, the folder of its records and, from the start, the list of

@@ -38,9 +38,10 @@ class StagedFolder {
  public:
   /// Makes the folder, or joins one with an equal marker, and removes what killed processes left
   /// beside it. One with another marker is begun anew with `replace`; with `keep` it is an Error of
-  /// kind output_exists, and while others fill it one of kind temporary. A folder `<name>.part`
-  /// that holds something and is not unfinished is an Error of kind input. `content` must outlive
-  /// the object.
+  /// kind output_exists, and while others fill it one of kind temporary. A finished folder is read:
+  /// one with damaged files is made anew with `replace`, and an Error that names a file with
+  /// `keep`. A folder `<name>.part` that holds something and is not unfinished is an Error of kind
+  /// input. `content` must outlive the object.
   StagedFolder(const std::filesystem::path& path, const StagedContent& content,
                const OutputPolicy& policy, WaitObserver waiting);
 
@@ -48,7 +49,8 @@ class StagedFolder {
 
   const std::filesystem::path& staging() const { return staging_; }  ///< folder to write into
 
-  /// Returns whether the final folder is there with this content.
+  /// Returns whether the final folder is there with this content, its files with their sizes; with
+  /// their bytes where those were damaged when the object was made.
   bool is_finished() const;
 
   /// Returns whether a part is recorded, and its files are there with their sizes.
@@ -71,6 +73,7 @@ class StagedFolder {
   void join();
   bool begin_or_join_alone();
   bool is_joined() const;
+  void look_for_damage();
   bool is_unfinished() const;
   void begin() const;
   void take_back_complete() const;
@@ -84,6 +87,7 @@ class StagedFolder {
   const StagedContent& content_;
   OutputPolicy policy_;
   WaitObserver waiting_;
+  bool was_damaged_ = false;  ///< whether a finished folder had other bytes than were written
   std::optional<OutputLock> lock_;
   std::optional<PartRecords> records_;
 };

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "tests/support/error_text.h"
 #include "tests/support/folder_contents.h"
@@ -135,6 +136,37 @@ TEST_F(StagedFolderTest, GoesOnWhereARunWasKilledWhileItFinished) {
   EXPECT_EQ(vo::read_file(path_ / "list.txt"), "0 and 1");
   EXPECT_FALSE(fs::exists(path_ / "edvo-done"));
   EXPECT_EQ(entries_beside(), 1U);
+}
+
+TEST_F(StagedFolderTest, MakesAFinishedFolderAgainWhereItsBytesAreOthers) {
+  const auto make = [&](ExistingOutput existing) {
+    StagedFolder staged = join(existing);
+    if (!staged.is_finished()) {
+      put(staged, content_.parts[0]);
+      put(staged, content_.parts[1]);
+      EXPECT_THAT(staged.finish(), IsEmpty());
+      EXPECT_TRUE(staged.is_finished());
+    }
+  };
+  make(ExistingOutput::keep);
+  const auto whole = contents(path_);
+  folder_.write("result/b/1", "B2");  // as long
+  EXPECT_THAT(error_text([&] { make(ExistingOutput::keep); }),
+              HasSubstr("result/b/1: has other bytes than were written; --force makes result"));
+  make(ExistingOutput::replace);
+  EXPECT_EQ(contents(path_), whole);
+  EXPECT_EQ(entries_beside(), 1U);
+}
+
+TEST_F(StagedFolderTest, WaitsForNoPipeThatSomebodyPutIntoIt) {
+  {
+    StagedFolder staged = join();
+    put(staged, content_.parts[0]);
+    put(staged, content_.parts[1]);
+    ASSERT_EQ(::mkfifo((staged.staging() / "pipe").c_str(), 0600), 0);
+    EXPECT_THAT(staged.finish(), IsEmpty());
+  }
+  EXPECT_TRUE(join().is_finished());
 }
 
 TEST_F(StagedFolderTest, LeavesAFinishedFolderOfItsUnfinishedNameAlone) {
