@@ -19,14 +19,18 @@
 #include "tools/scenario/mono_scenario.h"
 #include "vo/core/error.h"
 #include "vo/files/folder.h"
+#include "vo/files/partial_file.h"
 #include "vo/files/result_files.h"
 #include "vo/motion_files/trajectory_file.h"
+#include "vo/output_folders/file_records.h"
 #include "vo/output_folders/staged_folder.h"
 
 namespace tools {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kTrajectoryPlot = "trajectory.svg";
 
 /// Returns the HTML report of the run.
 std::string browser_report(const Scenario& scenario, const Outcome& outcome,
@@ -49,7 +53,7 @@ std::vector<vo::NamedBytes> result_files(const Scenario& scenario, const Outcome
       {"report.md", report_markdown(scenario, outcome)}};
   if (!estimate.empty()) {
     files.push_back(
-        {"trajectory.svg", draw_trajectory(outcome.truth, estimate, scenario.score.align)});
+        {kTrajectoryPlot, draw_trajectory(outcome.truth, estimate, scenario.score.align)});
   }
   return files;
 }
@@ -61,17 +65,24 @@ bool is_visibly_empty(const fs::path& folder) {
                      [](const vo::FolderEntry& entry) { return entry.name.starts_with('.'); });
 }
 
-/// Throws vo::Error if the folder holds files but no sequence of edvo's.
+/// Returns whether a run of edvo has begun in the folder, also one that was killed while it
+/// replaced its sequence, or whose sequence was removed since.
+bool holds_run(const fs::path& folder) {
+  const fs::path sequence = folder / "sequence";
+  return fs::exists(sequence / "sequence.toml") ||
+         fs::exists(vo::StagedFolder::staging_of(sequence)) ||
+         fs::exists(vo::partial_name(sequence)) || fs::exists(folder / "report.json");
+}
+
+/// Throws vo::Error if the folder holds files but no run of edvo's.
 void require_own_folder(const fs::path& folder) {
   if (!fs::exists(folder)) {
     return;
   }
   vo::require(fs::is_directory(folder), folder.string(),
               ": is a file, expected a folder for the results");
-  vo::require(
-      fs::exists(folder / "sequence" / "sequence.toml") ||
-          fs::exists(vo::StagedFolder::staging_of(folder / "sequence")) || is_visibly_empty(folder),
-      folder.string(), ": holds other files than edvo's, expected a folder for the results");
+  vo::require(holds_run(folder) || is_visibly_empty(folder), folder.string(),
+              ": holds other files than edvo's, expected a folder for the results");
 }
 
 /// Returns an observer that calls both observers in turn; an empty one is skipped.
@@ -108,6 +119,7 @@ class RunPictures {
               const vo::OutputPolicy& policy, const vo::WaitObserver& waiting) {
     if (scenario.odometry.mode == OdometryMode::rgbd) {
       panels_.emplace(folder / "panels", every, policy, waiting);
+      makes_panels_ = every > 0;
     } else {
       maps_.emplace(folder / "maps", every, policy, waiting);
       scale_ = map_scale(scenario.odometry);
@@ -133,6 +145,9 @@ class RunPictures {
 
   const FrameGallery& gallery() const { return gallery_; }
 
+  /// Returns the name of the folder of pictures; empty where none is made.
+  std::string folder_name() const { return maps_ ? "maps" : makes_panels_ ? "panels" : ""; }
+
  private:
   MapObserver map_observer() {
     return [this, draw = maps_->observer(scale_)](std::size_t frame, const vo::DepthMap& map,
@@ -145,11 +160,30 @@ class RunPictures {
   }
 
   std::optional<PanelWriter> panels_;
+  bool makes_panels_ = false;
   std::optional<DepthOutput> maps_;
   MapScale scale_ = MapScale::metric;
   double time_ = 0;  ///< s, time of the current frame
   FrameGallery gallery_;
 };
+
+/// Removes what an earlier run with other options left in the folder and this one did not make:
+/// pictures, as far as they are edvo's, and the plot of a trajectory.
+void remove_earlier_results(const fs::path& folder, const std::vector<vo::NamedBytes>& files,
+                            const std::string& pictures) {
+  for (const char* name : {"panels", "maps"}) {
+    if (name != pictures && fs::exists(folder / name)) {
+      vo::require_replaceable(folder / name, vo::ExistingOutput::replace);
+      vo::remove_tree(folder / name);
+    }
+  }
+  const bool is_plotted = std::any_of(files.begin(), files.end(), [](const vo::NamedBytes& file) {
+    return file.name == kTrajectoryPlot;
+  });
+  if (!is_plotted) {
+    fs::remove(folder / kTrajectoryPlot);
+  }
+}
 
 }  // namespace
 
@@ -167,6 +201,9 @@ Outcome run_and_report(const Scenario& scenario, const fs::path& folder,
   files.push_back({"report.html", browser_report(scenario, outcome, options, pictures.gallery())});
   vo::write_results(folder, files, policy);
   pictures.commit(outcome);
+  if (policy.existing == vo::ExistingOutput::replace) {
+    remove_earlier_results(folder, files, pictures.folder_name());
+  }
   return outcome;
 }
 

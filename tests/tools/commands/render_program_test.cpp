@@ -120,10 +120,39 @@ TEST_F(RunProgram, GoesOnWhereItWasKilledWhileItRendered) {
   ASSERT_EQ(run_program(run + path("whole")).exit_code, 0);
   fs::create_directories(file("killed"));
   fs::copy(file("whole/sequence"), file("killed/sequence.part"), fs::copy_options::recursive);
+  fs::create_directory(file("killed/sequence.part/edvo-done"));  // as nothing finished has it
   fs::remove(file("killed/sequence.part/rgb/000001.png"));
   const ProgramResult result = run_program(run + path("killed"));
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(support::contents(file("whole")), support::contents(file("killed")));
+}
+
+TEST_F(RunProgram, GoesOnWhereItWasKilledWhileItReplacedASequence) {
+  write_scenario("small", "0.01");
+  const std::string run = "run " + path("scenarios/small.toml") + " --quiet --out ";
+  ASSERT_EQ(run_program(run + path("whole")).exit_code, 0);
+  fs::copy(file("whole"), file("killed"), fs::copy_options::recursive);
+  fs::rename(file("killed/sequence"), file("killed/.sequence.partial-edvo"));
+  write("killed/.sequence.old-edvo/.edvo-files", "");
+  fs::remove(file("killed/report.json"));
+  const ProgramResult result = run_program(run + path("killed") + " --force");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(support::contents(file("whole")), support::contents(file("killed")));
+}
+
+TEST_F(RunProgram, ForceLeavesNothingThatAnotherRunMade) {
+  write_scenario("small", "0.01");
+  write_scenario("lost", "0.01\n[odometry]\ntracker.align.min_points = 1000000");
+  const auto run = [&](const std::string& name, const std::string& rest) {
+    return run_program("run " + path("scenarios/" + name + ".toml") + " --quiet --force --out " +
+                       path("out") + rest);
+  };
+  ASSERT_EQ(run("small", "").exit_code, 0);
+  ASSERT_TRUE(exists("out/trajectory.svg") && exists("out/panels"));
+  EXPECT_EQ(run("small", " --debug-images 0").exit_code, 0);
+  EXPECT_FALSE(exists("out/panels"));
+  EXPECT_NE(run("lost", "").exit_code, 0);
+  EXPECT_FALSE(exists("out/trajectory.svg"));
 }
 
 TEST_F(RunProgram, NamesFileAndLineOfAnUnknownKey) {
