@@ -41,6 +41,8 @@ JpegHeader read_jpeg_header(const Codec& decoder, const std::uint8_t* bytes, std
   require_done(tjDecompressHeader3(decoder.get(), bytes, count, &header.size.width,
                                    &header.size.height, &header.chroma, &header.color_space),
                decoder);
+  require(header.color_space != TJCS_CMYK && header.color_space != TJCS_YCCK,
+          "JPEG: has the inks of a print, CMYK, expected grey or colour");
   return header;
 }
 
@@ -113,10 +115,9 @@ cv::Mat decode_jpeg(std::string_view bytes, const std::filesystem::path& path) {
     require_jpeg_long_enough(header.size, bytes.size());
     const bool is_gray = header.color_space == TJCS_GRAY;
     cv::Mat image = new_image(header.size, is_gray ? CV_8UC1 : CV_8UC3, path);
-    require_done(
-        tjDecompress2(decoder.get(), data, bytes.size(), image.data, image.cols, kTightRows,
-                      image.rows, is_gray ? TJPF_GRAY : TJPF_BGR, kDecoding),
-        decoder);
+    require_done(tjDecompress2(decoder.get(), data, bytes.size(), image.data, image.cols,
+                               kTightRows, image.rows, is_gray ? TJPF_GRAY : TJPF_BGR, kDecoding),
+                 decoder);
     require_whole(decoder);
     return image;
   } catch (const Error& error) {

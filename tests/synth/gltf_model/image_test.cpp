@@ -72,6 +72,25 @@ std::vector<std::uint8_t> of_scans(int number) {
   return {jpeg.begin(), jpeg.end()};
 }
 
+TEST(JpegCodec, InksOfAPrintAreNamed) {
+  std::vector<std::uint8_t> jpeg = of_scans(1);
+  const auto after_signature = jpeg.begin() + 2;
+  const std::string adobe = segment('\xEE', {'A', 'd', 'o', 'b', 'e', 0, 100, 0, 0, 0, 0, 0});
+  jpeg.insert(after_signature, adobe.begin(), adobe.end());
+  const std::string one_component{8, 0, 8, 0, 8, 1, 1, 0x11, 0};
+  const auto frame =
+      std::search(jpeg.begin(), jpeg.end(), one_component.begin(), one_component.end());
+  ASSERT_NE(frame, jpeg.end());
+  const std::string inks{2, 0x11, 0, 3, 0x11, 0, 4, 0x11, 0};
+  *(frame - 1) = 8 + 3 * 4;  // the segment's length
+  *(frame + 5) = 4;
+  jpeg.insert(frame + static_cast<std::ptrdiff_t>(one_component.size()), inks.begin(), inks.end());
+  EXPECT_THAT(support::error_text([&] {
+                vo::decode_jpeg(jpeg, {8, 8});
+              }),
+              testing::HasSubstr("CMYK, expected grey or colour"));
+}
+
 TEST(JpegCodec, ScansWithoutEndAreAnError) {
   EXPECT_EQ(vo::decode_jpeg(of_scans(500), {8, 8})(4, 4), cv::Vec3b(128, 128, 128));
   EXPECT_THAT(support::error_text([] {
