@@ -52,7 +52,7 @@ void add_no_sync_flag(CLI::App& command, bool& no_sync);
 void add_time_difference_option(CLI::App& command, double& seconds, const std::string& what);
 
 /// Makes an empty value a usage error of every option of a program and its commands that takes one:
-/// where a script's variable is not set, the option had counted as not given.
+/// an option whose variable a script has not set would count as not given.
 void refuse_empty_values(CLI::App& program);
 
 /// Returns a check that an option's text is a whole number of at least 1.

@@ -19,6 +19,7 @@
 #include "tools/scenario/mono_scenario.h"
 #include "vo/core/error.h"
 #include "vo/files/folder.h"
+#include "vo/files/input.h"
 #include "vo/files/partial_file.h"
 #include "vo/files/result_files.h"
 #include "vo/motion_files/trajectory_file.h"
@@ -65,13 +66,19 @@ bool is_visibly_empty(const fs::path& folder) {
                      [](const vo::FolderEntry& entry) { return entry.name.starts_with('.'); });
 }
 
+/// Returns whether a file is the report of a run of edvo.
+bool is_report_of_run(const fs::path& file) {
+  return fs::is_regular_file(file) &&
+         vo::read_file(file, vo::kMaxDocumentBytes).starts_with("{\n  \"schema\": \"edvo.run\",");
+}
+
 /// Returns whether a run of edvo has begun in the folder, also one that was killed while it
 /// replaced its sequence, or whose sequence was removed since.
 bool holds_run(const fs::path& folder) {
   const fs::path sequence = folder / "sequence";
   return fs::exists(sequence / "sequence.toml") ||
          fs::exists(vo::StagedFolder::staging_of(sequence)) ||
-         fs::exists(vo::partial_name(sequence)) || fs::exists(folder / "report.json");
+         fs::exists(vo::partial_name(sequence)) || is_report_of_run(folder / "report.json");
 }
 
 /// Throws vo::Error if the folder holds files but no run of edvo's.
