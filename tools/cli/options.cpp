@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <iostream>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -12,6 +14,24 @@
 #include "vo/core/error.h"
 
 namespace tools {
+namespace {
+
+/// Returns the function of a check that an option's text is a whole number of 1 to `most`; it
+/// returns a complaint, or nothing.
+std::function<std::string(std::string&)> check_of_count(std::int64_t most,
+                                                        const std::string& expected) {
+  return [most, expected](const std::string& text) -> std::string {
+    try {
+      const std::int64_t number = vo::parse_integer(text);
+      vo::require(number >= 1 && number <= most, "out of range");
+      return "";
+    } catch (const vo::Error&) {
+      return vo::concat("expected ", expected, ", got ", text);
+    }
+  };
+}
+
+}  // namespace
 
 std::string option_name(std::string key) {
   std::replace(key.begin(), key.end(), '_', '-');
@@ -76,15 +96,13 @@ void refuse_empty_values(CLI::App& program) {
 }
 
 CLI::Validator at_least_one() {
-  const auto check = [](std::string& text) -> std::string {
-    try {
-      vo::require(vo::parse_integer(text) >= 1, "out of range");
-      return "";
-    } catch (const vo::Error&) {
-      return vo::concat("expected at least 1, got ", text);
-    }
-  };
-  return {check, "POSITIVE", "at_least_one"};
+  return {check_of_count(std::numeric_limits<std::int64_t>::max(), "at least 1"), "POSITIVE",
+          "at_least_one"};
+}
+
+CLI::Validator from_one_to(std::int64_t most) {
+  const std::string expected = vo::concat("1 to ", most);
+  return {check_of_count(most, expected), expected, "from_one_to"};
 }
 
 void add_field_options(CLI::App& command, const std::vector<vo::Field>& fields,

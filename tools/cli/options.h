@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -57,6 +58,9 @@ void refuse_empty_values(CLI::App& program);
 
 /// Returns a check that an option's text is a whole number of at least 1.
 CLI::Validator at_least_one();
+
+/// Returns a check that an option's text is a whole number of 1 to `most`.
+CLI::Validator from_one_to(std::int64_t most);
 
 /// Returns the name of the option of a field by its key: `--time-limit` of `time_limit`.
 std::string option_name(std::string key);

@@ -47,7 +47,7 @@ class Simulation {
  public:
   Simulation(const ClusterOptions& options, const std::vector<std::size_t>& frames_of_parts);
 
-  ClusterRun run();
+  ClusterRun run(const vo::WaitObserver& waiting);
 
  private:
   using Kind = ClusterEvent::Kind;
@@ -313,13 +313,16 @@ void Simulation::plan_failure(std::size_t index) {
   }
 }
 
-ClusterRun Simulation::run() {
+ClusterRun Simulation::run(const vo::WaitObserver& waiting) {
   constexpr std::size_t kRestartsPerPart = 1000;
   const std::size_t most = kRestartsPerPart * (tasks_.size() + frames_of_parts_.size());
   while (done_ < run_.parts) {
     vo::require(run_.restarts <= most, "nodes fail too often: after ", run_.restarts,
                 " tasks begun again ", done_, " of ", run_.parts, " parts are done");
     step();
+    if (waiting) {
+      waiting();
+    }
   }
   run_.render_s = now_;
   const auto frames = static_cast<double>(run_.frames);
@@ -337,8 +340,9 @@ ClusterRun Simulation::run() {
 }  // namespace
 
 ClusterRun simulate_cluster(const ClusterOptions& options,
-                            const std::vector<std::size_t>& frames_of_parts) {
-  return Simulation(options, frames_of_parts).run();
+                            const std::vector<std::size_t>& frames_of_parts,
+                            const vo::WaitObserver& waiting) {
+  return Simulation(options, frames_of_parts).run(waiting);
 }
 
 }  // namespace tools

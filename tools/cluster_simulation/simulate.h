@@ -5,6 +5,7 @@
 
 #include "tools/cluster_simulation/cluster_options.h"
 #include "tools/cluster_simulation/cluster_run.h"
+#include "vo/core/progress.h"
 
 namespace tools {
 
@@ -14,6 +15,7 @@ namespace tools {
 /// behind what waits. The same options give the same run. Throws vo::Error where nodes fail so
 /// often that the parts are never done.
 ClusterRun simulate_cluster(const ClusterOptions& options,
-                            const std::vector<std::size_t>& frames_of_parts);
+                            const std::vector<std::size_t>& frames_of_parts,
+                            const vo::WaitObserver& waiting = {});
 
 }  // namespace tools

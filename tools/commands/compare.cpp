@@ -47,6 +47,8 @@ constexpr const char* kCompareExamples =
     "  edvo compare results.json --halves 200 --worse-percent 0 --better-percent 0\n"
     "  edvo compare before.json after.json --power --metric rpe_translation_rmse_m";
 
+constexpr int kMostHalves = 1'000'000;
+
 struct CompareArguments {
   bool json = false;
   bool quiet = false;
@@ -85,7 +87,8 @@ int compare_halves(const CompareArguments& arguments, ProgressBar& bar) {
     vo::fail_as(vo::ErrorKind::usage, "compare: expected one result with --halves");
   }
   const TestResults results = read_results(arguments.inputs[0]);
-  const int alarms = count_false_alarms(results, arguments.halves, arguments.options);
+  const int alarms =
+      count_false_alarms(results, arguments.halves, arguments.options, bar.callback());
   bar.erase();
   if (arguments.json) {
     std::cout << json_text(self_comparison_json(alarms, arguments.halves, arguments.options));
@@ -174,7 +177,7 @@ void add_compare_command(CLI::App& program, Session& session) {
   command.add_option("--build-b", arguments->build_b, "another");
   command.add_option("--seeds", arguments->seeds, "of the builds [1]")->check(at_least_one());
   command.add_option("--halves", arguments->halves, "compare one result with itself so often")
-      ->check(at_least_one());
+      ->check(from_one_to(kMostHalves));
   add_json_flag(command, arguments->json);
   add_quiet_flag(command, arguments->quiet);
   command.add_flag("--power", arguments->power, "tell what growth of a metric is found");

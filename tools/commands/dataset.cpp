@@ -142,7 +142,7 @@ std::optional<SimulatedJob> simulated(const DatasetArguments& arguments, const D
   for (const DatasetPart& part : plan.parts) {
     parts.push_back(plan.cameras * part.frame_count());
   }
-  job.run = simulate_cluster(job.cluster, parts);
+  job.run = simulate_cluster(job.cluster, parts, throw_if_interrupted);
   return job;
 }
 

@@ -13,6 +13,7 @@
 #include "tools/json/document.h"
 #include "tools/sensor_check/contact_sheet.h"
 #include "tools/sensor_check/noise_table.h"
+#include "vo/core/error.h"
 #include "vo/files/result_files.h"
 
 namespace tools {
@@ -30,6 +31,8 @@ constexpr const char* kSensorCheckExamples =
     "  edvo sensor-check --scene assets/room/room.gltf --path.orbit.centre -0.95,0.5,0.3 \\\n"
     "       --path.orbit.radius 1.2 --path.orbit.height 0.8 --path.orbit.period 7.5 --out check";
 
+constexpr int kMostFrames = 100'000;
+
 struct SensorCheckArguments {
   CommonOptions common;
   std::string scene;
@@ -40,6 +43,17 @@ struct SensorCheckArguments {
   synth::PathOptions path;
   std::string out;
 };
+
+/// Returns the camera of the contact sheet. Throws vo::Error of kind usage for an impossible size.
+vo::PinholeCamera sheet_camera(const SensorCheckArguments& arguments) {
+  const auto [width, height] = parse_size(arguments.size);
+  try {
+    require_sheet_size(width, height);
+  } catch (const vo::Error& error) {
+    vo::fail_as(vo::ErrorKind::usage, "--size ", arguments.size, ": ", error.what());
+  }
+  return vo::PinholeCamera::from_horizontal_fov(width, height, arguments.fov_deg);
+}
 
 void print(const SensorCheckArguments& arguments, double depth, double image) {
   if (arguments.common.json) {
@@ -57,9 +71,10 @@ void print(const SensorCheckArguments& arguments, double depth, double image) {
 void sensor_check(const SensorCheckArguments& arguments) {
   const auto limit = arguments.common.limit_threads();
   check_usage([&] { arguments.path.validate(); });
+  const vo::PinholeCamera camera = sheet_camera(arguments);
   ProgressBar bar("measuring", arguments.common.verbosity());
   bar.announce("measuring the noise of depth");
-  const std::vector<NoiseSample> depth = measure_noise(arguments.frames);
+  const std::vector<NoiseSample> depth = measure_noise(arguments.frames, bar.callback());
   bar.announce("measuring the noise of images");
   const std::vector<GreyNoise> image = measure_grey_noise();
   std::vector<vo::NamedBytes> files = {{"depth_noise.csv", format_noise_csv(depth)},
@@ -67,11 +82,9 @@ void sensor_check(const SensorCheckArguments& arguments) {
                                        {"noise.svg", plot_noise(depth, image)}};
   if (!arguments.scene.empty()) {
     bar.announce("rendering " + arguments.scene);
-    const auto [width, height] = parse_size(arguments.size);
-    const auto camera = vo::PinholeCamera::from_horizontal_fov(width, height, arguments.fov_deg);
     files.push_back(
-        {"contact_sheet.webp",
-         contact_sheet(arguments.scene, {.samples = arguments.samples}, camera, arguments.path)});
+        {"contact_sheet.webp", contact_sheet(arguments.scene, {.samples = arguments.samples},
+                                             camera, arguments.path, bar.callback("rendering"))});
   }
   vo::make_folder(arguments.out);
   vo::write_results(arguments.out, files, arguments.common.output_policy());
@@ -88,7 +101,7 @@ void add_sensor_check_command(CLI::App& program, Session& /*session*/) {
   command.footer(kSensorCheckExamples);
   command.add_option("--out", arguments->out, "folder for the results")->required();
   command.add_option("--frames", arguments->frames, "noise images per depth and angle [20]")
-      ->check(at_least_one());
+      ->check(from_one_to(kMostFrames));
   command.add_option("--scene", arguments->scene, "glTF file of the contact sheet")
       ->group("Contact sheet");
   command.add_option("--size", arguments->size, "WIDTHxHEIGHT, px [320x240]")

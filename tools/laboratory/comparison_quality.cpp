@@ -76,16 +76,18 @@ ComparisonDesign design_of(const Samples& samples, Seeds seeds, double level,
 }  // namespace
 
 int count_false_alarms(const TestResults& results, int comparisons,
-                       const ComparisonOptions& options) {
+                       const ComparisonOptions& options, const vo::Progress& progress) {
   constexpr std::size_t kMinTrials = 4;
   for (const ScenarioResult& scenario : results.scenarios) {
     vo::require(scenario.trials.size() >= kMinTrials, scenario.name, ": has ",
                 scenario.trials.size(), " seeds, expected ", kMinTrials, " to split");
   }
   int count = 0;
-  for (int i = 0; i < comparisons; ++i) {
-    const auto [before, after] = split(results, static_cast<std::uint64_t>(i));
+  const auto total = static_cast<std::size_t>(comparisons);
+  for (std::size_t i = 0; i < total; ++i) {
+    const auto [before, after] = split(results, i);
     count += has_alarm(compare_results(before, after, options)) ? 1 : 0;
+    progress(i + 1, total);
   }
   return count;
 }

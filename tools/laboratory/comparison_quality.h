@@ -6,14 +6,16 @@
 
 #include "tools/laboratory/comparison.h"
 #include "tools/laboratory/results.h"
+#include "vo/core/progress.h"
 
 namespace tools {
 
 /// Returns how many of `comparisons` comparisons without a true difference raise an alarm: each
 /// splits every scenario's trials at random into two halves and compares these as independent
-/// samples. Throws vo::Error where a scenario has fewer than four trials.
+/// samples. The comparisons are the steps of the progress. Throws vo::Error where a scenario has
+/// fewer than four trials.
 int count_false_alarms(const TestResults& results, int comparisons,
-                       const ComparisonOptions& options);
+                       const ComparisonOptions& options, const vo::Progress& progress);
 
 /// The numbers of seeds whose power is told.
 inline constexpr std::array kPowerSeeds{2, 3, 5, 12};

@@ -24,6 +24,8 @@ using Picture = cv::Mat_<cv::Vec3b>;
 constexpr double kFar = 4;       // depth at the end of the colour map, m
 constexpr double kError = 0.03;  // error at full saturation, m
 constexpr int kEnlargement = 4;  // magnification of the centre
+constexpr std::size_t kRows = enum_names(synth::SensorPreset{}).size();
+constexpr std::size_t kColumns = 5;  // of row_of
 
 Picture enlarged_middle(const cv::Mat& image) {
   const cv::Size part(image.cols / kEnlargement, image.rows / kEnlargement);
@@ -90,31 +92,42 @@ std::vector<Picture> row_of(std::string_view name, const vo::RgbdFrame& frame,
 
 Picture draw_contact_sheet(const synth::Scene& scene, const synth::RenderersOverTime& renderers,
                            const vo::PinholeCamera& camera, const synth::CameraTruth& motion,
-                           std::size_t frame) {
+                           const vo::Progress& progress) {
   std::vector<std::vector<Picture>> rows;
   vo::DepthImage exact;
   for (const auto& [preset, name] : enum_names(synth::SensorPreset{})) {
     const synth::SequenceCamera sensor(scene, renderers, camera, motion,
                                        synth::preset_options(preset));
-    const vo::RgbdFrame taken = sensor.take(frame);
+    const vo::RgbdFrame taken = sensor.take(motion.truth.size() / 2);
     exact = exact.empty() ? taken.depth : exact;
     rows.push_back(row_of(name, taken, camera, exact));
+    progress(rows.size(), kRows);
   }
   return montage(rows);
 }
 
 }  // namespace
 
+void require_sheet_size(int width, int height) {
+  constexpr int kMostOfWebp = 16383;
+  constexpr int kMostWide = kMostOfWebp / static_cast<int>(kColumns);
+  constexpr int kMostHigh = kMostOfWebp / static_cast<int>(kRows);
+  vo::require(
+      width >= kEnlargement && height >= kEnlargement && width <= kMostWide && height <= kMostHigh,
+      "expected ", kEnlargement, "x", kEnlargement, " to ", kMostWide, "x", kMostHigh,
+      " px, of which a contact sheet can be made");
+}
+
 std::string contact_sheet(const std::filesystem::path& scene, const synth::RenderOptions& render,
-                          const vo::PinholeCamera& camera, const synth::PathOptions& path) {
+                          const vo::PinholeCamera& camera, const synth::PathOptions& path,
+                          const vo::Progress& progress) {
   const synth::SceneFile file(scene);
   const synth::RenderersOverTime renderers(file.scene(), render);
   const synth::TimedPath timed = synth::make_path(path, file);
   const synth::CameraTruth motion{synth::sample(timed.path, timed.times), timed.path};
   constexpr double kQuality = 88;  // of 100; noise makes lossless files five times as large
-  return encode_webp(
-      draw_contact_sheet(file.scene(), renderers, camera, motion, motion.truth.size() / 2),
-      kQuality);
+  return encode_webp(draw_contact_sheet(file.scene(), renderers, camera, motion, progress),
+                     kQuality);
 }
 
 }  // namespace tools

@@ -1,7 +1,9 @@
 #include "tools/sensor_check/noise_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "synth/depth_sensor/plane_view.h"
@@ -135,6 +137,38 @@ int first_judged(const vo::PinholeCamera& camera) {
   return (camera.width - kJudgedColumns) / 2;
 }
 
+/// Returns the depth error measured over simulated frames, each of which is told.
+DepthError measured_error(const synth::SensorOptions& sensor, double depth, double lean_deg,
+                          int frames, const std::function<void()>& frame_done) {
+  const vo::PinholeCamera camera = strip_camera();
+  const synth::DepthView view = synth::plane_view(camera, depth, lean_deg);
+  const synth::SensorOptions noise = without_holes(sensor);
+  ErrorMoments sum;
+  for (int frame = 0; frame < frames; ++frame) {
+    const vo::DepthImage measured =
+        synth::measure_depth(view, camera, noise, static_cast<std::uint64_t>(frame));
+    for (int v = 0; v < camera.height; ++v) {
+      for (int i = 0; i < kJudgedColumns; ++i) {
+        const int u = first_judged(camera) + i;
+        sum.add(static_cast<double>(measured(v, u)) - view.depth(v, u), 1);
+      }
+    }
+    frame_done();
+  }
+  return error_of(sum, static_cast<double>(frames) * camera.height * kJudgedColumns);
+}
+
+/// Returns every preset except the perfect one.
+std::vector<synth::SensorPreset> noisy_presets() {
+  std::vector<synth::SensorPreset> presets;
+  for (const auto& [preset, name] : enum_names(synth::SensorPreset{})) {
+    if (preset != synth::SensorPreset::perfect) {
+      presets.push_back(preset);
+    }
+  }
+  return presets;
+}
+
 }  // namespace
 
 vo::PinholeCamera strip_camera() {
@@ -154,36 +188,21 @@ DepthError expected_error(const synth::SensorOptions& sensor, double depth, doub
   return error_of(sum, kJudgedColumns);
 }
 
-DepthError measured_error(const synth::SensorOptions& sensor, double depth, double lean_deg,
-                          int frames) {
-  const vo::PinholeCamera camera = strip_camera();
-  const synth::DepthView view = synth::plane_view(camera, depth, lean_deg);
-  const synth::SensorOptions noise = without_holes(sensor);
-  ErrorMoments sum;
-  for (int frame = 0; frame < frames; ++frame) {
-    const vo::DepthImage measured =
-        synth::measure_depth(view, camera, noise, static_cast<std::uint64_t>(frame));
-    for (int v = 0; v < camera.height; ++v) {
-      for (int i = 0; i < kJudgedColumns; ++i) {
-        const int u = first_judged(camera) + i;
-        sum.add(static_cast<double>(measured(v, u)) - view.depth(v, u), 1);
-      }
-    }
-  }
-  return error_of(sum, static_cast<double>(frames) * camera.height * kJudgedColumns);
-}
-
-std::vector<NoiseSample> measure_noise(int frames) {
+std::vector<NoiseSample> measure_noise(int frames, const vo::Progress& progress) {
+  constexpr std::array kLeansDeg{0.0, 40.0, 70.0};
+  constexpr std::array kDepths{0.6, 0.8, 1.1, 1.5, 2.0, 2.7, 3.6};
+  const std::vector<synth::SensorPreset> presets = noisy_presets();
+  const std::size_t total =
+      presets.size() * kLeansDeg.size() * kDepths.size() * static_cast<std::size_t>(frames);
+  std::size_t done = 0;
+  const auto frame_done = [&] { progress(++done, total); };
   std::vector<NoiseSample> samples;
-  for (const auto& [preset, name] : enum_names(synth::SensorPreset{})) {
-    if (preset == synth::SensorPreset::perfect) {
-      continue;
-    }
+  for (const synth::SensorPreset preset : presets) {
     const synth::SensorOptions sensor = synth::preset_options(preset);
-    for (const double lean_deg : {0.0, 40.0, 70.0}) {
-      for (const double depth : {0.6, 0.8, 1.1, 1.5, 2.0, 2.7, 3.6}) {
+    for (const double lean_deg : kLeansDeg) {
+      for (const double depth : kDepths) {
         samples.push_back({preset, depth, lean_deg, expected_error(sensor, depth, lean_deg),
-                           measured_error(sensor, depth, lean_deg, frames)});
+                           measured_error(sensor, depth, lean_deg, frames, frame_done)});
       }
     }
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "synth/sensor/sensor.h"
+#include "vo/core/progress.h"
 #include "vo/geometry/camera.h"
 
 namespace tools {
@@ -31,12 +32,9 @@ vo::PinholeCamera strip_camera();
 /// through the rounding of depth and disparity. Holes and flying pixels are left out.
 DepthError expected_error(const synth::SensorOptions& sensor, double depth, double lean_deg);
 
-/// Returns the depth error measured over `frames` simulated frames.
-DepthError measured_error(const synth::SensorOptions& sensor, double depth, double lean_deg,
-                          int frames);
-
-/// Evaluates every preset except the perfect one over depths and angles.
-std::vector<NoiseSample> measure_noise(int frames);
+/// Evaluates every preset except the perfect one over depths and angles, each measured over
+/// `frames` simulated frames, which are the steps of the progress.
+std::vector<NoiseSample> measure_noise(int frames, const vo::Progress& progress);
 
 /// Image noise on a uniform grey, in linear intensity 0..1.
 struct GreyNoise {

@@ -9,8 +9,9 @@ namespace vo {
 /// It may throw to stop the operation.
 using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
-/// Callback that is called repeatedly while an operation waits for another process; it may throw to
-/// stop the operation. An empty one is not called.
+/// Callback that is called repeatedly while an operation waits for another process, or goes on
+/// without steps that could be counted; it may throw to stop the operation. An empty one is not
+/// called.
 using WaitObserver = std::function<void()>;
 
 }  // namespace vo

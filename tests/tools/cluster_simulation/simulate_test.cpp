@@ -241,6 +241,13 @@ TEST(ClusterSimulation, PartsThatNoNodeOutlivesAreAnError) {
               HasSubstr("nodes fail too often: after "));
 }
 
+TEST(ClusterSimulation, EndsWhereItsCallerWantsItTo) {
+  ClusterOptions options = failing();
+  options.mtbf_h = 1e-6;  // every node fails all the time, and hardly a task is begun
+  const auto end_it = [] { vo::fail("ended"); };
+  EXPECT_EQ(error_text([&] { simulate_cluster(options, equal_parts(100, 10), end_it); }), "ended");
+}
+
 TEST(ClusterSimulation, NothingToDoTakesNoTime) {
   EXPECT_EQ(simulate_cluster(failing(), {}).wall_s(), 0);
 }

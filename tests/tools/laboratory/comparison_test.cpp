@@ -241,6 +241,8 @@ TestResults random_results(vo::Random& random, int first_seed, int seeds) {
   return results;
 }
 
+const vo::Progress kIgnored = [](std::size_t, std::size_t) {};
+
 constexpr tools::ComparisonOptions kEverySize{
     .level = 0.01, .worse_percent = 0, .better_percent = 0};
 
@@ -266,7 +268,7 @@ TEST(Comparison, ABuildAgainstItselfRaisesNoMoreFalseAlarmsThanStated) {
 
 TEST(Comparison, HalvesOfOneResultRaiseNoMoreAlarmsThanTheLevelAllows) {
   vo::Random random(5);
-  EXPECT_LE(tools::count_false_alarms(random_results(random, 0, 12), 200, kEverySize), 2);
+  EXPECT_LE(tools::count_false_alarms(random_results(random, 0, 12), 200, kEverySize, kIgnored), 2);
 }
 
 TEST(Comparison, TheGrowthThatIsFoundIsAnAlarmWhenItIsPlanted) {
@@ -293,7 +295,7 @@ TEST(Comparison, TheGrowthThatIsFoundIsAnAlarmWhenItIsPlanted) {
 
 TEST(Comparison, HalvesNeedSeeds) {
   EXPECT_THAT(support::error_text([] {
-                tools::count_false_alarms(results_of({0.1, 0.2, 0.3}), 1, kEverySize);
+                tools::count_false_alarms(results_of({0.1, 0.2, 0.3}), 1, kEverySize, kIgnored);
               }),
               HasSubstr("orbit: has 3 seeds, expected 4 to split"));
 }

@@ -14,7 +14,7 @@ namespace {
 using synth::SensorPreset;
 
 TEST(NoiseTable, EveryPresetMeasuresAsItsFormulaSays) {
-  for (const NoiseSample& sample : measure_noise(8)) {
+  for (const NoiseSample& sample : measure_noise(8, [](std::size_t, std::size_t) {})) {
     const std::string place = std::string(vo::to_string(sample.preset)) + " at " +
                               std::to_string(sample.depth) + " m, " +
                               std::to_string(sample.lean_deg) + " deg";
