@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -65,14 +68,58 @@ std::vector<BoundCheck> checks_from_json(const Json& bounds) {
   return checks;
 }
 
+/// Returns a whole number of at least 0 that an int holds. Throws vo::Error beginning with its key.
+int count_at(const Json& json, const std::string& key) {
+  constexpr int kMost = std::numeric_limits<int>::max();
+  const Json& value = json.at(key);
+  const bool is_count = value.is_number() && value.get<double>() >= 0 &&
+                        value.get<double>() <= kMost &&
+                        std::trunc(value.get<double>()) == value.get<double>();
+  vo::require(is_count, key, ": expected a whole number from 0 to ", kMost, ", got ",
+              value.is_number() ? value.dump() : value.type_name());
+  return static_cast<int>(value.get<double>());
+}
+
+std::vector<TrialResult> trials_from_json(const Json& json) {
+  std::vector<TrialResult> trials;
+  std::set<int> seeds;
+  for (const Json& trial : json) {
+    trials.push_back(trial_from_json(trial));
+    const int seed = trials.back().seed;
+    vo::require(seeds.insert(seed).second, "seed: ", seed,
+                " is there twice, expected trials of different seeds");
+  }
+  return trials;
+}
+
+/// Returns a scenario's result. Throws vo::Error, naming the scenario, for a trial that cannot be.
 ScenarioResult scenario_from_json(const Json& json) {
   ScenarioResult scenario{.name = json.at("name").get<std::string>(),
                           .why = json.value("why", std::string())};
-  for (const Json& trial : json.at("trials")) {
-    scenario.trials.push_back(trial_from_json(trial));
+  try {
+    scenario.trials = trials_from_json(json.at("trials"));
+  } catch (const vo::Error& error) {
+    vo::fail(scenario.name, ": ", error.what());
   }
   scenario.checks = checks_from_json(json.value("bounds", Json::object()));
   return scenario;
+}
+
+/// Returns the results of a list. Throws vo::Error, naming the file, for one that cannot be, and
+/// for two of one name.
+std::vector<ScenarioResult> scenarios_from_json(const Json& json, const std::string& file) {
+  std::vector<ScenarioResult> scenarios;
+  std::set<std::string> names;
+  try {
+    for (const Json& scenario : json) {
+      scenarios.push_back(scenario_from_json(scenario));
+      vo::require(names.insert(scenarios.back().name).second, scenarios.back().name,
+                  ": is there twice, expected scenarios of different names");
+    }
+  } catch (const vo::Error& error) {
+    vo::fail(file, ": ", error.what());
+  }
+  return scenarios;
 }
 
 /// Returns the metrics that no trial of a file names, not even as unmeasured.
@@ -106,9 +153,9 @@ Json trial_json(const TrialResult& trial) {
 }
 
 TrialResult trial_from_json(const Json& json) {
-  TrialResult trial{.seed = json.at("seed").get<int>(),
+  TrialResult trial{.seed = count_at(json, "seed"),
                     .sequence = json.at("sequence").get<std::string>(),
-                    .frames = json.at("frames").get<std::size_t>()};
+                    .frames = static_cast<std::size_t>(count_at(json, "frames"))};
   const Json& metrics = json.at("metrics");
   trial.metrics = make_metrics([&](const std::string& name) { return number_at(metrics, name); });
   trial.problem = json.value("problem", std::string());
@@ -140,10 +187,7 @@ TestResults read_results(const std::filesystem::path& file) {
                 ", expected ", kSchema.version);
     TestResults results{.edvo = json.value("edvo", std::string()),
                         .tracker = json.value("tracker", std::string()),
-                        .scenarios = {}};
-    for (const Json& scenario : json.at("scenarios")) {
-      results.scenarios.push_back(scenario_from_json(scenario));
-    }
+                        .scenarios = scenarios_from_json(json.at("scenarios"), file.string())};
     results.unknown_metrics = unknown_metrics(json.at("scenarios"));
     return results;
   } catch (const nlohmann::json::exception& error) {

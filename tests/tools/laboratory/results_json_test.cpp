@@ -47,6 +47,38 @@ TEST(ResultsJson, KnowsWhichMetricsAFileDoesNotName) {
   EXPECT_EQ(tools::read_results(file).unknown_metrics, std::set<std::string>{"nees_p90"});
 }
 
+TEST(ResultsJson, IsRefusedWithSeedsAndFramesThatCannotBe) {
+  const support::TempFolder folder;
+  const auto file = folder.path() / "results.json";
+  const auto error_with = [&](const char* key, const nlohmann::json& value) {
+    nlohmann::json json = tools::results_json(two_scenarios());
+    json["scenarios"][1]["trials"][1][key] = value;
+    vo::write_file(file, json.dump(), vo::ExistingOutput::replace);
+    return support::error_text([&] { tools::read_results(file); });
+  };
+  for (const char* key : {"seed", "frames"}) {
+    for (const nlohmann::json& value :
+         {nlohmann::json(1e30), nlohmann::json(-5), nlohmann::json(0.5), nlohmann::json(1e99)}) {
+      EXPECT_EQ(error_with(key, value), file.string() + ": failed: " + key +
+                                            ": expected a whole number from 0 to 2147483647, got " +
+                                            value.dump());
+    }
+  }
+  EXPECT_THAT(error_with("seed", "6"), testing::HasSubstr("2147483647, got string"));
+  EXPECT_EQ(error_with("seed", 5), file.string() +
+                                       ": failed: seed: 5 is there twice, expected trials of "
+                                       "different seeds");
+}
+
+TEST(ResultsJson, IsRefusedWithTwoScenariosOfOneName) {
+  const support::TempFolder folder;
+  tools::TestResults results = two_scenarios();
+  results.scenarios[1].name = "bounded";
+  const auto file = folder.write("results.json", tools::results_json(results).dump());
+  EXPECT_THAT(support::error_text([&] { tools::read_results(file); }),
+              testing::HasSubstr("results.json: bounded: is there twice, expected scenarios"));
+}
+
 TEST(ResultsJson, IsRefusedWhereItIsNestedTooDeep) {
   const support::TempFolder folder;
   const auto file = folder.write("results.json", R"({"schema": )" + std::string(15'000, '['));
