@@ -177,7 +177,6 @@ std::vector<vo::NamedBytes> encode_trajectory(const std::filesystem::path& out,
     case WrittenTrajectory::tum:
       return {{out, vo::format_trajectory(trajectory)}};
     case WrittenTrajectory::euroc:
-      vo::require_nanoseconds_apart(vo::timestamps_of(trajectory));
       return {{out, vo::format_euroc_trajectory(trajectory)}};
     case WrittenTrajectory::kitti:
       return {{out, vo::format_kitti_poses(trajectory)},
@@ -207,6 +206,9 @@ void convert_trajectory(const ConvertArguments& arguments, const Session& sessio
   const vo::TrajectoryFile file = vo::read_trajectory_file(
       arguments.in, chosen_reading({.format = arguments.from, .times = arguments.times}));
   require_times_used(arguments.times, {file.format});
+  if (format == WrittenTrajectory::euroc) {
+    vo::require_nanoseconds_apart(vo::timestamps_of(file.trajectory), arguments.in);
+  }
   const std::vector<vo::NamedBytes> files =
       encode_trajectory(arguments.out, format, file.trajectory);
   const vo::OutputPolicy policy = arguments.common.output_policy();

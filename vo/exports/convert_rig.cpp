@@ -14,7 +14,6 @@
 #include "vo/frames/depth_timestamp.h"
 #include "vo/frames/depth_units.h"
 #include "vo/motion_files/imu_file.h"
-#include "vo/motion_files/timestamp.h"
 #include "vo/motion_files/trajectory_file.h"
 #include "vo/output_folders/output_folder.h"
 #include "vo/rigs/rig_file.h"
@@ -94,7 +93,6 @@ struct CameraToWrite {
 void write_camera(const ConvertJob& job, const CameraToWrite& written, OutputFolder& output,
                   ConvertOutcome& outcome, const std::function<void()>& frame_done) {
   const SequenceSource& source = written.source;
-  require_nanoseconds_apart(source.timestamps);
   std::vector<double> depth_stamps;
   DepthImages depth = DepthImages::absent;
   for (std::size_t i = 0; i < source.timestamps.size(); ++i) {

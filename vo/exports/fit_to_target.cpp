@@ -5,6 +5,7 @@
 #include "vo/core/error.h"
 #include "vo/core/fields.h"
 #include "vo/exports/source_views.h"
+#include "vo/motion_files/timestamp.h"
 #include "vo/recordings/mcap_sequence.h"
 
 namespace vo {
@@ -16,6 +17,9 @@ SequenceSource fit_to_target(const ConvertJob& job, SequenceSource source) {
           ", expected one with y down for ", to_string(job.to));
   if (job.to == WrittenSequence::mcap) {
     require_mcap_stamps(source, job.in.string());
+  }
+  if (job.to == WrittenSequence::mcap || job.to == WrittenSequence::euroc) {
+    require_nanoseconds_apart(source.timestamps, job.in.string());
   }
   if (traits.poses == Need::required ||
       (traits.poses == Need::all_or_none && !source.truth.empty())) {

@@ -13,7 +13,6 @@
 #include "vo/exports/transforms_json.h"
 #include "vo/exports/tum_lists.h"
 #include "vo/frames/depth_timestamp.h"
-#include "vo/motion_files/timestamp.h"
 #include "vo/videos/write_video.h"
 
 namespace vo {
@@ -42,7 +41,6 @@ SequenceTarget tum_target(const SequenceSource& source) {
 }
 
 SequenceTarget euroc_target(const SequenceSource& source) {
-  require_nanoseconds_apart(source.timestamps);
   const auto depth_stamps = std::make_shared<std::vector<double>>();
   return {[&source, depth_stamps](std::size_t, const RgbdFrame& frame) {
             if (!frame.depth.empty()) {

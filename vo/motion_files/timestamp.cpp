@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "vo/core/error.h"
+#include "vo/core/fields.h"
 #include "vo/core/nanoseconds.h"
 #include "vo/text_files/text_lines.h"
 
@@ -74,11 +75,12 @@ std::vector<std::string> format_timestamps(const std::vector<double>& timestamps
   return texts;
 }
 
-void require_nanoseconds_apart(const std::vector<double>& timestamps) {
+void require_nanoseconds_apart(const std::vector<double>& timestamps, const std::string& place) {
   for (std::size_t i = 1; i < timestamps.size(); ++i) {
-    require(to_nanoseconds(timestamps[i]) > to_nanoseconds(timestamps[i - 1]), "frames ", i - 1,
-            " and ", i, " lie within a nanosecond (", exact_timestamp(timestamps[i - 1]), " s and ",
-            exact_timestamp(timestamps[i]), " s), expected stamps that EuRoC's files tell apart");
+    require(to_nanoseconds(timestamps[i]) > to_nanoseconds(timestamps[i - 1]), place, ": frames ",
+            i - 1, " and ", i, " lie within a nanosecond (", format_real(timestamps[i - 1]),
+            " s and ", format_real(timestamps[i]),
+            " s), expected stamps that whole nanoseconds tell apart");
   }
 }
 

@@ -40,8 +40,8 @@ std::string format_timestamp(double timestamp);
 /// where two would be written alike, each with the digits that read back as the same number.
 std::vector<std::string> format_timestamps(const std::vector<double>& timestamps);
 
-/// Throws Error naming the first two of increasing stamps, s, that fall in one nanosecond, the unit
-/// of EuRoC's files.
-void require_nanoseconds_apart(const std::vector<double>& timestamps);
+/// Throws Error naming `place` and the first two of increasing stamps, s, that fall in one
+/// nanosecond, the unit of EuRoC's files and of recordings.
+void require_nanoseconds_apart(const std::vector<double>& timestamps, const std::string& place);
 
 }  // namespace vo

@@ -271,6 +271,15 @@ TEST_F(ConvertSequence, StampsOfDepthAreCarriedWhereTheFormatHoldsThem) {
               testing::Contains("the stamps of depth"));
 }
 
+TEST_F(ConvertSequence, StampsThatNanosecondsDoNotTellApartAreRefused) {
+  const std::vector<double> stamps = {1, 1.0000000001, 2, 3};
+  vo::write_files(in, vo::encode_image_lists({source.camera}, stamps, stamps),
+                  vo::ExistingOutput::replace);
+  for (const auto to : {vo::WrittenSequence::euroc, vo::WrittenSequence::mcap}) {
+    EXPECT_THAT(error(to), HasSubstr("in: frames 0 and 1 lie within a nanosecond"));
+  }
+}
+
 TEST_F(ConvertSequence, AColmapModelIsReadAsATrajectoryByTheNamesOfItsImages) {
   convert(vo::WrittenSequence::colmap);
   const vo::Trajectory poses =

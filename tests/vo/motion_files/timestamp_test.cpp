@@ -44,11 +44,15 @@ TEST(Timestamps, ThatSixDecimalsDoNotTellApartReadBackAsTheyWere) {
 }
 
 TEST(Timestamps, WithinOneNanosecondAreNamed) {
-  EXPECT_NO_THROW(vo::require_nanoseconds_apart({0, 1e-9, 2e-9}));
+  EXPECT_NO_THROW(vo::require_nanoseconds_apart({0, 1e-9, 2e-9}, "in"));
   EXPECT_THAT(support::error_text([] {
-                vo::require_nanoseconds_apart({0, 0.5, 0.5000000001});
+                vo::require_nanoseconds_apart({0, 0.5, 0.5000000001}, "in");
               }),
-              HasSubstr("frames 1 and 2 lie within a nanosecond (0.5 s and 0.5000000001 s)"));
+              HasSubstr("in: frames 1 and 2 lie within a nanosecond (0.5 s and 0.5000000001 s)"));
+  EXPECT_THAT(support::error_text([] {
+                vo::require_nanoseconds_apart({0, 1e-300}, "in");
+              }),
+              HasSubstr("(0 s and 1e-300 s)"));
 }
 
 }  // namespace
