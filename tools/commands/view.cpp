@@ -76,7 +76,7 @@ FinishedTrack track_of(const ViewArguments& arguments) {
 }
 
 void serve(const LiveContent& content, const LiveArguments& live, Session& session) {
-  const LiveServer server(content, live.chosen_port());
+  const LiveServer server(content, {live.chosen_port(), live.port_option});
   std::cerr << server.url() << "\n";
   wait_for_interrupt();
   session.status = exit_code::kInterrupted;

@@ -15,6 +15,12 @@ struct LiveContent {
   PauseGate* gate = nullptr;  ///< what the page may hold up; null for nothing
 };
 
+/// The port of a page, and what precedes it on the command line, for errors.
+struct LivePort {
+  int number = 0;  ///< 0 is any that is free
+  std::string option = "--live=";
+};
+
 /// Serves one page on 127.0.0.1, in threads of low priority, to who knows its URL: GET / is the
 /// page, GET /events the feed as server-sent events, and POST /pause, /resume and /step move the
 /// gate, of which the feed is told as event `gate`. Nothing else can be read, nothing be written. A
@@ -22,9 +28,9 @@ struct LiveContent {
 /// method that has no meaning 405. When the last viewer goes, the gate opens.
 class LiveServer {
  public:
-  /// Port 0 is any that is free. Throws vo::Error where the port is taken, and of kind usage where
-  /// the program was built without an HTTP library.
-  LiveServer(const LiveContent& content, int port);
+  /// Throws vo::Error where the port is taken, and of kind usage where the program was built
+  /// without an HTTP library.
+  LiveServer(const LiveContent& content, const LivePort& port);
   ~LiveServer();  ///< closes the feed, and lets the viewers read what is left, within seconds
   LiveServer(const LiveServer&) = delete;
   LiveServer& operator=(const LiveServer&) = delete;

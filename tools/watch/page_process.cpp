@@ -61,7 +61,7 @@ void pass_on(int socket, EventFeed& feed) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   try {
     EventFeed feed;
-    const LiveServer server({.page = watch_page(), .feed = &feed}, port);
+    const LiveServer server({.page = watch_page(), .feed = &feed}, {port});
     say(socket, kSuccess + server.url());
     pass_on(socket, feed);
   } catch (const vo::Error& error) {

@@ -26,7 +26,7 @@ std::chrono::nanoseconds processor_time() {
 
 RunWatch::RunWatch(const WatchOptions& options, vo::WaitObserver waiting)
     : waiting_(std::move(waiting)),
-      server_({.page = watch_page(), .feed = &feed_, .gate = &gate_}, options.port),
+      server_({.page = watch_page(), .feed = &feed_, .gate = &gate_}, {options.port}),
       drawing_([this] { draw_pictures(); }) {
   if (options.is_paused) {
     gate_.pause();

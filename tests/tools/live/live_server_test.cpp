@@ -25,7 +25,8 @@ class LiveServer : public testing::Test {
   void SetUp() override {
     try {
       server_ = std::make_unique<tools::LiveServer>(
-          tools::LiveContent{.page = "the page", .feed = &feed_, .gate = &gate_}, 0);
+          tools::LiveContent{.page = "the page", .feed = &feed_, .gate = &gate_},
+          tools::LivePort{});
     } catch (const vo::Error& error) {
       if (error.kind() == vo::ErrorKind::usage) {
         GTEST_SKIP() << error.what();
@@ -150,12 +151,15 @@ TEST_F(LiveServer, LeavesSignalsAsTheyWere) {
 }
 
 TEST_F(LiveServer, SaysThatItsPortIsTaken) {
-  EXPECT_THAT(support::error_text([&] { tools::LiveServer({.page = ""}, url().port); }),
-              HasSubstr("the port is taken"));
+  const int port = url().port;
+  EXPECT_THAT(support::error_text([&] {
+                tools::LiveServer({.page = ""}, {port, "--port "});
+              }),
+              HasSubstr("--port " + std::to_string(port) + ": the port is taken"));
 }
 
 TEST_F(LiveServer, ServesAPageWithoutARun) {
-  const tools::LiveServer alone({.page = "done"}, 0);
+  const tools::LiveServer alone({.page = "done"}, {});
   const support::LocalUrl url(alone.url());
   const std::string host = "Host: " + url.host() + "\r\n";
   EXPECT_THAT(answer_to(url.port, request_text("GET", "/" + url.query, host)), EndsWith("done"));

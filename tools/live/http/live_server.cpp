@@ -203,15 +203,16 @@ struct LiveServer::Serving {
   }
 
   /// Returns the port that is listened at.
-  int bind(int port) {
-    if (port == 0) {
-      port = server.bind_to_any_port(kHost);
-    } else if (!server.bind_to_port(kHost, port)) {
-      port = -1;
+  int bind(const LivePort& port) {
+    int bound = port.number;
+    if (bound == 0) {
+      bound = server.bind_to_any_port(kHost);
+    } else if (!server.bind_to_port(kHost, bound)) {
+      bound = -1;
     }
-    vo::require(port > 0,
-                "--live: the port is taken or not allowed, expected one that is free; 0 is any");
-    return port;
+    vo::require(bound > 0, port.option, port.number,
+                ": the port is taken or not allowed, expected one that is free; 0 is any");
+    return bound;
   }
 
   void listen() {
@@ -225,14 +226,15 @@ struct LiveServer::Serving {
   }
 };
 
-LiveServer::LiveServer(const LiveContent& content, int port) : serving_(Serving::made()) {
+LiveServer::LiveServer(const LiveContent& content, const LivePort& port)
+    : serving_(Serving::made()) {
   serving_->content = content;
   serving_->set_limits();
   serving_->add_handlers();
-  port = serving_->bind(port);
+  const int bound = serving_->bind(port);
   const std::string token = random_token();
-  serving_->rule = AccessRule(port, token);
-  url_ = vo::concat("http://", kHost, ":", port, "/?token=", token);
+  serving_->rule = AccessRule(bound, token);
+  url_ = vo::concat("http://", kHost, ":", bound, "/?token=", token);
   serving_->listen();
 }
 

@@ -5,7 +5,7 @@ namespace tools {
 
 struct LiveServer::Serving {};
 
-LiveServer::LiveServer(const LiveContent& /*content*/, int /*port*/) {
+LiveServer::LiveServer(const LiveContent& /*content*/, const LivePort& /*port*/) {
   vo::fail_as(vo::ErrorKind::usage,
               "the program was built without an HTTP server, expected one built where "
               "libcpp-httplib-dev is installed");
