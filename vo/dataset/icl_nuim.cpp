@@ -1,5 +1,6 @@
 #include "vo/dataset/icl_nuim.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -91,12 +92,14 @@ DepthImage read_distances(const fs::path& path, const PinholeCamera& camera) {
 
 /// Reads the vector of a line `cam_pos = [x, y, z]';`.
 Eigen::Vector3d read_vector(const fs::path& path, const std::string& text, const std::string& key) {
-  const std::size_t begin = text.find('[', text.find(key));
-  const std::size_t end = text.find(']', begin);
-  require(text.find(key) != std::string::npos && end != std::string::npos, path.string(),
-          ": expected ", key, " = [x, y, z]");
+  const std::size_t at = std::min(text.find(key), text.size());
+  const std::string line = text.substr(at, text.find('\n', at) - at);
+  const std::size_t begin = line.find('[');
+  const std::size_t end = line.find(']', begin);
+  require(begin != std::string::npos && end != std::string::npos, path.string(), ": expected ", key,
+          " = [x, y, z]");
   try {
-    const std::vector<double> values = parse_reals(text.substr(begin + 1, end - begin - 1), 3);
+    const std::vector<double> values = parse_reals(line.substr(begin + 1, end - begin - 1), 3);
     return {values[0], values[1], values[2]};
   } catch (const Error& error) {
     fail(path.string(), ": ", key, ": ", error.what());

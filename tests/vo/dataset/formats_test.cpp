@@ -264,6 +264,20 @@ TEST(IclNuim, DistanceIsAlongTheRay) {
   EXPECT_THAT(error_text([&] { source.read(0); }), HasSubstr("column 1, row 0"));
 }
 
+TEST(IclNuim, ErrorsOfAPoseEndWithItsLine) {
+  const TempFolder folder;
+  folder.write("scene_00_0000.png", "");
+  const auto error_of = [&](const std::string& direction) {
+    folder.write("scene_00_0000.txt",
+                 "cam_pos = [1, 2, 3]';\ncam_dir = " + direction + "\ncam_up = [0, 1, 0]';\n");
+    return error_text([&] { vo::open_sequence(folder.path(), vo::SequenceFormat::icl_nuim); });
+  };
+  const std::string place = (folder.path() / "scene_00_0000.txt").string();
+  EXPECT_EQ(error_of("[0, 0,x]"),
+            place + ": cam_dir: expected numbers with commas between, got '0, 0,x'");
+  EXPECT_EQ(error_of("[0, 0,x"), place + ": expected cam_dir = [x, y, z]");
+}
+
 /// From a frame of the data set's trajectory at 200 frames a second: `right` is 4/3 long.
 TEST(IclNuim, ReadsTheCameraAsPovRayWritesIt) {
   const TempFolder folder;
