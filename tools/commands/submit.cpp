@@ -267,6 +267,19 @@ bool is_made(const SubmitArguments& arguments) {
   return missing_shares(dataset_job(arguments), 1, throw_if_interrupted).empty();
 }
 
+/// Returns Slurm's queue where it is asked for; a dry run does without. Throws vo::Error where the
+/// engine is not here, before anything is written.
+std::optional<SlurmQueue> queue_of(const SubmitArguments& arguments) {
+  const SubmitEngine engine = arguments.chosen_engine();
+  std::optional<SlurmQueue> queue;
+  if (engine == SubmitEngine::slurm && (!arguments.dry_run || is_in_path("sbatch"))) {
+    queue.emplace(throw_if_interrupted);
+  } else if (!arguments.dry_run) {
+    require_runnable(engine);
+  }
+  return queue;
+}
+
 int submit(SubmitArguments& arguments) {
   complete_submit(arguments);
   const fs::path folder = submission_folder(arguments.out);
@@ -277,11 +290,7 @@ int submit(SubmitArguments& arguments) {
     std::cout << arguments.out << ": is there, nothing is missing\n";
     return exit_code::kOk;
   }
-  const bool is_slurm = arguments.chosen_engine() == SubmitEngine::slurm;
-  std::optional<SlurmQueue> queue;
-  if (is_slurm && (!arguments.dry_run || is_in_path("sbatch"))) {
-    queue.emplace(throw_if_interrupted);
-  }
+  const std::optional<SlurmQueue> queue = queue_of(arguments);
   const std::optional<vo::OutputLock> lock =
       arguments.dry_run ? std::optional<vo::OutputLock>() : sole_submission(folder);
   const std::optional<JobRecord> earlier = read_job_record(folder);
@@ -290,7 +299,7 @@ int submit(SubmitArguments& arguments) {
   }
   const OpenWork open =
       arguments.spec.empty() ? open_trials(arguments, earlier) : open_dataset(arguments, earlier);
-  if (is_slurm) {
+  if (arguments.chosen_engine() == SubmitEngine::slurm) {
     to_slurm(arguments, open, folder, queue);
     return exit_code::kOk;
   }

@@ -61,12 +61,13 @@ void submit_to_slurm(const Submission& submission, const SlurmQueue& queue, JobR
   }
 }
 
+void require_runnable(SubmitEngine engine) {
+  vo::require(engine != SubmitEngine::parallel || is_in_path("parallel"),
+              "parallel is not in PATH: expected GNU parallel (Debian's package parallel), or "
+              "--engine local");
+}
+
 int run_here(const Submission& submission, const vo::WaitObserver& waiting) {
-  if (submission.engine == SubmitEngine::parallel) {
-    vo::require(is_in_path("parallel"),
-                "parallel is not in PATH: expected GNU parallel (Debian's package parallel), or "
-                "--engine local");
-  }
   write_submission(submission);
   int code = 0;
   for (const SubmissionStep& step : submission.steps) {

@@ -20,9 +20,12 @@ void require_none_queued(const JobRecord& record, const SlurmQueue& queue);
 /// is kept in the folder after each step, so that it also has the jobs before one that failed.
 void submit_to_slurm(const Submission& submission, const SlurmQueue& queue, JobRecord& record);
 
+/// Throws vo::Error where the program of an engine that runs here is not installed.
+void require_runnable(SubmitEngine engine);
+
 /// Writes the files and runs the steps of another engine here, their output as this process' own;
-/// returns the exit code of the last. A step of `local` that fails is the last. Throws vo::Error
-/// where a program cannot be started.
+/// returns the exit code of the last. A step of `local` that fails is the last. Requires
+/// `require_runnable`. Throws vo::Error where a program cannot be started.
 int run_here(const Submission& submission, const vo::WaitObserver& waiting);
 
 }  // namespace tools

@@ -85,6 +85,15 @@ TEST_F(SubmittedSweep, IsRefusedWithOptionsThatTheEngineHasNoUseFor) {
   EXPECT_EQ(submit(engine_of + "parallel --shards 3").exit_code, 0);
 }
 
+TEST_F(SubmittedSweep, LeavesNothingWhereItsEngineIsNotInstalled) {
+  const ProgramResult result = run_program(
+      "submit --sweep " + matrix() + " --out " + path("out") + " --engine parallel", "PATH=/none ");
+  EXPECT_EQ(result.exit_code, 3) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("parallel is not in PATH"));
+  EXPECT_FALSE(exists("out"));
+  EXPECT_FALSE(exists("out.submit"));
+}
+
 TEST_F(SubmittedSweep, IsTheOnlyWorkOfItsSubmit) {
   const std::string out = " --dry-run --out " + path("out");
   const std::string set = " --set odometry.preset=paper";
