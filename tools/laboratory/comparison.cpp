@@ -346,10 +346,13 @@ std::vector<std::string> missing_scenarios(const TestResults& among, const TestR
 
 TestResults updated(const TestResults& old, const TestResults& results) {
   TestResults merged = results;
-  std::copy_if(old.scenarios.begin(), old.scenarios.end(), std::back_inserter(merged.scenarios),
-               [&](const ScenarioResult& scenario) {
-                 return find_scenario(results, scenario.name) == nullptr;
-               });
+  merged.scenarios.clear();
+  for (const TestResults* from : {&results, &old}) {
+    std::copy_if(from->scenarios.begin(), from->scenarios.end(),
+                 std::back_inserter(merged.scenarios), [&](const ScenarioResult& scenario) {
+                   return find_scenario(merged, scenario.name) == nullptr;
+                 });
+  }
   std::sort(merged.scenarios.begin(), merged.scenarios.end(),
             [](const ScenarioResult& a, const ScenarioResult& b) { return a.name < b.name; });
   return merged;

@@ -78,7 +78,8 @@ bool has_alarm(const std::vector<Change>& changes);
 /// Returns the names of the scenarios in `among` that `from` does not have.
 std::vector<std::string> missing_scenarios(const TestResults& among, const TestResults& from);
 
-/// Returns the results with the scenarios that only `old` has added, all sorted by name.
+/// Returns the results with the scenarios that only `old` has added, all sorted by name; of those
+/// of one name, as of a file that was given twice, the first.
 TestResults updated(const TestResults& old, const TestResults& results);
 
 }  // namespace tools

@@ -300,6 +300,17 @@ TEST(Comparison, HalvesNeedSeeds) {
               HasSubstr("orbit: has 3 seeds, expected 4 to split"));
 }
 
+TEST(Comparison, ABaselineHasEachScenarioOnce) {
+  TestResults twice = results_of({0.1, 0.2});
+  twice.scenarios.push_back(results_of({0.3}).scenarios.front());
+  TestResults old = results_of({0.4});
+  old.scenarios.push_back({.name = "another"});
+  const TestResults merged = tools::updated(old, twice);
+  ASSERT_EQ(merged.scenarios.size(), 2U);
+  EXPECT_EQ(merged.scenarios[0].name, "another");
+  EXPECT_EQ(merged.scenarios[1].trials.size(), 2U) << "the first of those that were measured";
+}
+
 /// Four scenarios of five seeds, whose errors are a factor that varies a little times the same.
 TestResults several_scenarios(double factor, std::uint64_t seed) {
   vo::Random random(seed);
