@@ -9,6 +9,20 @@
 #include "vo/text_files/json_limits.h"
 
 namespace tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Throws vo::Error naming the record unless a name is that of a file in the part's folder.
+void require_name_in(const fs::path& part_folder, const std::string& name, const fs::path& record) {
+  const fs::path path(name);
+  vo::require(path.has_filename() && path != "." && path == path.lexically_normal(),
+              record.string(), ": files: '", name, "' is no name of a file, expected one in ",
+              part_folder.string());
+  vo::path_in(part_folder, name, vo::concat(record.string(), ": files"));
+}
+
+}  // namespace
 
 std::string format_part_record(const PartRecord& record) {
   nlohmann::ordered_json files = nlohmann::ordered_json::array();
@@ -22,8 +36,8 @@ std::string format_part_record(const PartRecord& record) {
                    -1);
 }
 
-PartRecord read_part_record(const std::filesystem::path& part_folder) {
-  const std::filesystem::path file = part_folder / kPartRecord;
+PartRecord read_part_record(const fs::path& part_folder) {
+  const fs::path file = part_folder / kPartRecord;
   const std::string text = vo::read_file(file, vo::kMaxDocumentBytes);
   vo::require_json_within_limits(text, file.string());
   PartRecord record;
@@ -34,6 +48,7 @@ PartRecord read_part_record(const std::filesystem::path& part_folder) {
     document.at("processor_s").get_to(record.processor_s);
     for (const nlohmann::json& made : document.at("files")) {
       record.files.push_back({made.at("name"), made.at("bytes"), made.at("sha256")});
+      require_name_in(part_folder, record.files.back().name, file);
     }
   } catch (const nlohmann::json::exception& error) {
     vo::fail(file.string(), ": no record of a part: ", error.what());

@@ -24,7 +24,8 @@ struct PartRecord {
 
 std::string format_part_record(const PartRecord& record);
 
-/// Reads part.json of a part's folder. Throws vo::Error naming the file where it is none.
+/// Reads part.json of a part's folder. Throws vo::Error naming the file where it is none, or names
+/// a file that lies elsewhere than in the folder.
 PartRecord read_part_record(const std::filesystem::path& part_folder);
 
 }  // namespace tools

@@ -58,7 +58,7 @@ class Merge {
       if (!damage.empty()) {
         outcome.damaged.push_back(part_name(spec_, plan_.parts[part]) + ": " + damage);
         outcome.missing.push_back(part);
-        remove(part);
+        vo::remove_tree(folder_of(part));  // what a killed merge has moved of it is written over
       }
       ++done;
       if (progress) {
@@ -123,17 +123,6 @@ class Merge {
       }
       return error.what();
     }
-  }
-
-  /// Removes a part, also what a merge that was killed has moved of it.
-  void remove(std::size_t part) const {
-    try {
-      for (const MadeFile& file : read_part_record(folder_of(part)).files) {
-        vo::remove_tree(target_of(part) / file.name);
-      }
-    } catch (const vo::Error&) {  // its record is damaged: what was moved is written over
-    }
-    vo::remove_tree(folder_of(part));
   }
 
   void join_part(std::size_t part, const PartFolder& index, MergeOutcome& outcome) {

@@ -10,6 +10,7 @@
 #include "tools/datasets/part_folder.h"
 #include "tools/datasets/sha256.h"
 #include "vo/core/error.h"
+#include "vo/files/input.h"
 #include "vo/output_folders/file_records.h"
 #include "vo/text_files/text_lines.h"
 
@@ -26,7 +27,8 @@ std::string damage_of_file(const fs::path& file, const std::string& expected) {
   return sha256_of_file(file) == expected ? "" : "is not as it was made: its SHA-256 differs";
 }
 
-/// The checksums of a data set: the SHA-256 of each file and its name.
+/// Returns the checksums of a data set: the SHA-256 of each file and its name. Throws vo::Error
+/// naming the line of what is no checksum of a file in the folder.
 std::vector<std::pair<std::string, std::string>> read_checksums(const fs::path& folder) {
   constexpr std::size_t kDigits = 64;
   vo::require(path_exists(folder / kChecksums), folder.string(), ": holds no data set, expected ",
@@ -38,6 +40,7 @@ std::vector<std::pair<std::string, std::string>> read_checksums(const fs::path& 
     vo::require(text.size() > kDigits + 2 && text.compare(kDigits, 2, "  ") == 0, line.place(),
                 ": expected a SHA-256, two blanks and a name");
     checksums.emplace_back(text.substr(0, kDigits), text.substr(kDigits + 2));
+    vo::path_in(folder, checksums.back().second, line.place());
   });
   return checksums;
 }

@@ -23,7 +23,8 @@ struct Verification {
 };
 
 /// Reads every file of a data set and compares it with its checksum; a file without one is named,
-/// too. Throws vo::Error where the folder holds no data set.
+/// too. Throws vo::Error where the folder holds no data set, and where a checksum names a file that
+/// lies elsewhere.
 Verification verify_dataset(const std::filesystem::path& folder, const vo::Progress& progress);
 
 /// Returns what is wrong with the files of a part, each seen from the first of the folders that has

@@ -1,0 +1,117 @@
+"""Parts and plans of a data set that were edited, cut or exchanged before `edvo dataset merge` sees them.
+
+    damaged_parts_test.py EDVO REPOSITORY SCRATCH
+"""
+
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+
+EDVO, REPOSITORY, SCRATCH = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+
+SPEC = """
+name = "small"
+about = "A small data set."
+part_frames = 4
+{more}
+[camera]
+width = 64
+height = 48
+[path]
+rate = 10
+duration = 1.0
+[scenes.box]
+gltf = "{assets}/plane_and_box/plane_and_box.gltf"
+[scenes.moving]
+gltf = "{assets}/moving_room/moving_room.gltf"
+split = "test"
+[paths.orbit]
+kind = "orbit"
+orbit.radius = 2.0
+[sensors.plain]
+"""
+FIRST = "box_orbit_plain_0-000"
+
+
+def edvo(*words, code=0):
+    """Runs `edvo dataset`, holds it to its exit code and returns what it printed."""
+    result = subprocess.run([EDVO, "dataset", *map(str, words)], capture_output=True, text=True, cwd=SCRATCH)
+    assert result.returncode == code, (words, result.returncode, result.stdout, result.stderr)
+    return result.stdout + result.stderr
+
+
+def files_of(folder):
+    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def render_once():
+    """Makes the parts `made.part`, from which every check begins, and the data set `one` of them."""
+    (SCRATCH / "small.toml").write_text(SPEC.format(more="", assets=REPOSITORY / "assets"))
+    edvo("render", "small.toml", "--out", "made")
+    shutil.copytree(SCRATCH / "made.part", SCRATCH / "one.part")
+    edvo("merge", "small.toml", "--out", "one")
+
+
+def begin():
+    """Returns the folder of all parts as they were made, of the data set `set`."""
+    for name in ("set", "set.part"):
+        shutil.rmtree(SCRATCH / name, ignore_errors=True)
+    shutil.copytree(SCRATCH / "made.part", SCRATCH / "set.part")
+    return SCRATCH / "set.part/parts/000"
+
+
+def require_made_again(*parts):
+    """`merge` removes and names the parts, `render` makes them again, and the data set is the one of undamaged parts."""
+    out = edvo("merge", "small.toml", "--out", "set", code=5)
+    assert out.count("removed: ") == len(parts) and f"{len(parts)} of 6 parts are missing" in out, out
+    assert all(f"removed: {part}: " in out for part in parts), out
+    edvo("render", "small.toml", "--out", "set")
+    edvo("merge", "small.toml", "--out", "set")
+    assert files_of(SCRATCH / "set") == files_of(SCRATCH / "one")
+    return out
+
+
+def change_record(part_folder, change):
+    record = json.loads((part_folder / "part.json").read_text())
+    change(record)
+    (part_folder / "part.json").write_text(json.dumps(record))
+
+
+def check_names_that_lead_out():
+    """A record that names a folder of the user's has its part made again, and the folder stays."""
+    mine = SCRATCH / "mine"
+    mine.mkdir()
+    (mine / "notes.txt").write_text("precious")
+    for name in (str(mine), "../../../../../mine", "box_orbit_plain_0/../../../../../mine", ".", ""):
+        part = begin() / FIRST
+        (SCRATCH / "set.part/dataset/train/box").mkdir(parents=True)
+        change_record(part, lambda record, name=name: record["files"].append(
+            {"name": name, "bytes": 0, "sha256": 64 * "0"}))
+        assert "part.json" in require_made_again(FIRST)
+        assert (mine / "notes.txt").read_text() == "precious", name
+
+
+def check_checksums_that_lead_out():
+    begin()
+    edvo("merge", "small.toml", "--out", "set")
+    list_file = SCRATCH / "set/checksums.sha256"
+    lines = list_file.read_text().splitlines()
+    list_file.write_text("\n".join([*lines, f"{64 * '0'}  ../mine/notes.txt"]) + "\n")
+    out = edvo("verify", "set", code=3)
+    assert f"checksums.sha256:{len(lines) + 1}: '../mine/notes.txt' leads out of set" in out, out
+
+
+def main():
+    shutil.rmtree(SCRATCH, ignore_errors=True)
+    SCRATCH.mkdir(parents=True)
+    render_once()
+    for check in (check_names_that_lead_out, check_checksums_that_lead_out):
+        check()
+        print(check.__name__, "ok", flush=True)
+    shutil.rmtree(SCRATCH)
+
+
+if __name__ == "__main__":
+    main()
