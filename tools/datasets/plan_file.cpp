@@ -6,6 +6,7 @@
 #include "tools/json/document.h"
 #include "vo/core/error.h"
 #include "vo/files/input.h"
+#include "vo/hashing/content_hash.h"
 #include "vo/text_files/json_limits.h"
 
 namespace tools {
@@ -33,6 +34,10 @@ std::string format_plan(const DatasetSpec& spec, const DatasetPlan& plan) {
   members["rejected"] = rejected;
   members["parts"] = parts;
   return json_text(json_document({"dataset_plan"}, members), -1);
+}
+
+std::string plan_hash(const DatasetSpec& spec, const DatasetPlan& plan) {
+  return vo::content_hash(format_plan(spec, plan));
 }
 
 DatasetPlan read_plan(const std::filesystem::path& file) {

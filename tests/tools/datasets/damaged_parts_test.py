@@ -103,11 +103,48 @@ def check_checksums_that_lead_out():
     assert f"checksums.sha256:{len(lines) + 1}: '../mine/notes.txt' leads out of set" in out, out
 
 
+def check_edited_records():
+    """A record that says less than was made, or that it is of another part, is damage."""
+    for change in (lambda record: record.update(files=[]), lambda record: record.update(index_files=[]),
+                   lambda record: record["files"].pop(), lambda record: record.update(part="box_orbit_plain_0-001"),
+                   lambda record: record.update(files=3), lambda record: record.pop("hash"), dict.clear):
+        change_record(begin() / FIRST, change)
+        require_made_again(FIRST)
+
+
+def check_exchanged_parts():
+    """The folder of another part, or of the same part of another data set, is none of this part."""
+    parts = begin()
+    shutil.rmtree(parts / FIRST)
+    shutil.copytree(parts / "moving_orbit_plain_0-000", parts / FIRST)
+    shutil.rmtree(parts / "box_orbit_plain_0-002")
+    shutil.copytree(parts / "box_orbit_plain_0-001", parts / "box_orbit_plain_0-002")
+    out = require_made_again(FIRST, "box_orbit_plain_0-002")
+    assert "is of part box_orbit_plain_0-001, expected box_orbit_plain_0-002" in out, out
+    (SCRATCH / "other.toml").write_text((SCRATCH / "small.toml").read_text().replace("radius = 2.0", "radius = 2.5"))
+    edvo("render", "other.toml", "--out", "other")
+    parts = begin()
+    shutil.rmtree(parts / FIRST)
+    shutil.copytree(SCRATCH / "other.part/parts/000" / FIRST, parts / FIRST)
+    assert "is of another data set" in require_made_again(FIRST)
+
+
+def check_index_files():
+    """Rows of the index and the picture of the card are held to their hashes, as frames are."""
+    middle = "box_orbit_plain_0-001"
+    for name in ("frames.rows", "picture.webp"):
+        for change in (lambda path: path.write_bytes(b""), pathlib.Path.unlink,
+                       lambda path: path.write_bytes(path.read_bytes()[:-3] + b"7\n")):
+            change(begin() / middle / name)
+            assert f"{name} is " in require_made_again(middle)
+
+
 def main():
     shutil.rmtree(SCRATCH, ignore_errors=True)
     SCRATCH.mkdir(parents=True)
     render_once()
-    for check in (check_names_that_lead_out, check_checksums_that_lead_out):
+    for check in (check_names_that_lead_out, check_checksums_that_lead_out, check_edited_records,
+                  check_exchanged_parts, check_index_files):
         check()
         print(check.__name__, "ok", flush=True)
     shutil.rmtree(SCRATCH)

@@ -21,7 +21,14 @@ constexpr std::size_t kTextured = 17;
 constexpr std::size_t kColumns = 19;
 constexpr std::size_t kCamera = kColumns;  // one more where a rig took the frames
 
-std::vector<std::string> cells_of(const std::string& row) {
+/// Returns the mean of `count` values of which that of all but one is known, and the last one.
+double mean_with(double mean, double value, std::size_t count) {
+  return mean + (value - mean) / static_cast<double>(count);
+}
+
+}  // namespace
+
+std::vector<std::string> cells_of_row(std::string_view row) {
   std::vector<std::string> cells(1);
   for (const char c : row) {
     if (c == ',') {
@@ -34,13 +41,6 @@ std::vector<std::string> cells_of(const std::string& row) {
               " columns, expected ", kColumns, ", or one more of a rig");
   return cells;
 }
-
-/// Returns the mean of `count` values of which that of all but one is known, and the last one.
-double mean_with(double mean, double value, std::size_t count) {
-  return mean + (value - mean) / static_cast<double>(count);
-}
-
-}  // namespace
 
 void ValueCounts::add(double value) {
   const double bin = std::clamp(value / most_, 0.0, 1.0) * static_cast<double>(kBins);
@@ -66,7 +66,7 @@ void DatasetIndex::add_rows(const DatasetSequence& sequence, const std::string& 
   }
   std::istringstream lines(rows);
   for (std::string row; std::getline(lines, row);) {
-    add_row(cells_of(row));
+    add_row(cells_of_row(row));
   }
 }
 

@@ -4,12 +4,16 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/datasets/spec.h"
 #include "tools/plot/plot.h"
 
 namespace tools {
+
+/// Returns the cells of a row of frames.csv. Throws vo::Error where it has too few or too many.
+std::vector<std::string> cells_of_row(std::string_view row);
 
 /// Numbers of frames by a value's range, of which a distribution is drawn.
 class ValueCounts {

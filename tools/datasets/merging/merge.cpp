@@ -10,6 +10,7 @@
 
 #include "tools/datasets/merging/card.h"
 #include "tools/datasets/merging/dataset_index.h"
+#include "tools/datasets/merging/part_damage.h"
 #include "tools/datasets/merging/verify.h"
 #include "tools/datasets/part_folder.h"
 #include "tools/datasets/part_record.h"
@@ -46,14 +47,19 @@ class Merge {
  public:
   Merge(const DatasetSpec& spec, const DatasetPlan& plan, const DatasetLayout& layout,
         vo::Durability durability)
-      : spec_(spec), plan_(plan), layout_(layout), durability_(durability) {}
+      : spec_(spec),
+        plan_(plan),
+        layout_(layout),
+        durability_(durability),
+        plan_hash_(plan_hash(spec, plan)) {}
 
   /// Verifies all parts. One that is not as it was made is removed, and missing.
   void verify(const vo::Progress& progress, MergeOutcome& outcome) const {
     std::mutex mutex;
     std::size_t done = 0;
     tbb::parallel_for(std::size_t{0}, plan_.parts.size(), [&](std::size_t part) {
-      const std::string damage = damage_of_part(part);
+      const std::string damage =
+          damage_of_part({spec_, plan_, plan_hash_, part}, folder_of(part), target_of(part));
       const std::lock_guard lock(mutex);
       if (!damage.empty()) {
         outcome.damaged.push_back(part_name(spec_, plan_.parts[part]) + ": " + damage);
@@ -114,17 +120,6 @@ class Merge {
     return layout_.merged() / scene_folder(spec_.sequences[plan_.parts[part].sequence]);
   }
 
-  std::string damage_of_part(std::size_t part) const {
-    try {
-      return damage_of(read_part_record(folder_of(part)), {folder_of(part), target_of(part)});
-    } catch (const vo::Error& error) {
-      if (error.kind() != vo::ErrorKind::input) {
-        throw;
-      }
-      return error.what();
-    }
-  }
-
   void join_part(std::size_t part, const PartFolder& index, MergeOutcome& outcome) {
     const PartRecord record = read_part_record(folder_of(part));
     const DatasetSequence& sequence = spec_.sequences[plan_.parts[part].sequence];
@@ -175,6 +170,7 @@ class Merge {
   const DatasetPlan& plan_;
   const DatasetLayout& layout_;
   vo::Durability durability_;
+  std::string plan_hash_;
   DatasetIndex index_;
 };
 

@@ -19,14 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns what is wrong with a file; empty where it has that SHA-256.
-std::string damage_of_file(const fs::path& file, const std::string& expected) {
-  if (!path_exists(file)) {
-    return "is missing";
-  }
-  return sha256_of_file(file) == expected ? "" : "is not as it was made: its SHA-256 differs";
-}
-
 /// Returns the checksums of a data set: the SHA-256 of each file and its name. Throws vo::Error
 /// naming the line of what is no checksum of a file in the folder.
 std::vector<std::pair<std::string, std::string>> read_checksums(const fs::path& folder) {
@@ -85,6 +77,13 @@ std::uintmax_t size_of(const fs::path& file) {
 
 }  // namespace
 
+std::string damage_of_file(const fs::path& file, const std::string& expected) {
+  if (!path_exists(file)) {
+    return "is missing";
+  }
+  return sha256_of_file(file) == expected ? "" : "is not as it was made: its SHA-256 differs";
+}
+
 Verification verify_dataset(const fs::path& folder, const vo::Progress& progress) {
   const auto checksums = read_checksums(folder);
   Verification verification{.files = checksums.size()};
@@ -105,19 +104,6 @@ Verification verify_dataset(const fs::path& folder, const vo::Progress& progress
     }
   }
   return verification;
-}
-
-std::string damage_of(const PartRecord& record, const std::vector<fs::path>& folders) {
-  for (const MadeFile& file : record.files) {
-    const auto has = [&](const fs::path& folder) { return path_exists(folder / file.name); };
-    const auto folder = std::find_if(folders.begin(), folders.end(), has);
-    const std::string damage = damage_of_file(
-        (folder == folders.end() ? folders.front() : *folder) / file.name, file.sha256);
-    if (!damage.empty()) {
-      return file.name + " " + damage;
-    }
-  }
-  return {};
 }
 
 }  // namespace tools

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "tools/datasets/part_record.h"
 #include "vo/core/progress.h"
 
 namespace tools {
@@ -27,8 +26,7 @@ struct Verification {
 /// lies elsewhere.
 Verification verify_dataset(const std::filesystem::path& folder, const vo::Progress& progress);
 
-/// Returns what is wrong with the files of a part, each seen from the first of the folders that has
-/// it; empty where all are as they were made.
-std::string damage_of(const PartRecord& record, const std::vector<std::filesystem::path>& folders);
+/// Returns what is wrong with a file; empty where it has that SHA-256.
+std::string damage_of_file(const std::filesystem::path& file, const std::string& expected);
 
 }  // namespace tools

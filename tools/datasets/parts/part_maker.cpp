@@ -243,9 +243,14 @@ void PartMaker::make(std::size_t index, const vo::Progress& progress) {
     add_converted(folder.partial(), name, made);
   }
   folder.write({{kPartFrames, writer.csv()}});
+  std::vector<MadeFile> index_files{made_file(folder.partial(), kPartFrames)};
+  if (path_exists(folder.partial() / kPartPicture)) {
+    index_files.push_back(made_file(folder.partial(), kPartPicture));
+  }
   const double processor_s = kSecondsPerMs * (vo::processor_ms() - start_ms);
-  folder.write({{kPartRecord, format_part_record(
-                                  {part_name(spec_, part), vo::host_name(), processor_s, made})}});
+  folder.write(
+      {{kPartRecord, format_part_record({part_name(spec_, part), plan_hash_, vo::host_name(),
+                                         processor_s, made, index_files})}});
   folder.commit(durability_);
 }
 

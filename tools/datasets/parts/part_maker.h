@@ -6,6 +6,7 @@
 
 #include "tools/datasets/layout.h"
 #include "tools/datasets/plan.h"
+#include "tools/datasets/plan_file.h"
 #include "tools/datasets/sequence_jobs.h"
 #include "tools/datasets/spec.h"
 #include "vo/core/progress.h"
@@ -19,7 +20,12 @@ class PartMaker {
  public:
   PartMaker(const DatasetSpec& spec, const DatasetPlan& plan, const DatasetLayout& layout,
             vo::Durability durability)
-      : spec_(spec), plan_(plan), layout_(layout), durability_(durability), jobs_(spec) {}
+      : spec_(spec),
+        plan_(plan),
+        layout_(layout),
+        durability_(durability),
+        plan_hash_(plan_hash(spec, plan)),
+        jobs_(spec) {}
 
   /// Returns whether a part is there.
   bool is_there(std::size_t part) const;
@@ -36,6 +42,7 @@ class PartMaker {
   const DatasetPlan& plan_;
   const DatasetLayout& layout_;
   vo::Durability durability_;
+  std::string plan_hash_;
   SequenceJobs jobs_;
 };
 
