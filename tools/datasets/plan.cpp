@@ -256,18 +256,34 @@ DatasetPlan make_plan(const DatasetSpec& spec, const vo::Progress& progress) {
   return plan;
 }
 
+void require_plan_of(const DatasetSpec& spec, const DatasetPlan& plan, const fs::path& plan_file) {
+  const std::string place = plan_file.string();
+  vo::require(plan.cameras == spec.camera_count(), place, ": cameras: got ", plan.cameras,
+              ", expected ", spec.camera_count());
+  vo::require(plan.frames.size() == spec.sequences.size(), place, ": sequences: got ",
+              plan.frames.size(), ", expected ", spec.sequences.size());
+  for (const std::size_t frames : plan.frames) {
+    vo::require(frames <= kMaxSequenceFrames, place, ": sequences: ", frames,
+                " frames, expected at most ", kMaxSequenceFrames);
+  }
+  DatasetPlan cut{.frames = plan.frames};
+  add_parts(spec, cut);
+  vo::require(plan.parts == cut.parts, place, ": parts: ", plan.parts.size(), " that are not the ",
+              cut.parts.size(), " into which part_frames cuts the sequences");
+}
+
 DatasetPlan begin_dataset(const DatasetSpec& spec, const fs::path& plan_file,
                           vo::Durability durability, const vo::Progress& progress) {
   if (path_exists(plan_file)) {
-    DatasetPlan plan = read_plan(plan_file);
+    const DatasetPlan plan = read_plan(plan_file);
     require_same(plan.identity, identity_of(spec), plan_file);
-    plan.frames.resize(spec.sequences.size());
+    require_plan_of(spec, plan, plan_file);
     return plan;
   }
   require_own_folder(plan_file);
   DatasetPlan plan = make_plan(spec, progress);
   vo::make_folder(plan_file.parent_path());
-  vo::write_unlocked(plan_file, format_plan(spec, plan), durability);
+  vo::write_unlocked(plan_file, format_sealed_plan(spec, plan), durability);
   return plan;
 }
 

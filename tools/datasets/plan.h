@@ -20,6 +20,8 @@ struct DatasetPart {
   std::size_t end = 0;       ///< one past the last frame
 
   std::size_t frame_count() const { return end - first; }  ///< of a camera
+
+  bool operator==(const DatasetPart&) const = default;
 };
 
 /// A sequence that is not made, and why.
@@ -48,9 +50,15 @@ struct DatasetPlan {
 /// hold.
 DatasetPlan make_plan(const DatasetSpec& spec, const vo::Progress& progress);
 
+/// Throws vo::Error naming the file that a plan was read from unless its cameras, sequences and
+/// parts are those that the spec has with these numbers of frames.
+void require_plan_of(const DatasetSpec& spec, const DatasetPlan& plan,
+                     const std::filesystem::path& plan_file);
+
 /// Returns the plan that `staging`/plan.json keeps, or makes it and keeps it there; any number of
 /// tasks may do so at once. Throws vo::Error of kind output_exists, naming the keys, where what is
-/// there was begun with another spec, other scenes or another program.
+/// there was begun with another spec, other scenes or another program, and one of kind input where
+/// it was edited.
 DatasetPlan begin_dataset(const DatasetSpec& spec, const std::filesystem::path& plan_file,
                           vo::Durability durability, const vo::Progress& progress);
 

@@ -1,39 +1,79 @@
 #include "tools/datasets/plan_file.h"
 
-#include <nlohmann/json.hpp>
-
 #include "tools/datasets/layout.h"
-#include "tools/json/document.h"
+#include "tools/datasets/sealed_document.h"
 #include "vo/core/error.h"
-#include "vo/files/input.h"
 #include "vo/hashing/content_hash.h"
-#include "vo/text_files/json_limits.h"
 
 namespace tools {
+namespace {
 
-std::string format_plan(const DatasetSpec& spec, const DatasetPlan& plan) {
-  nlohmann::ordered_json sequences = nlohmann::ordered_json::array();
+using PlanJson = nlohmann::ordered_json;
+
+constexpr JsonSchema kPlanSchema{"dataset_plan"};
+constexpr const char* kAnew =
+    "; expected another --out, or its folder removed, to begin the data set anew";
+
+PlanJson plan_document(const DatasetSpec& spec, const DatasetPlan& plan) {
+  PlanJson sequences = PlanJson::array();
   for (std::size_t i = 0; i < spec.sequences.size(); ++i) {
     sequences.push_back({{"name", spec.sequences[i].name},
                          {"split", spec.sequences[i].split},
                          {"frames", plan.frames[i]}});
   }
-  nlohmann::ordered_json rejected = nlohmann::ordered_json::array();
+  PlanJson rejected = PlanJson::array();
   for (const RejectedSequence& sequence : plan.rejected) {
     rejected.push_back({{"name", sequence.name}, {"reason", sequence.reason}});
   }
-  nlohmann::ordered_json parts = nlohmann::ordered_json::array();
+  PlanJson parts = PlanJson::array();
   for (const DatasetPart& part : plan.parts) {
     parts.push_back({part.sequence, part.number, part.first, part.end});
   }
-  nlohmann::ordered_json members = {{"name", spec.options.name}, {"identity", plan.identity}};
+  PlanJson members = {{"name", spec.options.name}, {"identity", plan.identity}};
   if (spec.rig) {
     members["cameras"] = plan.cameras;
   }
   members["sequences"] = sequences;
   members["rejected"] = rejected;
   members["parts"] = parts;
-  return json_text(json_document({"dataset_plan"}, members), -1);
+  return json_document(kPlanSchema, members);
+}
+
+/// Returns a whole number of at least 0. Throws vo::Error beginning with `place` for all else.
+std::size_t count_of(const PlanJson& value, const std::string& place) {
+  vo::require(value.is_number_unsigned(), place, ": got ", value.dump(),
+              ", expected a whole number of at least 0");
+  return value.get<std::size_t>();
+}
+
+DatasetPlan plan_of(const PlanJson& document, const std::string& place) {
+  DatasetPlan plan;
+  document.at("identity").get_to(plan.identity);
+  if (document.contains("cameras")) {
+    plan.cameras = count_of(document.at("cameras"), place + ": cameras");
+  }
+  for (const PlanJson& sequence : document.at("sequences")) {
+    plan.frames.push_back(count_of(sequence.at("frames"), place + ": sequences: frames"));
+  }
+  for (const PlanJson& sequence : document.at("rejected")) {
+    plan.rejected.push_back({sequence.at("name"), sequence.at("reason")});
+  }
+  const std::string of_part = place + ": parts";
+  for (const PlanJson& part : document.at("parts")) {
+    plan.parts.push_back({count_of(part.at(0), of_part), count_of(part.at(1), of_part),
+                          count_of(part.at(2), of_part), count_of(part.at(3), of_part)});
+  }
+  return plan;
+}
+
+}  // namespace
+
+std::string format_plan(const DatasetSpec& spec, const DatasetPlan& plan) {
+  return json_text(plan_document(spec, plan), -1);
+}
+
+std::string format_sealed_plan(const DatasetSpec& spec, const DatasetPlan& plan) {
+  return sealed_text(plan_document(spec, plan));
 }
 
 std::string plan_hash(const DatasetSpec& spec, const DatasetPlan& plan) {
@@ -41,31 +81,18 @@ std::string plan_hash(const DatasetSpec& spec, const DatasetPlan& plan) {
 }
 
 DatasetPlan read_plan(const std::filesystem::path& file) {
-  const std::string text = vo::read_file(file, vo::kMaxDocumentBytes);
-  vo::require_json_within_limits(text, file.string());
-  DatasetPlan plan;
+  const PlanJson document = read_document(file, kPlanSchema);
+  if (!has_seal(document)) {
+    vo::fail_as(vo::ErrorKind::output_exists, file.string(),
+                ": was written by an earlier edvo, without a hash", kAnew);
+  }
+  vo::require(is_as_sealed(document), file.string(), ": is not as it was written: its hash differs",
+              kAnew);
   try {
-    const nlohmann::json document = nlohmann::json::parse(text);
-    document.at("identity").get_to(plan.identity);
-    plan.cameras = document.value("cameras", plan.cameras);
-    vo::require(plan.cameras >= 1, file.string(), ": cameras: expected at least 1");
-    for (const nlohmann::json& sequence : document.at("sequences")) {
-      plan.frames.push_back(sequence.at("frames").get<std::size_t>());
-    }
-    for (const nlohmann::json& sequence : document.at("rejected")) {
-      plan.rejected.push_back({sequence.at("name"), sequence.at("reason")});
-    }
-    for (const nlohmann::json& part : document.at("parts")) {
-      plan.parts.push_back({part.at(0), part.at(1), part.at(2), part.at(3)});
-      vo::require(plan.parts.back().sequence < plan.frames.size() &&
-                      plan.parts.back().first < plan.parts.back().end &&
-                      plan.parts.back().end <= plan.frames[plan.parts.back().sequence],
-                  file.string(), ": a part without frames");
-    }
+    return plan_of(document, file.string());
   } catch (const nlohmann::json::exception& error) {
     vo::fail(file.string(), ": no plan of a data set: ", error.what());
   }
-  return plan;
 }
 
 }  // namespace tools

@@ -36,6 +36,10 @@ SealedJson read_document(const std::filesystem::path& file, const JsonSchema& sc
   return document;
 }
 
+bool has_seal(const SealedJson& document) {
+  return document.contains(kSeal);
+}
+
 bool is_as_sealed(SealedJson document) {
   const SealedJson seal = document.value(kSeal, SealedJson());
   document.erase(kSeal);

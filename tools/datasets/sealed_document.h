@@ -17,6 +17,9 @@ std::string sealed_text(nlohmann::ordered_json document);
 /// another schema or version.
 nlohmann::ordered_json read_document(const std::filesystem::path& file, const JsonSchema& schema);
 
+/// Returns whether a document has a hash, be it its own or not.
+bool has_seal(const nlohmann::ordered_json& document);
+
 /// Returns whether a document is as `sealed_text` wrote it.
 bool is_as_sealed(nlohmann::ordered_json document);
 

@@ -139,12 +139,38 @@ def check_index_files():
             assert f"{name} is " in require_made_again(middle)
 
 
+def check_edited_plans():
+    """No command takes a plan that was edited, and all of them name it; nothing is removed."""
+    text = (SCRATCH / "made.part/plan.json").read_text()
+    plan = json.loads(text)
+    sequences, parts = plan["sequences"], plan["parts"]
+    edited = "is not as it was written: its hash differs; expected another --out, or its folder removed"
+    without_hash = {key: value for key, value in plan.items() if key != "hash"}
+    for changes, message, code in (
+            ({"sequences": [{**sequences[0], "frames": 14}, sequences[1]], "parts": [*parts[:2], [0, 2, 7, 14], *parts[3:]]},
+             edited, 3),
+            ({"sequences": [{**sequences[0], "frames": -1}, sequences[1]]}, edited, 3),
+            ({"parts": []}, edited, 3), ({"parts": parts[1:]}, edited, 3), ({"parts": [parts[0], *parts]}, edited, 3),
+            ({"parts": [[0, 0, 0, 5], *parts[1:]]}, edited, 3), ({"cameras": 1e8}, edited, 3), ({"hash": 7}, edited, 3),
+            ({"schema_version": 9}, "schema_version: got 9, expected 1", 3), ({"schema": "edvo.dataset_part"}, "schema", 3),
+            (None, "was written by an earlier edvo, without a hash; expected another --out", 6)):
+        begin()
+        (SCRATCH / "set.part/plan.json").write_text(json.dumps(without_hash if changes is None else {**plan, **changes}))
+        for action in ("render", "status", "merge"):
+            out = edvo(action, "small.toml", "--out", "set", code=code)
+            assert f"set.part/plan.json: {message}" in out or message == "schema" and "is no JSON" in out, out
+        assert len(list((SCRATCH / "set.part/parts/000").iterdir())) == 6 and not (SCRATCH / "set").exists()
+    (SCRATCH / "set.part/plan.json").write_text(json.dumps(plan))  # other blanks, the same plan
+    edvo("merge", "small.toml", "--out", "set")
+    assert files_of(SCRATCH / "set") == files_of(SCRATCH / "one")
+
+
 def main():
     shutil.rmtree(SCRATCH, ignore_errors=True)
     SCRATCH.mkdir(parents=True)
     render_once()
     for check in (check_names_that_lead_out, check_checksums_that_lead_out, check_edited_records,
-                  check_exchanged_parts, check_index_files):
+                  check_exchanged_parts, check_index_files, check_edited_plans):
         check()
         print(check.__name__, "ok", flush=True)
     shutil.rmtree(SCRATCH)

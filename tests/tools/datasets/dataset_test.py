@@ -356,13 +356,14 @@ def check_node_without_opengl():
 def check_merges():
     """Merges at the same time make one data set, and what one leaves that was killed at its very end goes with the next."""
     edvo("render", "small.toml", "--out", "crowd")
+    shutil.copy(SCRATCH / "crowd.part/plan.json", SCRATCH / "kept-plan.json")
     crowd = [subprocess.Popen([EDVO, "dataset", "merge", "small.toml", "--out", "crowd", "--quiet"], cwd=SCRATCH,
                               stdout=subprocess.DEVNULL) for _ in range(4)]
     assert [run.wait() for run in crowd] == [0, 0, 0, 0]
     require_same("one", "crowd")
     (SCRATCH / ".crowd.part.partial-edvo/parts/000/box_orbit_plain_0-000").mkdir(parents=True)
     (SCRATCH / "crowd.part/parts").mkdir(parents=True)
-    shutil.copy(SCRATCH / "crowd/dataset.json", SCRATCH / "crowd.part/plan.json")
+    (SCRATCH / "kept-plan.json").rename(SCRATCH / "crowd.part/plan.json")
     assert "there already" in edvo("merge", "small.toml", "--out", "crowd")
     assert not (SCRATCH / "crowd.part").exists() and not list(SCRATCH.glob(".crowd*"))
     require_same("one", "crowd")

@@ -226,6 +226,9 @@ void PartMaker::make(std::size_t index, const vo::Progress& progress) {
   const DatasetPart& part = plan_.parts.at(index);
   const DatasetSequence& sequence = spec_.sequences[part.sequence];
   const SequenceJob& job = jobs_.job(part.sequence);
+  vo::require(job.frame_count() == plan_.frames[part.sequence], layout_.plan().string(),
+              ": sequences: ", sequence.name, ": got ", plan_.frames[part.sequence],
+              " frames, expected ", job.frame_count(), ", as its path has");
   PartFolder folder(folder_of(index));
   PartWriter writer(spec_, job, part, folder);
   writer.write_frames(progress);
