@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "tools/datasets/layout.h"
 #include "vo/core/error.h"
 #include "vo/core/process_name.h"
 #include "vo/files/folder.h"
@@ -22,24 +23,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the beginning of the names that processes give what they write of `path`.
-std::string partial_prefix(const fs::path& path) {
-  return "." + path.filename().string() + ".";
-}
-
 fs::path own_partial(const fs::path& path) {
-  return path.parent_path() / (partial_prefix(path) + vo::process_name());
+  return path.parent_path() / (PartFolder::partial_prefix(path) + vo::process_name());
 }
 
 /// Removes what killed processes of this machine left of `path`.
 void remove_abandoned_folders(const fs::path& path) {
-  const std::string prefix = partial_prefix(path);
+  const std::string prefix = PartFolder::partial_prefix(path);
   for (const vo::FolderEntry& entry : vo::entries_of(path.parent_path())) {
     if (entry.name.starts_with(prefix) &&
         vo::is_of_ended_process(std::string_view(entry.name).substr(prefix.size()))) {
       vo::remove_tree(path.parent_path() / entry.name);
     }
   }
+}
+
+/// Renames a folder unless one that holds something has the name; returns whether it did.
+bool renamed(const fs::path& from, const fs::path& to) {
+  const int result = vo::uninterrupted([&] { return ::rename(from.c_str(), to.c_str()); });
+  if (result != 0 && errno != ENOTEMPTY && errno != EEXIST) {
+    vo::fail_with(to, "cannot be written", errno);
+  }
+  return result == 0;
+}
+
+/// Returns whether it is certain that the folder of a part has no record, as one that was copied or
+/// removed in part.
+bool lacks_record(const fs::path& folder) {
+  std::error_code error;
+  return fs::symlink_status(folder / kPartRecord, error).type() == fs::file_type::not_found;
 }
 
 /// An open file, which is closed at the end of its life.
@@ -90,6 +102,10 @@ PartFolder::~PartFolder() {
   vo::remove_tree(partial_);
 }
 
+std::string PartFolder::partial_prefix(const fs::path& path) {
+  return "." + path.filename().string() + ".";
+}
+
 void PartFolder::write(const std::vector<vo::NamedBytes>& files) const {
   for (const vo::NamedBytes& file : files) {
     const fs::path path = partial_ / file.name;
@@ -108,9 +124,15 @@ void PartFolder::commit(vo::Durability durability) {
   if (durability == vo::Durability::synced) {
     vo::sync_tree(partial_);
   }
-  const int result = vo::uninterrupted([&] { return ::rename(partial_.c_str(), path_.c_str()); });
-  if (result != 0 && errno != ENOTEMPTY && errno != EEXIST) {
-    vo::fail_with(path_, "cannot be written", errno);
+  if (!renamed(partial_, path_) && lacks_record(path_)) {
+    // It is set aside by one rename, as other tasks may put the same part there meanwhile: under
+    // its name is nothing, a folder without record or a whole part, never the rest of one.
+    const fs::path aside = partial_.string() + ".aside";
+    vo::remove_tree(aside);
+    ::rename(path_.c_str(), aside.c_str());
+    vo::require(renamed(partial_, path_) || !lacks_record(path_), path_.string(), ": has no ",
+                kPartRecord, " and cannot be removed");
+    vo::remove_tree(aside);
   }
   if (durability == vo::Durability::synced) {
     vo::sync_to_disk(path_.parent_path());

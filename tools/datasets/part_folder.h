@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,6 +24,9 @@ class PartFolder {
   PartFolder(PartFolder&&) = delete;
   PartFolder& operator=(PartFolder&&) = delete;
 
+  /// Returns the beginning of the names that processes give a folder until it is complete.
+  static std::string partial_prefix(const std::filesystem::path& path);
+
   const std::filesystem::path& partial() const { return partial_; }  ///< folder to write into
 
   /// Writes files and the folders that hold them, from any thread.
@@ -31,7 +35,8 @@ class PartFolder {
   /// Writes bytes behind those that a file has, from one thread at a time.
   void append(const std::string& name, std::string_view bytes) const;
 
-  /// Gives the folder its name unless one is there.
+  /// Gives the folder its name unless a part is there; a folder there without a record is removed.
+  /// Throws vo::Error where it cannot be.
   void commit(vo::Durability durability);
 
  private:

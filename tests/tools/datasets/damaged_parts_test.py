@@ -165,12 +165,29 @@ def check_edited_plans():
     assert files_of(SCRATCH / "set") == files_of(SCRATCH / "one")
 
 
+def check_folders_without_record():
+    """A folder that is no part, as one that was copied in part, does not keep the part from being made."""
+    for names in ((FIRST,), (FIRST, "moving_orbit_plain_0-002")):
+        parts = begin()
+        for name in names:
+            (parts / name / "part.json").unlink()
+            (parts / name / "stray").write_text("left of a copy")
+        assert f"{6 - len(names)} of 6 parts are there" in edvo("status", "small.toml", "--out", "set", code=5)
+        tasks = [subprocess.Popen([EDVO, "dataset", "render", "small.toml", "--out", "set"], cwd=SCRATCH,
+                                  stdout=subprocess.PIPE, text=True) for _ in range(2)]
+        assert all("all are there" in task.communicate()[0] and task.returncode == 0 for task in tasks)
+        assert {path.name for path in parts.iterdir()} == {path.name for path in (SCRATCH / "made.part/parts/000").iterdir()}
+        edvo("merge", "small.toml", "--out", "set")
+        assert files_of(SCRATCH / "set") == files_of(SCRATCH / "one")
+
+
 def main():
     shutil.rmtree(SCRATCH, ignore_errors=True)
     SCRATCH.mkdir(parents=True)
     render_once()
     for check in (check_names_that_lead_out, check_checksums_that_lead_out, check_edited_records,
-                  check_exchanged_parts, check_index_files, check_edited_plans):
+                  check_exchanged_parts, check_index_files, check_edited_plans,
+                  check_folders_without_record):
         check()
         print(check.__name__, "ok", flush=True)
     shutil.rmtree(SCRATCH)
