@@ -203,7 +203,7 @@ void render(const DatasetArguments& arguments, Session& session) {
   bar.announce("reading " + arguments.spec);
   const DatasetSpec spec = load_dataset_spec(arguments.spec);
   const DatasetLayout layout(arguments.out);
-  const bool is_there = fs::exists(layout.out) && !fs::exists(layout.staging);
+  const bool is_there = fs::exists(layout.out) && !fs::exists(layout.plan());
   const DatasetPlan plan =
       is_there ? make_plan(spec, bar.callback("planning")) : begun(arguments, spec, layout, bar);
   const std::vector<std::size_t> share = share_of_parts(plan, task.task, task.tasks);
@@ -263,6 +263,17 @@ void status(const DatasetArguments& arguments, Session& session) {
   session.status = missing.empty() ? exit_code::kOk : exit_code::kMissing;
 }
 
+/// Says which parts were removed and what stays where the data set was made.
+void print_notes(const DatasetLayout& layout, const MergeOutcome& outcome, const Colours& colours) {
+  for (const std::string& damage : outcome.damaged) {
+    std::cerr << colours.paint(Tone::caution, "removed") << ": " << damage << "\n";
+  }
+  for (const std::string& name : outcome.left) {
+    std::cerr << colours.paint(Tone::caution, "note") << ": " << (layout.staging / name).string()
+              << " is not edvo's and stays there\n";
+  }
+}
+
 void merge(const DatasetArguments& arguments, Session& session) {
   const auto limit = arguments.common.limit_threads();
   ProgressBar bar("merging", arguments.common.verbosity());
@@ -274,14 +285,13 @@ void merge(const DatasetArguments& arguments, Session& session) {
   const MergeOutcome outcome = merge_dataset(
       spec, plan, layout, arguments.common.output_policy().durability, bar.callback("verifying"));
   bar.erase();
-  for (const std::string& damage : outcome.damaged) {
-    std::cerr << session.err.paint(Tone::caution, "removed") << ": " << damage << "\n";
-  }
+  print_notes(layout, outcome, session.err);
   if (arguments.common.json) {
     print_json("dataset_merge", {{"dataset", arguments.out},
                                  {"was_there", outcome.was_there},
                                  {"missing", outcome.missing.size()},
                                  {"damaged", outcome.damaged},
+                                 {"left", outcome.left},
                                  {"files", outcome.files},
                                  {"bytes", outcome.bytes}});
   } else if (!outcome.missing.empty()) {

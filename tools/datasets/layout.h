@@ -24,6 +24,7 @@ struct DatasetLayout {
   std::filesystem::path plan() const { return staging / "plan.json"; }
   std::filesystem::path parts() const { return staging / "parts"; }
   std::filesystem::path part(std::size_t index, const std::string& name) const;
+  std::filesystem::path index() const { return staging / "index"; }
   std::filesystem::path merged() const { return staging / "dataset"; }
 };
 

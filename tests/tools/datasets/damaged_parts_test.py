@@ -181,13 +181,34 @@ def check_folders_without_record():
         assert files_of(SCRATCH / "set") == files_of(SCRATCH / "one")
 
 
+def check_files_of_ones_own():
+    """What somebody put beside the parts stays when they go, and is named."""
+    begin()
+    staging = SCRATCH / "set.part"
+    (staging / "notes.txt").write_text("precious")
+    (staging / "pictures").mkdir()
+    (staging / "pictures/parts").write_text("precious, too")
+    (staging / ".index.elsewhere-1").mkdir()  # of a merge that was killed on another machine
+    out = edvo("merge", "small.toml", "--out", "set")
+    assert out.count("note: ") == 2 and f"{staging / 'notes.txt'} is not edvo's and stays there" in out, out
+    for action, message in (("merge", "there already"), ("render", "all are there"), ("status", "6 of 6 parts are there")):
+        assert files_of(SCRATCH / "set") == files_of(SCRATCH / "one")
+        assert files_of(staging) == {"notes.txt": b"precious", "pictures/parts": b"precious, too"}
+        assert sorted(path.name for path in staging.iterdir()) == ["notes.txt", "pictures"]
+        assert message in edvo(action, "small.toml", "--out", "set")
+    shutil.copy(SCRATCH / "made.part/plan.json", staging)  # of a merge that was killed when it had the data set
+    said = json.loads(edvo("merge", "small.toml", "--out", "set", "--json", "--quiet").partition("note: ")[0])
+    assert said["left"] == ["notes.txt", "pictures"] and said["was_there"], said
+    assert sorted(path.name for path in staging.iterdir()) == ["notes.txt", "pictures"]
+
+
 def main():
     shutil.rmtree(SCRATCH, ignore_errors=True)
     SCRATCH.mkdir(parents=True)
     render_once()
     for check in (check_names_that_lead_out, check_checksums_that_lead_out, check_edited_records,
                   check_exchanged_parts, check_index_files, check_edited_plans,
-                  check_folders_without_record):
+                  check_folders_without_record, check_files_of_ones_own):
         check()
         print(check.__name__, "ok", flush=True)
     shutil.rmtree(SCRATCH)

@@ -31,15 +31,52 @@ namespace fs = std::filesystem;
 
 constexpr const char* kPlanCopy = "dataset.json";  // in the data set, by which it is recognised
 
-/// Removes what a data set was made in. As it is known by its plan, it gets a name first that
-/// nobody else's folder has, under which one that a killed process left is removed, too.
-void remove_staging(const DatasetLayout& layout) {
+/// Returns whether edvo gave something that lies in the folder of an unfinished data set its name.
+bool is_own_name(const DatasetLayout& layout, const std::string& name) {
+  return name == layout.plan().filename() || name == layout.parts().filename() ||
+         name == layout.merged().filename() ||
+         name.starts_with(PartFolder::partial_prefix(layout.index())) || vo::is_partial_name(name);
+}
+
+/// Returns the names of what lies in the folder of an unfinished data set and is not edvo's.
+std::vector<std::string> foreign_names(const DatasetLayout& layout) {
+  std::vector<std::string> names;
+  for (const vo::FolderEntry& entry : vo::entries_of(layout.staging)) {
+    if (!is_own_name(layout, entry.name)) {
+      names.push_back(entry.name);
+    }
+  }
+  return names;
+}
+
+/// Removes what edvo put into the folder of an unfinished data set, the plan last, by which the
+/// folder is known until then.
+void remove_own_entries(const DatasetLayout& layout) {
+  for (const vo::FolderEntry& entry : vo::entries_of(layout.staging)) {
+    if (is_own_name(layout, entry.name) && entry.name != layout.plan().filename()) {
+      vo::remove_tree(layout.staging / entry.name);
+    }
+  }
+  vo::remove_tree(layout.plan());
+}
+
+/// Removes what a data set was made in, and returns the names of what is not edvo's in it, which
+/// stays in its folder. A folder that is edvo's alone gets a name first that nobody else's has,
+/// under which one that a killed process left is removed, too.
+std::vector<std::string> remove_staging(const DatasetLayout& layout) {
   const fs::path doomed = vo::partial_name(layout.staging);
   vo::remove_tree(doomed);
-  if (fs::exists(layout.plan())) {
-    vo::rename_entry(layout.staging, doomed);
-    vo::remove_tree(doomed);
+  if (!fs::exists(layout.plan())) {
+    return {};
   }
+  std::vector<std::string> foreign = foreign_names(layout);
+  if (!foreign.empty()) {
+    remove_own_entries(layout);
+    return foreign;
+  }
+  vo::rename_entry(layout.staging, doomed);
+  vo::remove_tree(doomed);
+  return {};
 }
 
 /// A data set while it is merged: files move from the parts' folders into one.
@@ -78,7 +115,7 @@ class Merge {
   /// Moves the files of all parts and writes what describes them.
   void join(MergeOutcome& outcome) {
     vo::make_folder(layout_.merged());
-    PartFolder index(layout_.staging / "index");
+    PartFolder index(layout_.index());
     index.write({{"frames.csv", frame_columns(spec_)}});
     for (std::size_t part = 0; part < plan_.parts.size(); ++part) {
       join_part(part, index, outcome);
@@ -95,7 +132,7 @@ class Merge {
 
   /// Gives the data set its name. Files were synced when they were written, folders have changed
   /// since.
-  void finish() const {
+  void finish(MergeOutcome& outcome) const {
     if (durability_ == vo::Durability::synced) {
       for (const vo::FolderEntry& entry : vo::entries_below(layout_.merged())) {
         if (entry.kind == vo::EntryKind::folder) {
@@ -108,7 +145,7 @@ class Merge {
     if (durability_ == vo::Durability::synced) {
       vo::sync_to_disk(layout_.out.parent_path());
     }
-    remove_staging(layout_);
+    outcome.left = remove_staging(layout_);
   }
 
  private:
@@ -215,8 +252,7 @@ MergeOutcome merge_dataset(const DatasetSpec& spec, const DatasetPlan& plan,
                            const DatasetLayout& layout, vo::Durability durability,
                            const vo::Progress& progress) {
   if (is_merged(spec, plan, layout)) {
-    remove_staging(layout);
-    return {.was_there = true};
+    return {.was_there = true, .left = remove_staging(layout)};
   }
   MergeOutcome outcome{.missing = missing_parts(spec, plan, layout)};
   Merge merge(spec, plan, layout, durability);
@@ -225,7 +261,7 @@ MergeOutcome merge_dataset(const DatasetSpec& spec, const DatasetPlan& plan,
   }
   if (outcome.missing.empty()) {
     merge.join(outcome);
-    merge.finish();
+    merge.finish(outcome);
   }
   return outcome;
 }

@@ -19,6 +19,7 @@ struct MergeOutcome {
   bool was_there = false;            ///< it had been merged before
   std::vector<std::size_t> missing;  ///< parts that are not there, damaged ones among them
   std::vector<std::string> damaged;  ///< a sentence for each part that was removed for damage
+  std::vector<std::string> left;     ///< names in OUT.part that are not edvo's, and stay there
   std::size_t files = 0;             ///< number of files with a checksum
   std::uintmax_t bytes = 0;          ///< of these files
 };
