@@ -182,8 +182,8 @@ TestResults read_results(const std::filesystem::path& file) {
     const Json json = Json::parse(text);
     vo::require(json.value("schema", std::string()) == vo::concat("edvo.", kSchema.name),
                 file.string(), ": expected the results of `edvo test --json`");
-    const int found = json.at("schema_version").get<int>();
-    vo::require(found == kSchema.version, file.string(), ": has schema version ", found,
+    const Json& found = json.at("schema_version");
+    vo::require(found == kSchema.version, file.string(), ": has schema version ", found.dump(),
                 ", expected ", kSchema.version);
     TestResults results{.edvo = json.value("edvo", std::string()),
                         .tracker = json.value("tracker", std::string()),

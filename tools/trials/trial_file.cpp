@@ -80,8 +80,8 @@ std::pair<std::string, std::string> lines_of(const std::string& text) {
 
 void check_head(const Json& head, const std::string& body) {
   vo::require(head.value("schema", std::string()) == kTrialSchema, "it is no trial");
-  const int version = head.at("schema_version").get<int>();
-  vo::require(version == kTrialVersion, "it has schema version ", version, ", expected ",
+  const Json& version = head.at("schema_version");
+  vo::require(version == kTrialVersion, "it has schema version ", version.dump(), ", expected ",
               kTrialVersion);
   vo::require(head.at("hash").get<std::string>() == vo::content_hash(body),
               "its bytes are not those that were written");
@@ -89,6 +89,7 @@ void check_head(const Json& head, const std::string& body) {
 
 TrialFile parse_trial_file(const std::string& text, const std::string& place) {
   const auto [head, body] = lines_of(text);
+  vo::require_json_within_limits(head, place);
   check_head(Json::parse(head), body);
   vo::require_json_within_limits(body, place);
   const Json json = Json::parse(body);

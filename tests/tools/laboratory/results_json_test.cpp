@@ -79,6 +79,18 @@ TEST(ResultsJson, IsRefusedWithTwoScenariosOfOneName) {
               testing::HasSubstr("results.json: bounded: is there twice, expected scenarios"));
 }
 
+TEST(ResultsJson, IsRefusedWithAnotherSchemaVersionWhateverItIs) {
+  const support::TempFolder folder;
+  nlohmann::ordered_json json = tools::results_json(two_scenarios());
+  for (const char* version : {"2", "8.8e+56", "-1", "\"1\"", "null"}) {
+    json["schema_version"] = nlohmann::ordered_json::parse(version);
+    const auto file = folder.write("results.json", json.dump());
+    EXPECT_THAT(support::error_text([&] { tools::read_results(file); }),
+                testing::HasSubstr(std::string("has schema version ") + version))
+        << version;
+  }
+}
+
 TEST(ResultsJson, IsRefusedWhereItIsNestedTooDeep) {
   const support::TempFolder folder;
   const auto file = folder.write("results.json", R"({"schema": )" + std::string(15'000, '['));
