@@ -285,6 +285,7 @@ int submit(SubmitArguments& arguments) {
   const fs::path folder = submission_folder(arguments.out);
   if (!arguments.dry_run) {
     vo::tidy_up_beside(folder);
+    vo::tidy_up_beside(vo::resolved_output(arguments.out));
   }
   if (is_made(arguments)) {
     std::cout << arguments.out << ": is there, nothing is missing\n";

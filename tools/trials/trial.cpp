@@ -44,6 +44,14 @@ TrialKey key_of_kept(const std::string& key) {
   return {{"run", key}};
 }
 
+/// Returns what another run with the same key would measure, too: no remark, no report.
+TrialResult what_is_kept(const TrialResult& trial) {
+  return {.seed = trial.seed,
+          .sequence = trial.sequence,
+          .frames = trial.frames,
+          .metrics = trial.metrics};
+}
+
 /// Returns the cached result of an earlier run; empty where there is no file, or one that is
 /// damaged or of another run.
 std::optional<TrialResult> read_kept(const fs::path& file, const std::string& key) {
@@ -135,7 +143,7 @@ void measure_trial(const Scenario& scenario, const TrialSettings& settings,
   trial.metrics = is_reported(settings, trial)
                       ? reported(scenario, sequence, *settings.pictures, progress, trial)
                       : track_scenario(scenario, sequence, {}, progress).metrics;
-  write_trial(file, {key_of_kept(key), trial}, vo::Durability::unsynced);
+  write_trial(file, {key_of_kept(key), what_is_kept(trial)}, vo::Durability::unsynced);
 }
 
 }  // namespace
