@@ -275,7 +275,7 @@ void require_plan_of(const DatasetSpec& spec, const DatasetPlan& plan, const fs:
 DatasetPlan begin_dataset(const DatasetSpec& spec, const fs::path& plan_file,
                           vo::Durability durability, const vo::Progress& progress) {
   if (path_exists(plan_file)) {
-    const DatasetPlan plan = read_plan(plan_file);
+    DatasetPlan plan = read_plan(plan_file);
     require_same(plan.identity, identity_of(spec), plan_file);
     require_plan_of(spec, plan, plan_file);
     return plan;
