@@ -361,7 +361,7 @@ def check_merges():
                               stdout=subprocess.DEVNULL) for _ in range(4)]
     assert [run.wait() for run in crowd] == [0, 0, 0, 0]
     require_same("one", "crowd")
-    (SCRATCH / ".crowd.part.partial-edvo/parts/000/box_orbit_plain_0-000").mkdir(parents=True)
+    (SCRATCH / ".crowd.partial-edvo/parts/000/box_orbit_plain_0-000").mkdir(parents=True)
     (SCRATCH / "crowd.part/parts").mkdir(parents=True)
     (SCRATCH / "kept-plan.json").rename(SCRATCH / "crowd.part/plan.json")
     assert "there already" in edvo("merge", "small.toml", "--out", "crowd")

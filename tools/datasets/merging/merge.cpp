@@ -64,7 +64,7 @@ void remove_own_entries(const DatasetLayout& layout) {
 /// stays in its folder. A folder that is edvo's alone gets a name first that nobody else's has,
 /// under which one that a killed process left is removed, too.
 std::vector<std::string> remove_staging(const DatasetLayout& layout) {
-  const fs::path doomed = vo::partial_name(layout.staging);
+  const fs::path doomed = vo::partial_name(layout.out);
   vo::remove_tree(doomed);
   if (!fs::exists(layout.plan())) {
     return {};
