@@ -20,7 +20,6 @@
 #include "vo/files/output.h"
 #include "vo/files/partial_file.h"
 #include "vo/files/result_files.h"
-#include "vo/files/system_failure.h"
 #include "vo/hashing/content_hash.h"
 #include "vo/output_folders/output_folder.h"
 #include "vo/output_folders/staged_folder.h"
@@ -81,11 +80,8 @@ bool is_key(const std::string& name) {
 
 /// Throws vo::Error naming the entry where it cannot be removed.
 void remove_entry(const EntryPlaces& places) {
-  for (const fs::path& path : {places.files, places.sequence}) {
-    if (const int error = vo::remove_tree(path); error != 0) {
-      vo::fail_with(path, "cannot be removed", error);
-    }
-  }
+  vo::remove_completely(places.files);
+  vo::remove_completely(places.sequence);
 }
 
 /// Returns the key of an unfinished sequence by the name of a folder in the cache, `KEY.part` or

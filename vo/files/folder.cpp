@@ -104,6 +104,12 @@ int remove_tree(const fs::path& path) noexcept {
   return error == ENOENT ? 0 : error;
 }
 
+void remove_completely(const fs::path& path) {
+  if (const int error = remove_tree(path); error != 0) {
+    fail_with(path, "cannot be removed", error);
+  }
+}
+
 void rename_entry(const fs::path& from, const fs::path& to) {
   if (uninterrupted([&] { return ::rename(from.c_str(), to.c_str()); }) != 0) {
     fail_with(to, "cannot be written", errno);

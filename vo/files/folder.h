@@ -27,6 +27,9 @@ std::vector<FolderEntry> entries_below(const std::filesystem::path& folder);
 /// `errno` of what cannot be removed.
 int remove_tree(const std::filesystem::path& path) noexcept;
 
+/// Removes as `remove_tree` does. Throws Error naming the path where that fails.
+void remove_completely(const std::filesystem::path& path);
+
 /// Gives a file or folder another name, in place of a file, or of an empty folder, that has it.
 /// Throws Error naming `to` where that fails.
 void rename_entry(const std::filesystem::path& from, const std::filesystem::path& to);

@@ -54,8 +54,8 @@ bool remove_abandoned_folder(const fs::path& path) {
   if (!lock) {
     return false;
   }
-  if (const int error = is_folder(partial) ? remove_tree(partial) : 0; error != 0) {
-    fail_with(partial, "cannot be removed", error);
+  if (is_folder(partial)) {
+    remove_completely(partial);
   }
   return true;
 }

@@ -7,7 +7,6 @@
 #include "vo/files/folder.h"
 #include "vo/files/input.h"
 #include "vo/files/result_files.h"
-#include "vo/files/system_failure.h"
 #include "vo/output_folders/file_records.h"
 #include "vo/output_folders/output_folder.h"
 
@@ -46,12 +45,6 @@ NamedBytes list_within(const std::string& folder, const FileRecords& records) {
     }
   }
   return {prefix + kFileList, format_records(own)};
-}
-
-void remove_folder(const fs::path& folder) {
-  if (const int error = remove_tree(folder); error != 0) {
-    fail_with(folder, "cannot be removed", error);
-  }
 }
 
 bool holds_marker(const fs::path& folder, const NamedBytes& marker) {
@@ -137,7 +130,7 @@ void StagedFolder::look_for_damage() {
 /// what is planned in it.
 void StagedFolder::begin() const {
   const fs::path fresh = partial_name(staging_);
-  remove_folder(fresh);
+  remove_completely(fresh);
   try {
     write_files(fresh,
                 {content_.marker, {std::string(kFileList), format_records(planned(content_))}},
@@ -178,7 +171,7 @@ bool StagedFolder::begin_or_join_alone() {
   require_free_staging();
   if (fs::exists(staging_) && !is_joined()) {
     require_replaceable(staging_, policy_.existing);
-    remove_folder(staging_);
+    remove_completely(staging_);
   }
   if (!fs::exists(staging_)) {
     begin();
@@ -291,9 +284,9 @@ std::vector<std::size_t> StagedFolder::finish() {
 /// Gives the folder its final name. It loses its records, by which it would be known as
 /// unfinished, under a name that no user's folder has.
 void StagedFolder::put_in_place() const {
-  remove_folder(complete_);
+  remove_completely(complete_);
   rename_entry(staging_, complete_);
-  remove_folder(complete_ / part_record_name(""));
+  remove_completely(complete_ / part_record_name(""));
   put_folder_in_place(complete_, path_, policy_.durability);
 }
 

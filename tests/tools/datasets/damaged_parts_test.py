@@ -7,9 +7,8 @@ import json
 import pathlib
 import shutil
 import subprocess
-import sys
 
-EDVO, REPOSITORY, SCRATCH = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+from dataset_program import EDVO, REPOSITORY, SCRATCH, edvo, files_of
 
 SPEC = """
 name = "small"
@@ -33,17 +32,6 @@ orbit.radius = 2.0
 [sensors.plain]
 """
 FIRST = "box_orbit_plain_0-000"
-
-
-def edvo(*words, code=0):
-    """Runs `edvo dataset`, holds it to its exit code and returns what it printed."""
-    result = subprocess.run([EDVO, "dataset", *map(str, words)], capture_output=True, text=True, cwd=SCRATCH)
-    assert result.returncode == code, (words, result.returncode, result.stdout, result.stderr)
-    return result.stdout + result.stderr
-
-
-def files_of(folder):
-    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
 
 
 def render_once():

@@ -7,12 +7,13 @@ import csv
 import hashlib
 import json
 import os
-import pathlib
 import shutil
 import signal
 import subprocess
 import sys
 import tarfile
+
+from dataset_program import EDVO, REPOSITORY, SCRATCH, edvo, files_of
 
 try:
     import numpy
@@ -20,7 +21,6 @@ except ImportError:
     print("skipped: python3-numpy was not found")
     sys.exit(77)
 
-EDVO, REPOSITORY, SCRATCH = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 sys.path += [str(REPOSITORY / "tests/tools"), str(REPOSITORY / "tests/tools/exports")]
 import files  # noqa: E402  (of tests/tools/exports)
 import png_file  # noqa: E402
@@ -56,14 +56,6 @@ scenes = "box"
 """
 
 
-def edvo(*words, code=0, env=None):
-    """Runs `edvo dataset`, holds it to its exit code and returns what it printed."""
-    result = subprocess.run([EDVO, "dataset", *map(str, words)], capture_output=True, text=True, cwd=SCRATCH,
-                            env={**os.environ, **(env or {})})
-    assert result.returncode == code, (words, result.returncode, result.stdout, result.stderr)
-    return result.stdout + result.stderr
-
-
 def write_spec(name, more="", duration=0.8, **changes):
     text = SPEC.format(more=more, duration=duration, assets=REPOSITORY / "assets")
     for old, new in changes.values():
@@ -71,10 +63,6 @@ def write_spec(name, more="", duration=0.8, **changes):
         text = text.replace(old, new)
     (SCRATCH / name).write_text(text)
     return name
-
-
-def files_of(folder):
-    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
 
 
 def require_same(a, b):
